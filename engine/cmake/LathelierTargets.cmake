@@ -1,0 +1,20 @@
+# Interface target lathelier_options: what every target of ours is compiled with.
+add_library(lathelier_options INTERFACE)
+target_include_directories(lathelier_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(lathelier_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+                       -Werror -Werror=switch)
+# The same bits on every machine: no contraction of a*b+c into one rounding.
+target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
+if(LATHELIER_SANITIZE)
+    add_compile_options(-fsanitize=${LATHELIER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${LATHELIER_SANITIZE})
+endif()
+if(LATHELIER_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+find_program(LATHELIER_CCACHE ccache)
+if(LATHELIER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${LATHELIER_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${LATHELIER_CCACHE})
+endif()

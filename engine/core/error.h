@@ -1,0 +1,80 @@
+// "No answer" (Error, thrown), "answered, but" (Note, inside a result) and "stopped by the user" (Cancelled).
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// What an error means to the caller; the command line turns it into its exit code.
+enum class ErrorKind {
+    WrongUsage,     ///< exit 2: the request itself makes no sense
+    InputRejected,  ///< exit 3: a file cannot be read as what it claims to be
+    NoAnswer        ///< exit 4: the files are sound, but the question has no answer
+};
+
+/// Every reason for "no answer". One line each in error_codes.def.h: code, stable key, kind, English pattern.
+enum class ErrorCode {
+#define LATHELIER_ERROR(code, key, kind, pattern) code,
+#include "engine/core/error_codes.def.h"
+#undef LATHELIER_ERROR
+};
+
+/// Every "answered, but". One line each in note_codes.def.h: code, stable key, severity, English pattern.
+enum class NoteCode {
+#define LATHELIER_NOTE(code, key, severity, pattern) code,
+#include "engine/core/note_codes.def.h"
+#undef LATHELIER_NOTE
+};
+
+/// How much a note matters for trusting the number beside it.
+enum class Severity { Info, Warning };
+
+/// Thrown when there is no answer. Carries a code and named values; text(Error) in texts.h makes the sentence.
+/// Readers put in `path` and `line` + `column` (both from 1) or `byte` (from 0), `found` and `expected`.
+class Error : public std::exception {
+public:
+    Error(ErrorCode code, Values values);
+
+    ErrorCode code() const { return code_; }
+    const Values& values() const { return values_; }
+
+    /// Adds a value on the way up (a parser knows the line, its caller the path). An existing name is kept.
+    Error& with(std::string_view name, Value value);
+
+    /// The English sentence, for test output and debuggers only.
+    const char* what() const noexcept override { return what_.c_str(); }
+
+private:
+    ErrorCode code_;
+    Values values_;
+    std::string what_;
+};
+
+/// Thrown out of a computation that the user stopped.
+class Cancelled : public std::exception {
+public:
+    const char* what() const noexcept override { return "cancelled"; }
+};
+
+/// Part of a result: something the reader of the number has to know.
+struct Note {
+    NoteCode code;
+    Values values;
+};
+
+using Notes = std::vector<Note>;
+
+std::string_view key(ErrorCode code);  ///< stable name for scripts, "file_not_found"
+std::string_view key(NoteCode code);   ///< stable name for scripts, "unit_guessed"
+ErrorKind kind(ErrorCode code);
+Severity severity(NoteCode code);
+
+/// True when `notes` holds one with this code.
+bool contains(const Notes& notes, NoteCode code);
+
+}  // namespace lathelier

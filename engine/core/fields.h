@@ -1,0 +1,85 @@
+// Parameters described once: the form, the project file, the command line, the report and the range check read this.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/core/text.h"
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// One choice of a Choice field.
+struct FieldChoice {
+    std::string key;  ///< stable, "revolution"
+    Text label;
+};
+
+/// What one parameter is, without the struct it lives in.
+struct FieldInfo {
+    enum class Kind { Flag, Integer, Number, Choice, Word, Intervals };
+
+    std::string key;   ///< stable, with its unit: "tolerance_mm"; the option is --tolerance-mm
+    Kind kind = Kind::Number;
+    Text label;        ///< short, without the unit
+    Text help;         ///< one sentence for the tooltip and --help
+    Text unit;         ///< "mm", empty when there is none
+    double minimum = 0;
+    double maximum = 0;            ///< Integer, Number and the ends of Intervals: inclusive range
+    bool optional = false;         ///< may be "not given" (monostate)
+    bool advanced = false;         ///< folded away in the form
+    std::vector<FieldChoice> choices;
+};
+
+/// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.
+template <class P>
+struct Field {
+    FieldInfo info;
+    std::function<Value(const P&)> get;
+    std::function<void(P&, const Value&)> set;
+};
+
+/// The description of P, specialised beside each parameter struct.
+template <class P>
+const std::vector<Field<P>>& fields();
+
+/// Throws Error ValueOutOfRange or ValueNotUnderstood when `value` is nothing this field takes.
+void check(const FieldInfo& info, const Value& value);
+
+/// Reads what a person or a script typed ("0.05", "auto", "10:20,30:40"), decimal point only. Throws Error.
+Value parse(const FieldInfo& info, const std::string& typed);
+
+/// The infos alone, for code that builds forms and options without knowing P.
+template <class P>
+std::vector<FieldInfo> infos()
+{
+    std::vector<FieldInfo> result;
+    for (const Field<P>& field : fields<P>()) result.push_back(field.info);
+    return result;
+}
+
+/// All parameters by key.
+template <class P>
+Values toValues(const P& parameters)
+{
+    Values result;
+    for (const Field<P>& field : fields<P>()) result.emplace_back(field.info.key, field.get(parameters));
+    return result;
+}
+
+/// Applies the values whose names are known and checks them; others are ignored, missing ones keep P's default.
+template <class P>
+P fromValues(const Values& values, P parameters = {})
+{
+    for (const Field<P>& field : fields<P>())
+        if (const Value* value = find(values, field.info.key)) {
+            check(field.info, *value);
+            field.set(parameters, *value);
+        }
+    return parameters;
+}
+
+}  // namespace lathelier
+
+#include "engine/core/fields_make.h"

@@ -1,0 +1,76 @@
+#include "engine/core/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lathelier {
+
+Json toJson(const Value& value)
+{
+    struct Visitor {
+        Json operator()(std::monostate) const { return nullptr; }
+        Json operator()(bool v) const { return v; }
+        Json operator()(std::int64_t v) const { return v; }
+        Json operator()(double v) const { return v; }  // nlohmann writes NaN and infinity as null
+        Json operator()(const std::string& v) const { return v; }
+        Json operator()(const std::vector<Interval>& v) const
+        {
+            Json result = Json::array();
+            for (const Interval& interval : v) result.push_back({interval.from, interval.to});
+            return result;
+        }
+        Json operator()(Text v) const { return v.english; }
+    };
+    return std::visit(Visitor{}, value);
+}
+
+Json toJson(const Values& values)
+{
+    Json result = Json::object();
+    for (const auto& [name, value] : values) result[name] = toJson(value);
+    return result;
+}
+
+Json toJson(const Notes& notes)
+{
+    Json result = Json::array();
+    for (const Note& note : notes) {
+        Json item{{"code", key(note.code)}};
+        item.update(toJson(note.values));
+        result.push_back(std::move(item));
+    }
+    return result;
+}
+
+Json toJson(const Error& error)
+{
+    Json result{{"code", key(error.code())}};
+    result.update(toJson(error.values()));
+    return result;
+}
+
+Value valueFromJson(const Json& json)
+{
+    if (json.is_boolean()) return json.get<bool>();
+    if (json.is_number_integer()) return json.get<std::int64_t>();
+    if (json.is_number()) return json.get<double>();
+    if (json.is_string()) return json.get<std::string>();
+    if (json.is_array()) {
+        std::vector<Interval> intervals;
+        for (const Json& item : json) {
+            if (!item.is_array() || item.size() != 2 || !item[0].is_number() || !item[1].is_number()) return {};
+            intervals.push_back({item[0].get<double>(), item[1].get<double>()});
+        }
+        return intervals;
+    }
+    return {};
+}
+
+Values valuesFromJson(const Json& json)
+{
+    Values result;
+    if (json.is_object())
+        for (const auto& [name, value] : json.items()) result.emplace_back(name, valueFromJson(value));
+    return result;
+}
+
+}  // namespace lathelier

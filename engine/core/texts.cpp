@@ -1,0 +1,92 @@
+#include "engine/core/texts.h"
+
+#include <fmt/format.h>
+
+#include "engine/core/codes.h"
+
+namespace lathelier {
+namespace {
+
+std::string number(double value, const Language& language)
+{
+    return language.number ? language.number(value) : fmt::format("{:.6g}", value);
+}
+
+/// Path, line, column, byte of an error, as far as they are there.
+std::string place(const Values& values, const Language& language)
+{
+    const bool line = find(values, "line");
+    const bool column = find(values, "column");
+    const bool byte = find(values, "byte");
+    std::string result;
+    const auto add = [&](Text pattern) {
+        if (!result.empty()) result += ", ";
+        result += fill(text(pattern, language), values, language);
+    };
+    if (const Value* path = find(values, "path")) result = text(*path, language);
+    if (line) add(LT_TEXT("Engine", "line {line}"));
+    if (column) add(LT_TEXT("Engine", "column {column}"));
+    if (byte) add(LT_TEXT("Engine", "byte {byte}"));
+    return result;
+}
+
+}  // namespace
+
+std::string text(Text english, const Language& language)
+{
+    if (english.empty()) return {};
+    return language.translate ? language.translate(english.english) : std::string(english.english);
+}
+
+std::string text(const Value& value, const Language& language)
+{
+    struct Visitor {
+        const Language& language;
+        std::string operator()(std::monostate) const { return {}; }
+        std::string operator()(bool v) const { return text(v ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"), language); }
+        std::string operator()(std::int64_t v) const { return std::to_string(v); }
+        std::string operator()(double v) const { return number(v, language); }
+        std::string operator()(const std::string& v) const { return v; }
+        std::string operator()(const std::vector<Interval>& v) const
+        {
+            std::string result;
+            for (const Interval& interval : v) {
+                if (!result.empty()) result += ", ";
+                result += number(interval.from, language) + ":" + number(interval.to, language);
+            }
+            return result;
+        }
+        std::string operator()(Text v) const { return text(v, language); }
+    };
+    return std::visit(Visitor{language}, value);
+}
+
+std::string text(const Error& error, const Language& language)
+{
+    const std::string where = place(error.values(), language);
+    const std::string what = fill(text(pattern(error.code()), language), error.values(), language);
+    return where.empty() ? what : where + ": " + what;
+}
+
+std::string text(const Note& note, const Language& language)
+{
+    return fill(text(pattern(note.code), language), note.values, language);
+}
+
+std::string fill(const std::string& pattern, const Values& values, const Language& language)
+{
+    std::string result;
+    std::size_t from = 0;
+    while (from < pattern.size()) {
+        const std::size_t open = pattern.find('{', from);
+        const std::size_t close = open == std::string::npos ? open : pattern.find('}', open);
+        if (close == std::string::npos) break;
+        result.append(pattern, from, open - from);
+        const Value* value = find(values, std::string_view(pattern).substr(open + 1, close - open - 1));
+        result += value ? text(*value, language) : pattern.substr(open, close - open + 1);
+        from = close + 1;
+    }
+    return result.append(pattern, from, std::string::npos);
+}
+
+}  // namespace lathelier

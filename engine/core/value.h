@@ -1,0 +1,34 @@
+// Named values: what errors, notes, parameters and reports carry instead of finished sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/core/text.h"
+
+namespace lathelier {
+
+/// A closed range, in the unit of the name it is stored under.
+struct Interval {
+    double from = 0;
+    double to = 0;
+    friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// One value. monostate is "not given" (JSON null); Text is a translatable phrase (JSON: its English).
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<Interval>, Text>;
+
+/// Values by name, in the order they were added. Names carry their unit ("extent_mm").
+using Values = std::vector<std::pair<std::string, Value>>;
+
+/// The value stored under `name`, or nullptr.
+const Value* find(const Values& values, std::string_view name);
+
+/// Stores `value` under `name`, replacing an earlier one.
+void set(Values& values, std::string_view name, Value value);
+
+}  // namespace lathelier

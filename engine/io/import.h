@@ -1,0 +1,51 @@
+// What every reader shares: the settings a person may have to give, and "what I understood of this file".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+
+namespace lathelier {
+
+enum class Decimal { Auto, Point, Comma };
+enum class Delimiter { Auto, Space, Comma, Semicolon, Tab, Pipe };
+enum class Encoding { Auto, Utf8, Utf16le, Utf16be, Latin1 };
+enum class LengthUnit { Auto, Millimetre, Metre, Inch, Micrometre };
+
+/// What a text file may leave open. Auto: found out from the file, refused when an answer would change numbers.
+struct ImportOptions {
+    Decimal decimal = Decimal::Auto;
+    Delimiter delimiter = Delimiter::Auto;
+    Encoding encoding = Encoding::Auto;
+    LengthUnit unit = LengthUnit::Auto;
+};
+
+template <>
+const std::vector<Field<ImportOptions>>& fields<ImportOptions>();
+
+/// A row that was passed over. `line` counts from 1.
+struct SkippedRow {
+    std::int64_t line = 0;
+    Text reason;
+};
+
+/// What was understood of a file; the command line's `inspect` and the import line of the panels show it.
+/// Words that do not apply (the delimiter of a binary file) are empty.
+struct FileFacts {
+    std::string path;
+    std::string format;       ///< "ply_binary_little_endian", "xyz_text", "stl_ascii", "pcd_binary", "obj"…
+    std::string encoding;     ///< "utf-8", "utf-16le", "latin-1"…
+    std::string delimiter;    ///< "comma", "space"…
+    std::string decimal;      ///< "point", "comma"
+    std::string unit;         ///< "mm", "m", "inch", "um"
+    std::string unit_source;  ///< "stated", "guessed", "given"
+    std::int64_t rows = 0;
+    std::int64_t columns = 0;
+    std::vector<SkippedRow> skipped;  ///< the first 100; `details` has "skipped_rows" when there are more
+    Values details;                   ///< by kind of file: "points", "triangles"…
+};
+
+}  // namespace lathelier

@@ -1,0 +1,50 @@
+// The project as a value: which files, which parameters, which results are in the report. Panels by id.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// An input file of a panel, with the decisions made at import.
+struct Source {
+    std::string path;     ///< absolute in memory, relative to the project file on disk
+    Values import;        ///< ImportOptions as values
+    std::string sha256;   ///< of the content last read; empty: not read yet
+    bool synthetic = false;
+    friend bool operator==(const Source&, const Source&) = default;
+};
+
+/// What a panel works on. Its parameters are those of its fields<P>().
+struct PanelState {
+    std::map<std::string, Source> inputs;  ///< by role: "reference", "copy"
+    Values parameters;
+    friend bool operator==(const PanelState&, const PanelState&) = default;
+};
+
+struct Project {
+    std::string title;
+    std::string workspace = "inspection";
+    std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
+    std::vector<std::string> report;           ///< ids of the panels in the report, in order
+    friend bool operator==(const Project&, const Project&) = default;
+};
+
+/// Reads a project file (JSON, format version 1). Older versions are migrated, newer ones refused. Source paths come
+/// out absolute. A source whose content no longer has the stored SHA-256 gives the note SourceChanged, a missing one
+/// SourceMissing; the project opens all the same.
+/// Errors: FileNotFound, FileNotReadable, Malformed (line, column), VersionTooNew.
+struct ProjectFile {
+    Project project;
+    Notes notes;
+};
+ProjectFile readProject(const std::string& path);
+
+/// Writes beside and renames: the old file stays whole if anything fails. Error FileNotWritable.
+void writeProject(const std::string& path, const Project& project);
+
+}  // namespace lathelier

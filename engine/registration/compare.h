@@ -1,0 +1,114 @@
+// How far a copy is from its original, where, and how sure that is: registration, then signed surface deviation.
+// Source: Miądlicki et al., "Remanufacturing System with Chatter Suppression for CNC Turning", section 3 (ICP
+// comparison of the copy), with a point-to-surface deviation in place of the paper's nearest-point RMSE.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/core/fields.h"
+#include "engine/core/progress.h"
+#include "engine/core/scan.h"
+#include "engine/registration/alignment.h"
+
+namespace lathelier {
+
+enum class CompareMethod { Auto, Revolution, Plane, Point };  ///< Auto: Revolution for a body of revolution, else Plane
+enum class Symmetry { Auto, Revolution, None };
+enum class InitialPose { Auto, Identity };
+
+struct CompareParameters {
+    CompareMethod method = CompareMethod::Auto;
+    Symmetry symmetry = Symmetry::Auto;
+    InitialPose initial = InitialPose::Auto;
+    std::optional<double> tolerance_mm;         ///< band ±T; without it there is no verdict
+    double pass_percent = 95;                   ///< pass when at least this share is within the band
+    std::optional<double> scanner_accuracy_mm;  ///< one standard deviation of the scanner
+    std::optional<double> max_distance_mm;      ///< points further away are left out; default max(1 mm, 10 σ)
+    std::vector<Interval> exclude_z_mm;         ///< clamping areas, along the reference's axis from its first data
+};
+
+template <>
+const std::vector<Field<CompareParameters>>& fields<CompareParameters>();
+
+/// Signed surface deviation of every point of the copy; + = material in excess. NaN where not used.
+struct DeviationStatistics {
+    std::int64_t points_used = 0;
+    std::int64_t points_excluded = 0;
+    double overlap_percent = 0;
+    double rmse_mm = 0;
+    double mean_mm = 0;
+    double std_mm = 0;
+    double min_mm = 0;
+    double max_mm = 0;
+    double p95_abs_mm = 0;
+    double median_mm = 0;
+    double mad_sigma_mm = 0;  ///< 1.4826 × median absolute deviation
+    double p2_5_mm = 0;
+    double p97_5_mm = 0;
+};
+
+struct Histogram {
+    std::vector<double> edges_mm;  ///< one more than counts
+    std::vector<std::int64_t> counts;
+};
+
+/// Mean deviation between two places along the axis.
+struct Zone {
+    double z_start_mm = 0;
+    double z_end_mm = 0;
+    double mean_mm = 0;
+    double std_mm = 0;
+    std::int64_t points = 0;
+};
+
+/// The reference's meridian and the copy's mean deviation along it, for the plot with magnified error.
+/// z runs along the reference axis from its first data.
+struct Meridian {
+    std::vector<double> z_mm;
+    std::vector<double> reference_radius_mm;
+    std::vector<double> deviation_mm;  ///< NaN where the copy has no points
+    std::vector<double> std_mm;
+};
+
+/// Mean deviation on a z × θ grid: the unrolled map. Row-major, z slow. NaN where there are no points.
+struct UnrolledMap {
+    double z_start_mm = 0;
+    double z_step_mm = 1;
+    int z_count = 0;
+    int angle_count = 0;  ///< over 360°, cell centres at (j + ½)·360/angle_count
+    std::vector<float> mean_mm;
+};
+
+enum class Verdict { Pass, Fail };
+
+struct CompareResult {
+    CompareParameters parameters;          ///< as asked
+    CompareMethod method_used = CompareMethod::Plane;
+    Alignment alignment;
+    bool has_sign = true;                  ///< false: the deviation is unsigned and min/mean/… are null in JSON
+    std::vector<float> deviation_mm;       ///< one per point (vertex) of the copy, in input order; NaN where none
+    std::vector<std::uint8_t> used;        ///< 1 where the point counts
+    DeviationStatistics statistics;
+    Histogram histogram;
+    std::vector<Zone> zones;               ///< body of revolution only
+    std::optional<Meridian> meridian;      ///< body of revolution only
+    std::optional<UnrolledMap> unrolled;   ///< body of revolution only
+    double cloud_to_cloud_rmse_mm = std::numeric_limits<double>::quiet_NaN();  ///< the paper's figure
+    double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();       ///< what that figure is for identical parts
+    std::optional<double> within_tolerance_percent;
+    std::optional<Verdict> verdict;
+    std::optional<bool> distinguishable_from_scanner;
+    Notes notes;                           ///< those of the alignment included
+};
+
+/// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.
+/// Errors: TooFewPoints, PointsDegenerate, PartsDoNotMatch (with overlap_percent), NotConverged,
+/// NotABodyOfRevolution (when asked for method revolution). Throws Cancelled.
+CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
+                      const Progress& progress = {});
+
+}  // namespace lathelier

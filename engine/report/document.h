@@ -1,0 +1,103 @@
+// A report as data: what is to be said, without how it looks. HTML and PDF are made from the same document.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/text.h"
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// A label of the report: a translatable literal, or a name that is the same in every language (a path).
+using Caption = std::variant<Text, std::string>;
+
+/// One line of a two-column table: name, value, unit.
+struct Quantity {
+    Caption name;
+    Value value;
+    Text unit;
+    int decimals = 3;  ///< for numbers
+};
+
+struct QuantityTable {
+    Caption title;
+    std::vector<Quantity> rows;
+};
+
+struct Table {
+    Caption title;
+    std::vector<Caption> columns;  ///< with units
+    std::vector<std::vector<Value>> rows;
+    int decimals = 3;
+};
+
+struct Curve {
+    Caption name;
+    std::vector<double> x;
+    std::vector<double> y;  ///< NaN breaks the line
+    enum class Style { Line, Bars, Band } style = Style::Line;
+    std::vector<double> y_low;  ///< Band only: the other edge
+};
+
+/// An XY plot, drawn as SVG.
+struct Plot {
+    Caption title;
+    Caption x_title;  ///< with unit
+    Caption y_title;
+    std::vector<Curve> curves;
+    std::vector<double> y_marks;  ///< horizontal lines, such as tolerance limits
+};
+
+/// A map of values on a grid in a diverging colour scale, drawn as an embedded picture with axes and scale in SVG.
+struct ColourMap {
+    Caption title;
+    Caption x_title;
+    Caption y_title;
+    Caption value_title;
+    double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
+    int columns = 0, rows = 0;
+    std::vector<float> values;  ///< row-major, rows along y; NaN is left blank
+    double limit = 1;           ///< the scale runs from -limit to +limit
+    std::optional<double> tolerance;
+};
+
+/// A ready picture (PNG bytes), such as a 3-D view.
+struct Picture {
+    Caption title;
+    std::string png;
+};
+
+/// The answer in large type, as the headline of the panel.
+struct Headline {
+    std::string text;             ///< already filled and in the reader's language
+    std::optional<bool> verdict;  ///< nullopt: none
+};
+
+using Block = std::variant<Headline, QuantityTable, Table, Plot, ColourMap, Picture, Notes>;
+
+/// An input of the report, for the audit.
+struct InputFile {
+    std::string path;
+    std::int64_t bytes = 0;
+    std::string sha256;
+};
+
+struct Section {
+    Caption title;
+    std::vector<Block> blocks;
+};
+
+struct Document {
+    Caption title;
+    std::vector<Section> sections;
+    std::vector<InputFile> inputs;
+    bool synthetic = false;  ///< the data are synthetic: marked on the first page
+    std::string created;     ///< ISO 8601, empty leaves it out (golden tests)
+};
+
+}  // namespace lathelier

@@ -1,0 +1,38 @@
+// The colours of signed deviations: one rule for the 3-D view, the unrolled map and the report.
+// Blue - light grey - red, evenly spaced in Oklab (B. Ottosson, "A perceptual color space for image processing", 2020),
+// so that equal steps of the value look equally large, also to most colour-blind people. Inside a tolerance band the
+// colour is one light bluish green that is told from blue and red by lightness as well as by hue.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace lathelier {
+
+struct Rgb {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// The plain diverging scale: -1 is blue (material missing), 0 light grey, +1 red (material in excess). Values beyond
+/// are drawn as the ends. NaN is not drawn by callers; here it gives the colour of 0.
+Rgb divergingColour(double share);
+
+inline constexpr Rgb insideToleranceColour{126, 211, 170};
+
+/// What is drawn from -limit to +limit, and green where |value| <= tolerance, if there is one.
+/// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
+struct DeviationColours {
+    double limit_mm = 1;                 ///< > 0
+    std::optional<double> tolerance_mm;  ///< >= 0
+
+    Rgb operator()(double deviation_mm) const;
+};
+
+/// A readable limit for data whose largest interesting |value| is `largest_mm`: 1, 1.5, 2, 3, 4, 5, 6 or 8 × 10^n, not
+/// below it.
+double niceLimit(double largest_mm);
+
+}  // namespace lathelier

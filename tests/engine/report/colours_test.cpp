@@ -1,0 +1,119 @@
+#include "engine/report/colours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lathelier {
+namespace {
+
+using Vec = std::array<double, 3>;
+
+Vec linear(Rgb c)
+{
+    const auto decode = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return {decode(c.red / 255.0), decode(c.green / 255.0), decode(c.blue / 255.0)};
+}
+
+/// CIE L*a*b*, D65: another space than the one the colours are made in.
+Vec cielab(const Vec& rgb)
+{
+    const double x = 0.4124564 * rgb[0] + 0.3575761 * rgb[1] + 0.1804375 * rgb[2];
+    const double y = 0.2126729 * rgb[0] + 0.7151522 * rgb[1] + 0.0721750 * rgb[2];
+    const double z = 0.0193339 * rgb[0] + 0.1191920 * rgb[1] + 0.9503041 * rgb[2];
+    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+    return {116 * f(y) - 16, 500 * (f(x / 0.95047) - f(y)), 200 * (f(y) - f(z / 1.08883))};
+}
+
+double distance(const Vec& p, const Vec& q)
+{
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// How a person without green (deutan) or red (protan) cones sees it; Viénot, Brettel and Mollon 1999.
+Vec deutan(const Vec& c)
+{
+    const double rg = 0.29275 * c[0] + 0.70725 * c[1];
+    return {rg, rg, -0.02234 * c[0] + 0.02234 * c[1] + c[2]};
+}
+Vec protan(const Vec& c)
+{
+    const double rg = 0.11238 * c[0] + 0.88762 * c[1];
+    return {rg, rg, 0.00401 * c[0] - 0.00401 * c[1] + c[2]};
+}
+
+TEST(Colours, DarkenEvenlyFromTheMiddleToBothEnds)
+{
+    for (const double sign : {-1.0, 1.0}) {
+        double last = cielab(linear(divergingColour(0)))[0];
+        double shortest = 1e9, longest = 0;
+        for (int i = 1; i <= 20; ++i) {
+            const Vec here = cielab(linear(divergingColour(sign * i / 20.0)));
+            const Vec before = cielab(linear(divergingColour(sign * (i - 1) / 20.0)));
+            EXPECT_LT(here[0], last);
+            last = here[0];
+            shortest = std::min(shortest, distance(here, before));
+            longest = std::max(longest, distance(here, before));
+        }
+        EXPECT_LT(longest / shortest, 2.2);  // a rainbow reaches 10
+        EXPECT_GT(shortest, 2.3);            // every twentieth is a just noticeable difference
+    }
+}
+
+TEST(Colours, TellSignsApartWithoutRedOrGreenCones)
+{
+    for (int i = 5; i <= 20; ++i) {
+        const Vec minus = linear(divergingColour(-i / 20.0));
+        const Vec plus = linear(divergingColour(i / 20.0));
+        EXPECT_GT(distance(cielab(deutan(minus)), cielab(deutan(plus))), 15);
+        EXPECT_GT(distance(cielab(protan(minus)), cielab(protan(plus))), 15);
+    }
+}
+
+TEST(Colours, InsideToleranceIsToldFromOutsideByEveryone)
+{
+    const DeviationColours colours{0.2, 0.05};
+    const Vec inside = linear(insideToleranceColour);
+    for (double v = 0.0501; v < 0.4; v += 0.01)
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec outside = linear(colours(sign * v));
+            EXPECT_GT(distance(cielab(inside), cielab(outside)), 30);
+            EXPECT_GT(distance(cielab(deutan(inside)), cielab(deutan(outside))), 20) << v * sign;
+            EXPECT_GT(distance(cielab(protan(inside)), cielab(protan(outside))), 20) << v * sign;
+            EXPECT_GT(cielab(inside)[0] - cielab(outside)[0], 10) << "lighter, also in a grey print";
+        }
+}
+
+TEST(Colours, GreenOnlyWhereAToleranceIsGiven)
+{
+    const DeviationColours plain{0.2, {}};
+    for (double v = -0.3; v <= 0.3; v += 0.001) EXPECT_NE(plain(v), insideToleranceColour);
+    const DeviationColours banded{0.2, 0.05};
+    EXPECT_EQ(banded(0.05), insideToleranceColour);
+    EXPECT_EQ(banded(-0.05), insideToleranceColour);
+    EXPECT_NE(banded(0.0500001), insideToleranceColour);
+    EXPECT_EQ(banded(5), divergingColour(1));
+    EXPECT_EQ(banded(-5), divergingColour(-1));
+    const DeviationColours narrow{0.02, 0.05};  // the scale ends inside the band: still a colour, no division by zero
+    EXPECT_EQ(narrow(0.03), insideToleranceColour);
+    EXPECT_EQ(narrow(0.06), divergingColour(1));
+}
+
+TEST(Colours, LimitsAreRoundAndNotBelowTheData)
+{
+    EXPECT_DOUBLE_EQ(niceLimit(0.1), 0.1);
+    EXPECT_DOUBLE_EQ(niceLimit(0.101), 0.15);
+    EXPECT_DOUBLE_EQ(niceLimit(0.9), 1);
+    EXPECT_DOUBLE_EQ(niceLimit(33), 40);
+    EXPECT_DOUBLE_EQ(niceLimit(0), 1);
+    EXPECT_DOUBLE_EQ(niceLimit(std::nan("")), 1);
+    for (double v = 1e-4; v < 1e3; v *= 1.07) {
+        EXPECT_GE(niceLimit(v), v * (1 - 1e-9));
+        EXPECT_LE(niceLimit(v), v * 1.6);
+    }
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -7,13 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/progress.h"
+
 namespace lathelier {
 
 /// The bytes of a file, mapped into memory where possible.
 class FileBytes {
 public:
-    /// Errors: FileNotFound, NotAFile (folder, device; a pipe is read to its end), FileNotReadable. An empty file is fine.
-    explicit FileBytes(const std::string& path);
+    /// Errors: FileNotFound, NotAFile (folder, device, socket), FileNotReadable. An empty file is fine. A pipe is read
+    /// to its end, at most 4 GiB; it is refused when nobody writes into it for 5 s. Throws Cancelled while waiting for
+    /// a pipe.
+    explicit FileBytes(const std::string& path, const Progress& progress = {});
     ~FileBytes();
     FileBytes(FileBytes&&) noexcept;
     FileBytes(const FileBytes&) = delete;
@@ -26,9 +30,12 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-/// Writes through `write`, which is handed chunks to append, into a file beside `path`, then renames. On any failure
-/// the file beside is removed and an existing `path` stays as it was. Error FileNotWritable (with the system's reason).
-void writeFile(const std::string& path, const std::function<void(const std::function<void(std::string_view)>& append)>& write);
+/// Writes through `write`, which is handed chunks to append, into a file beside `path`, then renames. On any failure,
+/// also an exception out of `write`, the file beside is removed and an existing `path` stays as it was. A link is
+/// followed, an existing file keeps its permissions, a pipe or device is written to directly.
+/// Error FileNotWritable (with the system's reason).
+void writeFile(const std::string& path,
+               const std::function<void(const std::function<void(std::string_view)>& append)>& write);
 void writeFile(const std::string& path, std::string_view content);
 
 /// Lower-case hexadecimal SHA-256.

@@ -1,0 +1,36 @@
+// What the reading and the writing of files share: descriptors that close themselves, and the system's reasons.
+#pragma once
+
+#include <unistd.h>
+
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// Owns a POSIX file descriptor.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int number() const { return number_; }
+    bool isOpen() const { return number_ >= 0; }
+
+    /// Closes now; false when the system reports a failure (a late write error).
+    bool close()
+    {
+        const int number = number_;
+        number_ = -1;
+        return number < 0 || ::close(number) == 0;
+    }
+
+private:
+    int number_;
+};
+
+/// The reason behind `errno`: a translatable phrase for the common ones, else the system's own words.
+Value systemReason(int error);
+
+}  // namespace lathelier

@@ -27,6 +27,8 @@ LATHELIER_ERROR(PointsDegenerate, "points_degenerate", NoAnswer, LT_TEXT("Engine
 LATHELIER_ERROR(PartsDoNotMatch, "parts_do_not_match", NoAnswer, LT_TEXT("Engine", "The two parts do not match: only {overlap_percent} % of the copy lies near the reference."))
 LATHELIER_ERROR(NotConverged, "not_converged", NoAnswer, LT_TEXT("Engine", "No stable solution after {iterations} iterations."))
 LATHELIER_ERROR(NotABodyOfRevolution, "not_a_body_of_revolution", NoAnswer, LT_TEXT("Engine", "The {role} is not a body of revolution (residual {residual_mm} mm)."))
+LATHELIER_ERROR(OutOfMemory, "out_of_memory", NoAnswer, LT_TEXT("Engine", "There is not enough memory for this."))
+LATHELIER_ERROR(Internal, "internal", NoAnswer, LT_TEXT("Engine", "Lathelier made a mistake here ({reason}). Please report it."))
 
 // --- projects
 LATHELIER_ERROR(VersionTooNew, "version_too_new", InputRejected, LT_TEXT("Engine", "The project has format version {found}; this program reads up to version {maximum}."))

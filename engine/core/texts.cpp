@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "engine/core/codes.h"
 
 namespace lathelier {
@@ -71,6 +73,13 @@ std::string text(const Error& error, const Language& language)
 std::string text(const Note& note, const Language& language)
 {
     return fill(text(pattern(note.code), language), note.values, language);
+}
+
+std::string fixed(double value, int decimals, const Language& language)
+{
+    if (!std::isfinite(value)) return {};
+    if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0;
+    return language.fixed ? language.fixed(value, decimals) : fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string fill(const std::string& pattern, const Values& values, const Language& language)

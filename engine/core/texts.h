@@ -14,6 +14,7 @@ namespace lathelier {
 struct Language {
     std::function<std::string(const char* english)> translate;  ///< empty: as it is
     std::function<std::string(double)> number;                  ///< empty: 6 significant digits, decimal point
+    std::function<std::string(double, int decimals)> fixed;     ///< empty: decimal point
 };
 
 std::string text(Text english, const Language& language = {});
@@ -25,6 +26,9 @@ std::string text(const Note& note, const Language& language = {});
 
 /// One value alone: "auto", "0.05", "10:20, 30:40"; empty for "not given".
 std::string text(const Value& value, const Language& language = {});
+
+/// A number with so many decimals; empty when it does not exist (NaN, infinity), and never "-0.000".
+std::string fixed(double value, int decimals, const Language& language = {});
 
 /// Replaces each {name} in `pattern` (already translated) by the value of that name; unknown names stay visible.
 std::string fill(const std::string& pattern, const Values& values, const Language& language = {});

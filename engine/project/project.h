@@ -12,9 +12,9 @@ namespace lathelier {
 
 /// An input file of a panel, with the decisions made at import.
 struct Source {
-    std::string path;     ///< absolute in memory, relative to the project file on disk
-    Values import;        ///< ImportOptions as values
-    std::string sha256;   ///< of the content last read; empty: not read yet
+    std::string path;    ///< absolute in memory, relative to the project file on disk
+    Values import;       ///< ImportOptions as values
+    std::string sha256;  ///< of the content last read; empty: not read yet
     bool synthetic = false;
     friend bool operator==(const Source&, const Source&) = default;
 };
@@ -34,10 +34,10 @@ struct Project {
     friend bool operator==(const Project&, const Project&) = default;
 };
 
-/// Reads a project file (JSON, format version 1). Older versions are migrated, newer ones refused. Source paths come
-/// out absolute. A source whose content no longer has the stored SHA-256 gives the note SourceChanged, a missing one
-/// SourceMissing; the project opens all the same.
-/// Errors: FileNotFound, FileNotReadable, Malformed (line, column), VersionTooNew.
+/// Reads a project file (JSON, format version 1; see project_json.h). Older versions are migrated, newer ones refused.
+/// Source paths come out absolute. A source whose content no longer has the stored SHA-256 gives the note
+/// SourceChanged, a missing one SourceMissing; the project opens all the same. Errors: those of FileBytes, FileEmpty,
+/// Malformed (line, column), VersionTooNew.
 struct ProjectFile {
     Project project;
     Notes notes;

@@ -1,0 +1,20 @@
+#include "engine/project/migration.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lathelier {
+
+const std::vector<MigrationStep>& migrationSteps()
+{
+    static const std::vector<MigrationStep> steps;
+    return steps;
+}
+
+void migrate(Json& json, int from, const std::vector<MigrationStep>& steps)
+{
+    const int last = static_cast<int>(steps.size()) + 1;
+    for (int version = from; version < last; ++version) steps[static_cast<std::size_t>(version - 1)](json);
+    json["version"] = last;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,22 @@
+// Project files of older format versions.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/json.h"
+
+namespace lathelier {
+
+/// The format version this program writes. Raise it, and add a step, whenever an older program would misread the file.
+inline constexpr int projectVersion = 1;
+
+/// Turns one format version into the next.
+using MigrationStep = void (*)(Json&);
+
+/// The steps of this program: the first turns version 1 into 2, and so on. Version 1 is the first one.
+const std::vector<MigrationStep>& migrationSteps();
+
+/// Applies the steps from version `from` on and sets "version" to where they lead.
+void migrate(Json& json, int from, const std::vector<MigrationStep>& steps);
+
+}  // namespace lathelier

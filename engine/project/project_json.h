@@ -1,0 +1,23 @@
+// A project as JSON text. Format version 1:
+//   {"format": "lathelier-project", "version": 1, "title", "workspace",
+//    "panels": {id: {"inputs": {role: {"path", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
+//    "report": [id…]}
+// Everything but format and version may be missing. A key that is not known is refused, so that a slip of the pen in a
+// file written by hand does not go unnoticed; names inside "import" and "parameters" belong to the panels and are kept.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/project/project.h"
+
+namespace lathelier {
+
+/// Reads a project whose relative paths start at `folder`. Errors: Malformed (line, column), VersionTooNew.
+Project parseProject(std::string_view text, const std::filesystem::path& folder);
+
+/// Writes a project whose paths are to be relative to `folder`.
+std::string toJsonText(const Project& project, const std::filesystem::path& folder);
+
+}  // namespace lathelier

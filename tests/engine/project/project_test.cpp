@@ -1,0 +1,197 @@
+#include "engine/project/project.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/file.h"
+#include "engine/project/migration.h"
+#include "engine/project/project_json.h"
+
+namespace lathelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, removed afterwards.
+class ProjectFiles : public testing::Test {
+protected:
+    ProjectFiles()
+        : folder(fs::temp_directory_path() / ("lathelier-project-" + std::to_string(::getpid()) + "-" +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name()))
+    {
+        fs::create_directories(folder / "data");
+    }
+    ~ProjectFiles() override { fs::remove_all(folder); }
+
+    std::string write(const std::string& name, const std::string& content) const
+    {
+        std::ofstream(folder / name, std::ios::binary) << content;
+        return (folder / name).string();
+    }
+
+    fs::path folder;
+};
+
+Project sampleProject(const fs::path& folder)
+{
+    Project project;
+    project.title = "Wał – kopia „2”";
+    PanelState& panel = project.panels["compare"];
+    panel.inputs["reference"] = {(folder / "data/original.ply").string(), {{"unit", "mm"}}, sha256("abc"), true};
+    panel.inputs["copy"] = {(folder.parent_path() / "elsewhere/copy.ply").string(), {}, "", false};
+    panel.parameters = {{"tolerance_mm", 0.1},        {"pass_percent", std::int64_t{95}},
+                        {"max_distance_mm", Value()}, {"exclude_z_mm", std::vector<Interval>{{1, 2}, {3, 4.5}}},
+                        {"method", "auto"},           {"of_another_version", true}};
+    project.report = {"compare"};
+    return project;
+}
+
+TEST_F(ProjectFiles, RoundTrip)
+{
+    const Project project = sampleProject(folder);
+    const std::string path = (folder / "shaft.lathelier").string();
+    writeProject(path, project);
+    EXPECT_EQ(readProject(path).project, project);
+}
+
+TEST_F(ProjectFiles, PathsAreRelativeOnDiskAndFollowTheFolder)
+{
+    const std::string path = (folder / "shaft.lathelier").string();
+    writeProject(path, sampleProject(folder));
+    const Json json = Json::parse(std::ifstream(path));
+    EXPECT_EQ(json["version"], 1);
+    const Json& inputs = json["panels"]["compare"]["inputs"];
+    EXPECT_EQ(inputs["reference"]["path"], "data/original.ply");
+    EXPECT_EQ(inputs["copy"]["path"], "../elsewhere/copy.ply");
+
+    fs::create_directories(folder / "moved");
+    fs::rename(path, folder / "moved/shaft.lathelier");
+    const Project moved = readProject((folder / "moved/shaft.lathelier").string()).project;
+    EXPECT_EQ(moved.panels.at("compare").inputs.at("reference").path, (folder / "moved/data/original.ply").string());
+}
+
+TEST_F(ProjectFiles, SaysWhichSourcesChangedOrAreMissing)
+{
+    const std::string path = (folder / "shaft.lathelier").string();
+    writeProject(path, sampleProject(folder));
+    write("data/original.ply", "abc");
+    Notes notes = readProject(path).notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0].code, NoteCode::SourceMissing);
+    EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "path")),
+              (folder.parent_path() / "elsewhere/copy.ply").string());
+
+    write("data/original.ply", "abcd");
+    notes = readProject(path).notes;
+    EXPECT_TRUE(contains(notes, NoteCode::SourceChanged));
+}
+
+TEST_F(ProjectFiles, AFailedSaveLeavesTheOldFileWhole)
+{
+    const std::string path = write("shaft.lathelier", "old");
+    EXPECT_THROW(writeProject((folder / "no such folder/shaft.lathelier").string(), {}), Error);
+    EXPECT_EQ(FileBytes(path).view(), "old");
+}
+
+TEST_F(ProjectFiles, AMissingOrEmptyFileIsLocated)
+{
+    try {
+        readProject((folder / "none.lathelier").string());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::FileNotFound);
+        EXPECT_TRUE(find(error.values(), "path"));
+    }
+    EXPECT_THROW(readProject(write("empty.lathelier", "")), Error);
+    EXPECT_THROW(readProject(folder.string()), Error);
+}
+
+struct Wrong {
+    std::string text;
+    ErrorCode code;
+    std::int64_t line;
+    std::int64_t column;
+};
+
+TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
+{
+    const std::string head = "{\"format\": \"lathelier-project\", \"version\": 1,\n";
+    const Wrong cases[] = {
+        {"{", ErrorCode::Malformed, 1, 2},
+        {"not json", ErrorCode::Malformed, 1, 2},
+        {"[]", ErrorCode::Malformed, 1, 1},
+        {"{}", ErrorCode::Malformed, 1, 1},
+        {"{\"format\": \"other\"}", ErrorCode::Malformed, 1, 12},
+        {"{\"format\": \"lathelier-project\", \"version\": 0}", ErrorCode::Malformed, 1, 44},
+        {"{\"format\": \"lathelier-project\", \"version\": \"1\"}", ErrorCode::Malformed, 1, 44},
+        {head + "\"title\": 7}", ErrorCode::Malformed, 2, 10},
+        {head + "\"tilte\": \"ł\"}", ErrorCode::Malformed, 2, 10},
+        {head + "\"title\": \"łłł\", \"report\": [\"a\",\n {\"b\": 1}]}", ErrorCode::Malformed, 3, 2},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": {\"y\": 1}}}}}", ErrorCode::Malformed, 2, 44},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": 18446744073709551615}}}}", ErrorCode::Malformed, 2,
+         45},
+        {head + "\"panels\": {\"compare\": {\"inputs\": {\"copy\": \"c.ply\"}}}}", ErrorCode::Malformed, 2, 43},
+        {head + "\"title\": 1e999}", ErrorCode::Malformed, 2, 14},
+        {std::string(40, '['), ErrorCode::Malformed, 1, 33},
+        {std::string(1000000, '['), ErrorCode::Malformed, 1, 33},
+    };
+    for (const Wrong& wrong : cases) {
+        SCOPED_TRACE(wrong.text.substr(0, 120));
+        try {
+            parseProject(wrong.text, "/");
+            ADD_FAILURE() << "accepted";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), wrong.code);
+            EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "line")), wrong.line) << error.what();
+            EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "column")), wrong.column) << error.what();
+        }
+    }
+}
+
+TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
+{
+    try {
+        parseProject(R"({"format": "lathelier-project", "version": 2, "unheard_of": 1})", "/");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::VersionTooNew);
+        EXPECT_STREQ(error.what(), "The project has format version 2; this program reads up to version 1.");
+    }
+}
+
+TEST(ProjectText, EverythingButFormatAndVersionMayBeMissing)
+{
+    EXPECT_EQ(parseProject(R"({"format": "lathelier-project", "version": 1})", "/"), Project{});
+}
+
+TEST(ProjectText, MigrationRunsTheStepsFromTheVersionOn)
+{
+    const std::vector<MigrationStep> steps{[](Json& json) { json["steps"] += "1"; },
+                                           [](Json& json) { json["steps"] += "2"; }};
+    Json json{{"version", 2}, {"steps", Json::array()}};
+    migrate(json, 2, steps);
+    EXPECT_EQ(json, (Json{{"version", 3}, {"steps", {"2"}}}));
+    EXPECT_EQ(static_cast<int>(migrationSteps().size()) + 1, projectVersion);
+}
+
+TEST(ProjectText, AnyChangedByteIsReadOrRefusedButNothingElse)
+{
+    const std::string text = toJsonText(sampleProject("/work"), "/work");
+    rc::check([&] {
+        std::string changed = text;
+        changed[*rc::gen::inRange<std::size_t>(0, text.size())] = *rc::gen::arbitrary<char>();
+        try {
+            parseProject(changed, "/work");
+        } catch (const Error& error) {
+            RC_ASSERT(kind(error.code()) == ErrorKind::InputRejected);
+        }
+    });
+}
+
+}  // namespace
+}  // namespace lathelier

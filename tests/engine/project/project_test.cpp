@@ -134,7 +134,7 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
         {head + "\"title\": \"łłł\", \"report\": [\"a\",\n {\"b\": 1}]}", ErrorCode::Malformed, 3, 2},
         {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": {\"y\": 1}}}}}", ErrorCode::Malformed, 2, 44},
         {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": 18446744073709551615}}}}", ErrorCode::Malformed, 2,
-         45},
+         44},
         {head + "\"panels\": {\"compare\": {\"inputs\": {\"copy\": \"c.ply\"}}}}", ErrorCode::Malformed, 2, 43},
         {head + "\"title\": 1e999}", ErrorCode::Malformed, 2, 14},
         {std::string(40, '['), ErrorCode::Malformed, 1, 33},

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <utility>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/io/file.h"
+#include "engine/project/project.h"
 
 namespace lathelier {
 namespace {
@@ -120,6 +123,24 @@ TEST(Sample, SameBitsForOneAndTwoThreads)
     const ThreadLimit limit(1);
     EXPECT_EQ(two.points_mm, scanShaft(copiedShaft(), scanner).points_mm);
     EXPECT_EQ(bracket.points_mm, scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3).points_mm);
+}
+
+TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lathelier_sample_test";
+    std::filesystem::remove_all(folder);
+    const std::vector<std::string> files = writeSample(folder.string(), 4);
+    ASSERT_EQ(files.size(), 4u);
+    const ProjectFile read = readProject(files[3]);
+    EXPECT_TRUE(read.notes.empty());
+    EXPECT_TRUE(read.project.panels.at("compare").inputs.at("copy").synthetic);
+    const FileBytes cloud(files[0]);
+    EXPECT_TRUE(cloud.view().starts_with("ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment synthetic"));
+    EXPECT_GT(cloud.view().size(), 8700000u);
+    const std::string first(cloud.view());
+    writeSample(folder.string(), 4);
+    EXPECT_EQ(FileBytes(files[0]).view(), first);
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// One editor for each kind of field; used by Form only.
+#pragma once
+
+#include <QWidget>
+
+#include "engine/core/fields.h"
+
+namespace lathelier {
+
+class FieldEditor : public QWidget {
+    Q_OBJECT
+public:
+    using QWidget::QWidget;
+
+    virtual Value value() const = 0;
+    virtual void setValue(const Value& value) = 0;  ///< announces nothing
+    virtual void retranslate(const FieldInfo& info) = 0;
+    virtual QWidget* input() = 0;  ///< what takes the keyboard focus
+
+signals:
+    void changed();   ///< by the user, to a sound value
+    void finished();  ///< the gesture is over
+
+protected:
+    void fill(QWidget* content);
+};
+
+FieldEditor* makeFieldEditor(const FieldInfo& info, QWidget* parent);
+
+}  // namespace lathelier

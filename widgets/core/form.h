@@ -1,0 +1,57 @@
+// The form of a parameter struct, built from its description.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "engine/core/fields.h"
+
+class QFormLayout;
+class QLabel;
+class QToolButton;
+
+namespace lathelier {
+
+class FieldEditor;
+
+/// One editor for each field: label with tooltip, unit behind the editor, advanced fields folded away. Programmatic
+/// setValues() is never announced. Numbers are shown in the user's locale.
+class Form : public QWidget {
+    Q_OBJECT
+public:
+    explicit Form(std::vector<FieldInfo> fields, QWidget* parent = nullptr);
+    ~Form() override;
+
+    Values values() const;
+    void setValues(const Values& values);  ///< unknown names are ignored, missing ones stay
+    void setUnfolded(bool unfolded);       ///< shows the advanced fields
+
+    /// The widget that edits `key`, for the keyboard focus and for tests; nullptr when there is none.
+    QWidget* editor(const std::string& key) const;
+
+signals:
+    /// The user gave the field `key` a sound value. Changes with the same `gesture` belong together (one drag, one
+    /// turn of the wheel until the field is left): one undo step.
+    void valueChanged(const std::string& key, const lathelier::Value& value, int gesture);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        FieldInfo info;
+        QLabel* label;
+        FieldEditor* editor;
+    };
+    void addRow(const FieldInfo& info, QFormLayout* layout);
+    void retranslate();
+
+    std::vector<Row> rows_;
+    QToolButton* fold_ = nullptr;
+    QWidget* advanced_ = nullptr;
+    int gesture_ = 0;
+};
+
+}  // namespace lathelier

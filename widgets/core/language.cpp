@@ -1,0 +1,100 @@
+#include "widgets/core/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace lathelier {
+namespace {
+
+QLocale plainLocale()
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
+QString qtTranslations()
+{
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+    return QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+#else
+    return QLibraryInfo::location(QLibraryInfo::TranslationsPath);
+#endif
+}
+
+}  // namespace
+
+Language screenLanguage()
+{
+    return {[](const char* english) { return QCoreApplication::translate("Engine", english).toStdString(); },
+            [](double value) { return plainLocale().toString(value, 'g', 6).toStdString(); },
+            [](double value, int decimals) { return plainLocale().toString(value, 'f', decimals).toStdString(); }};
+}
+
+QString screenText(Text english)
+{
+    return QString::fromStdString(text(english, screenLanguage()));
+}
+QString screenText(const Value& value)
+{
+    return QString::fromStdString(text(value, screenLanguage()));
+}
+QString screenText(const Error& error)
+{
+    return QString::fromStdString(text(error, screenLanguage()));
+}
+QString screenText(const Note& note)
+{
+    return QString::fromStdString(text(note, screenLanguage()));
+}
+
+QString screenNumber(double value, int decimals)
+{
+    return QString::fromStdString(fixed(value, decimals, screenLanguage()));
+}
+
+Languages::Languages(QObject* parent) : QObject(parent) {}
+Languages::~Languages() = default;
+
+QStringList Languages::codes()
+{
+    return {"en", "pl"};
+}
+
+QString Languages::name(const QString& code)
+{
+    return code == "pl" ? QStringLiteral("Polski") : QStringLiteral("English");
+}
+
+QString Languages::systemCode()
+{
+    for (const QString& wanted : QLocale::system().uiLanguages())
+        if (codes().contains(wanted.left(2))) return wanted.left(2);
+    return "en";
+}
+
+void Languages::use(const QString& code)
+{
+    const QString chosen = codes().contains(code) ? code : systemCode();
+    if (chosen == current_) return;
+    current_ = chosen;
+
+    // The locale first: widgets ask for it while they translate themselves.
+    const QLocale system = QLocale::system();
+    const QLocale own(chosen);
+    QLocale::setDefault(system.language() == own.language() ? system : own);
+
+    translators_.clear();
+    const auto install = [&](const QString& file, const QString& folder) {
+        auto translator = std::make_unique<QTranslator>();
+        if (!translator->load(file, folder)) return;
+        QCoreApplication::installTranslator(translator.get());
+        translators_.push_back(std::move(translator));
+    };
+    install("qtbase_" + chosen, qtTranslations());
+    install("lathelier_" + chosen, ":/translations");
+}
+
+}  // namespace lathelier

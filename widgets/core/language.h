@@ -1,0 +1,48 @@
+// The language of the screen: translation of the engine's texts, numbers in the user's locale, switching at run time.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "engine/core/texts.h"
+
+class QTranslator;
+
+namespace lathelier {
+
+/// The engine's texts in the language of the screen (context "Engine"), numbers by QLocale().
+Language screenLanguage();
+
+QString screenText(Text english);
+QString screenText(const Value& value);
+QString screenText(const Error& error);
+QString screenText(const Note& note);
+
+/// `value` with `decimals` places in the user's locale, without group separators; empty when it does not exist.
+QString screenNumber(double value, int decimals);
+
+/// Installs translators. Changing the language sends QEvent::LanguageChange to every widget.
+class Languages : public QObject {
+    Q_OBJECT
+public:
+    explicit Languages(QObject* parent = nullptr);
+    ~Languages() override;
+
+    static QStringList codes();                ///< the languages that ship: "en", "pl"
+    static QString name(const QString& code);  ///< in the language itself: "Polski"
+    static QString systemCode();               ///< of codes(), the one the system asks for, else "en"
+
+    /// Takes `code` of codes(); empty means the system's. Sets the default QLocale too: the system's own locale when it
+    /// speaks that language (so that its number habits stay), else that of the language.
+    void use(const QString& code);
+    QString current() const { return current_; }
+
+private:
+    std::vector<std::unique_ptr<QTranslator>> translators_;
+    QString current_;
+};
+
+}  // namespace lathelier

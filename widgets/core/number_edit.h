@@ -1,0 +1,56 @@
+// A field for one number in the user's locale.
+#pragma once
+
+#include <QLineEdit>
+#include <QTimer>
+#include <optional>
+
+namespace lathelier {
+
+/// Takes a number with point or comma; may be empty when it is optional. Up, Down and the wheel (when focused) step by
+/// a readable amount for its size. What is outside the range is marked with a symbol and said in the tooltip, and is
+/// not announced. Typing is announced after a short pause, Enter and leaving the field at once.
+class NumberEdit : public QLineEdit {
+    Q_OBJECT
+public:
+    NumberEdit(double minimum, double maximum, QWidget* parent = nullptr);
+
+    void setInteger(bool integer) { integer_ = integer; }
+    void setOptional(const QString& placeholder);  ///< may be empty; says what empty means
+    void setHelp(const QString& help);             ///< the tooltip while the number is sound
+
+    std::optional<double> number() const { return number_; }  ///< the last sound one
+    void setNumber(std::optional<double> number);             ///< shows it, announces nothing
+    bool isSound() const { return sound_; }
+
+signals:
+    void numberChanged();  ///< by the user; number() is sound
+    void finished();       ///< Enter or focus lost: the gesture is over
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void typed();
+    void announce();
+    void finish();
+    void step(int steps);
+    void showNumber();
+    void mark(bool sound);
+    bool accepts(const QString& text, std::optional<double>& number) const;
+
+    double minimum_;
+    double maximum_;
+    bool integer_ = false;
+    bool optional_ = false;
+    bool sound_ = true;
+    bool pending_ = false;  ///< typed, not yet announced
+    std::optional<double> number_;
+    QString help_;
+    QAction* warning_;
+    QTimer pause_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,58 @@
+// Panel = inputs → engine call → views.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "widgets/core/panel_base.h"
+#include "widgets/core/session.h"
+
+namespace lathelier {
+
+/// A panel whose answer is a `Result`. A concrete panel says how to compute it and how to show it; files, form,
+/// progress, cancel, headline, notes, messages, exports and reports are PanelBase's.
+///
+///     class ComparePanel : public Panel<ComparePicture> {
+///         explicit ComparePanel(Session& session) : Panel(session, compareFacts(), inputs()) { setViews(…); }
+///         …
+template <class Result>
+class Panel : public PanelBase {
+public:
+    using PanelBase::PanelBase;
+
+    /// The result on screen; nullptr before the first one.
+    std::shared_ptr<const Result> result() const { return result_; }
+
+protected:
+    using Compute = std::function<Result(const Progress&)>;
+
+    /// The computation for `state`, whose required inputs are all there. Called in the GUI thread; what it returns runs
+    /// in the worker and must own all it uses (session().sharedScans(), copies of values). Loads files itself.
+    virtual Compute compute(const PanelState& state) const = 0;
+
+    virtual void showResult(const std::shared_ptr<const Result>& result) = 0;
+    virtual Headline headline(const Result& result) const = 0;
+    virtual Notes notes(const Result& result) const = 0;
+    virtual Document document(const Result& result) const = 0;
+
+private:
+    Worker::Job makeJob(const PanelState& state) const final
+    {
+        return [compute = compute(state)](const Progress& progress) -> std::shared_ptr<const void> {
+            return std::make_shared<const Result>(compute(progress));
+        };
+    }
+    void showValue(std::shared_ptr<const void> value) final
+    {
+        result_ = std::static_pointer_cast<const Result>(std::move(value));
+        showResult(result_);
+    }
+    Headline headlineOf(const void* value) const final { return headline(*static_cast<const Result*>(value)); }
+    Notes notesOf(const void* value) const final { return notes(*static_cast<const Result*>(value)); }
+    Document documentOf(const void* value) const final { return document(*static_cast<const Result*>(value)); }
+
+    std::shared_ptr<const Result> result_;
+};
+
+}  // namespace lathelier

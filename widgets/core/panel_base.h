@@ -1,0 +1,121 @@
+// What all panels share: inputs at the left, headline and notes above the views, progress and exports under them.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <map>
+#include <optional>
+
+#include "widgets/core/message.h"
+#include "widgets/core/panel_facts.h"
+#include "widgets/core/worker.h"
+
+class QSplitter;
+class QStackedWidget;
+
+namespace lathelier {
+
+class EmptyState;
+class Form;
+class HeadlineLabel;
+class InputBox;
+class MessageLine;
+class NotesLabel;
+class ProgressRow;
+class Shade;
+
+/// The untyped half of Panel<Result> (panel.h). The panel's state is its part of the session's project: every change
+/// there, by the user or by undo, asks the worker for a new result; while it computes the old picture stays, dimmed.
+class PanelBase : public QWidget {
+    Q_OBJECT
+public:
+    PanelBase(Session& session, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent = nullptr);
+    ~PanelBase() override;
+
+    const PanelFacts& facts() const { return facts_; }
+    bool isBusy() const { return poll_.isActive(); }
+    bool hasResult() const { return result_ != nullptr; }
+    bool isCurrent() const { return hasResult() && !isBusy() && !error_; }  ///< what is shown answers what is asked
+    const std::optional<Error>& error() const { return error_; }
+
+    /// Gives `paths` to the inputs: empty ones first, in their order. One undo step.
+    void openFiles(const QStringList& paths);
+    void askForFiles();  ///< openFiles() with a file dialog
+    void cancel();
+    void recompute();  ///< again, although nothing changed (a file on disk may have)
+
+    /// The panel's part of a report, of the result on screen; nullopt without a result.
+    std::optional<Document> reportDocument() const;
+
+    /// Larger type and thicker lines for the last row. Overriders call this one too.
+    virtual void setPresenting(bool presenting);
+
+signals:
+    void busyChanged(bool busy);
+    void resultShown();
+    void messageRaised(const lathelier::Message& message);
+    void sampleWanted();
+    void reportWanted();  ///< the user asked for a report file of this panel
+
+protected:
+    Session& session() const { return session_; }
+    Form& form() const { return *form_; }
+    const PanelState& state() const;  ///< of this panel, with all parameters filled in
+
+    void setViews(QWidget* views);
+
+    virtual Worker::Job makeJob(const PanelState& state) const = 0;
+    virtual void showValue(std::shared_ptr<const void> result) = 0;
+    virtual Headline headlineOf(const void* result) const = 0;
+    virtual Notes notesOf(const void* result) const = 0;
+    virtual Document documentOf(const void* result) const = 0;
+    virtual std::vector<PanelExport> exports() const { return {}; }
+
+    /// Everything the panel says in its own views, again, in the language of the screen.
+    virtual void retranslate() {}
+
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    QWidget* makeInputColumn(const PanelInputs& inputs);
+    QWidget* makeResultColumn();
+    void readProject();
+    void request();
+    void pollWorker();
+    void accept(std::shared_ptr<const void> result);
+    void refuse(const Error& error);
+    void showAnswer();
+    void showInputs();
+    void updateStack();
+    void setSource(const std::string& role, const std::optional<Source>& source, const QString& text);
+    void editParameter(const std::string& key, const Value& value, int gesture);
+    void fillExportMenu();
+    void runExport(const PanelExport& item);
+
+    Session& session_;
+    PanelFacts facts_;
+    PanelInputs inputs_;
+    std::shared_ptr<const void> result_;
+    std::optional<Error> error_;
+    bool stopped_ = false;  ///< the newest request was cancelled
+    PanelState state_;      ///< what was asked last
+    bool asked_ = false;
+
+    std::map<std::string, InputBox*> boxes_;
+    Form* form_ = nullptr;
+    QSplitter* splitter_ = nullptr;
+    HeadlineLabel* headline_ = nullptr;
+    NotesLabel* notes_ = nullptr;
+    MessageLine* message_ = nullptr;
+    QStackedWidget* stack_ = nullptr;
+    EmptyState* empty_ = nullptr;
+    QWidget* viewsPage_ = nullptr;
+    Shade* shade_ = nullptr;
+    ProgressRow* progress_ = nullptr;
+    QTimer poll_;
+    Worker worker_;  ///< last: stopped before anything else goes
+};
+
+}  // namespace lathelier

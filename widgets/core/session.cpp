@@ -1,0 +1,129 @@
+#include "widgets/core/session.h"
+
+#include <QUndoCommand>
+#include <utility>
+
+namespace lathelier {
+
+/// One step: the project before and after. Snapshots are cheap, large data are not in the project.
+class Session::Edit : public QUndoCommand {
+public:
+    Edit(Session& session, const QString& text, Project before, Project after, QString mergeKey)
+        : QUndoCommand(text),
+          session_(session),
+          before_(std::move(before)),
+          after_(std::move(after)),
+          mergeKey_(std::move(mergeKey))
+    {
+    }
+
+    void undo() override { session_.assign(before_); }
+    void redo() override { session_.assign(after_); }
+    int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+
+    bool mergeWith(const QUndoCommand* next) override
+    {
+        const auto* edit = static_cast<const Edit*>(next);
+        if (edit->mergeKey_ != mergeKey_) return false;
+        after_ = edit->after_;
+        setObsolete(after_ == before_);  // dragged back to where it was
+        return true;
+    }
+
+private:
+    Session& session_;
+    Project before_;
+    Project after_;
+    QString mergeKey_;
+};
+
+Session::Session(QObject* parent) : QObject(parent), scans_(std::make_shared<ScanStore>())
+{
+    connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
+}
+
+const PanelState& Session::panel(const std::string& id) const
+{
+    static const PanelState nothing;
+    const auto found = project_.panels.find(id);
+    return found == project_.panels.end() ? nothing : found->second;
+}
+
+void Session::edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey)
+{
+    Project after = project_;
+    change(after);
+    if (after != project_) undo_.push(new Edit(*this, text, project_, std::move(after), mergeKey));
+}
+
+void Session::setWorkspace(const std::string& id)
+{
+    if (project_.workspace == id) return;
+    project_.workspace = id;
+    emit workspaceChanged();
+}
+
+void Session::assign(const Project& project)
+{
+    const std::string workspace = project_.workspace;  // not part of a step
+    project_ = project;
+    project_.workspace = workspace;
+    emit changed();
+}
+
+void Session::replace(Project project, const QString& path)
+{
+    const bool otherWorkspace = project.workspace != project_.workspace;
+    undo_.clear();
+    project_ = std::move(project);
+    path_ = path;
+    emit pathChanged();
+    if (otherWorkspace) emit workspaceChanged();
+    emit changed();
+}
+
+void Session::reset()
+{
+    Project empty;
+    empty.workspace = project_.workspace;
+    replace(std::move(empty), {});
+}
+
+Notes Session::open(const QString& path)
+{
+    ProjectFile file = readProject(path.toStdString());
+    replace(std::move(file.project), path);
+    return file.notes;
+}
+
+Notes Session::recover(const QString& projectPath, const QString& original)
+{
+    ProjectFile file = readProject(projectPath.toStdString());
+    replace(std::move(file.project), original);
+    undo_.resetClean();
+    return file.notes;
+}
+
+void Session::save(const QString& path)
+{
+    writeProject(path.toStdString(), forDisk());
+    path_ = path;
+    undo_.setClean();
+    emit pathChanged();
+}
+
+void Session::saveCopy(const QString& path) const
+{
+    writeProject(path.toStdString(), forDisk());
+}
+
+Project Session::forDisk() const
+{
+    Project project = project_;
+    for (auto& [id, panel] : project.panels)
+        for (auto& [role, source] : panel.inputs)
+            if (const LoadedScanPtr scan = scans_->known(source)) source.sha256 = scan->sha256;
+    return project;
+}
+
+}  // namespace lathelier

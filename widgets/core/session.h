@@ -1,0 +1,74 @@
+// The open project and the only way to change it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <functional>
+
+#include "engine/project/project.h"
+#include "widgets/core/scan_store.h"
+
+namespace lathelier {
+
+/// Owns the project. Everything on screen follows from changed(); every change goes through edit(), is one undo step,
+/// and is announced. Lives in the GUI thread (scans() may be used from jobs).
+class Session : public QObject {
+    Q_OBJECT
+public:
+    explicit Session(QObject* parent = nullptr);
+
+    const Project& project() const { return project_; }
+    const PanelState& panel(const std::string& id) const;  ///< empty state when the project has none
+
+    /// Changes the project. `text` names the step in the Edit menu ("Change the tolerance"). Consecutive edits with the
+    /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
+    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
+
+    /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
+    void setWorkspace(const std::string& id);
+
+    QUndoStack& undoStack() { return undo_; }
+    bool isModified() const { return !undo_.isClean(); }
+
+    /// Path of the project file; empty when it was never saved.
+    QString path() const { return path_; }
+
+    /// An empty project. Does not ask about unsaved changes: that is the window's business.
+    void reset();
+
+    /// Opens a project; its notes (changed or missing sources) are returned and belong in the message log. Throws
+    /// Error.
+    Notes open(const QString& path);
+
+    /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file).
+    Notes recover(const QString& projectPath, const QString& original);
+
+    /// Writes the project, with the digests of the sources read so far. Throws Error and keeps the modified state.
+    void save(const QString& path);
+
+    /// Writes what save() would write, without becoming clean: for autosave. Throws Error.
+    void saveCopy(const QString& path) const;
+
+    ScanStore& scans() { return *scans_; }
+    std::shared_ptr<ScanStore> sharedScans() const { return scans_; }  ///< for jobs that may outlive a call
+
+signals:
+    void changed();      ///< the project has a new value
+    void pathChanged();  ///< opened, saved under a name, or reset
+    void modifiedChanged(bool modified);
+    void workspaceChanged();
+
+private:
+    class Edit;
+    void assign(const Project& project);
+    void replace(Project project, const QString& path);
+    Project forDisk() const;
+
+    Project project_;
+    QString path_;
+    QUndoStack undo_;
+    std::shared_ptr<ScanStore> scans_;
+};
+
+}  // namespace lathelier

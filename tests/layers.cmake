@@ -3,6 +3,7 @@
 # - headers of the engine show no third-party type but std, Eigen and JSON's forward declaration;
 # - widgets include no app; a panel folder includes itself and what panels share, never another panel;
 # - the command line (app/cli) includes the engine only.
+cmake_policy(VERSION 3.25)
 set(engine_order core signal io form spindle registration features beam receptance cutting stability deflection
     gcode cad cam report project)
 set(shared_widgets core plot scene)  # widgets/<folder> that every panel may include

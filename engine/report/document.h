@@ -9,12 +9,15 @@
 
 #include "engine/core/error.h"
 #include "engine/core/text.h"
+#include "engine/core/texts.h"
 #include "engine/core/value.h"
 
 namespace lathelier {
 
 /// A label of the report: a translatable literal, or a name that is the same in every language (a path).
 using Caption = std::variant<Text, std::string>;
+
+std::string captionText(const Caption& caption, const Language& language = {});
 
 /// One line of a two-column table: name, value, unit.
 struct Quantity {
@@ -36,12 +39,19 @@ struct Table {
     int decimals = 3;
 };
 
+/// A sentence of explanation: a pattern with named values, as in errors and notes.
+struct Paragraph {
+    Text pattern;
+    Values values;
+};
+
 struct Curve {
-    Caption name;
-    std::vector<double> x;
+    Caption name;           ///< for the legend; empty: not in it
+    std::vector<double> x;  ///< Bars: the edges, one more than y
     std::vector<double> y;  ///< NaN breaks the line
     enum class Style { Line, Bars, Band } style = Style::Line;
     std::vector<double> y_low;  ///< Band only: the other edge
+    int colour = -1;            ///< 0: the original's blue, 1: the copy's red, 2…: others; -1: by position
 };
 
 /// An XY plot, drawn as SVG.
@@ -50,7 +60,9 @@ struct Plot {
     Caption x_title;  ///< with unit
     Caption y_title;
     std::vector<Curve> curves;
-    std::vector<double> y_marks;  ///< horizontal lines, such as tolerance limits
+    std::vector<double> y_marks;      ///< horizontal lines, such as tolerance limits
+    std::vector<double> x_marks;      ///< vertical lines
+    std::optional<Interval> y_range;  ///< what is shown; values beyond are drawn at the edge. Default: all
 };
 
 /// A map of values on a grid in a diverging colour scale, drawn as an embedded picture with axes and scale in SVG.
@@ -61,9 +73,9 @@ struct ColourMap {
     Caption value_title;
     double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
     int columns = 0, rows = 0;
-    std::vector<float> values;  ///< row-major, rows along y; NaN is left blank
-    double limit = 1;           ///< the scale runs from -limit to +limit
-    std::optional<double> tolerance;
+    std::vector<float> values;        ///< row-major, rows along y; NaN is left blank
+    double limit = 1;                 ///< the scale runs from -limit to +limit
+    std::optional<double> tolerance;  ///< green inside
 };
 
 /// A ready picture (PNG bytes), such as a 3-D view.
@@ -78,7 +90,7 @@ struct Headline {
     std::optional<bool> verdict;  ///< nullopt: none
 };
 
-using Block = std::variant<Headline, QuantityTable, Table, Plot, ColourMap, Picture, Notes>;
+using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, ColourMap, Picture, Notes>;
 
 /// An input of the report, for the audit.
 struct InputFile {

@@ -1,0 +1,45 @@
+#include "engine/report/cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier {
+namespace {
+
+std::string grouped(std::int64_t number)
+{
+    std::string digits = std::to_string(number);
+    const std::size_t first = number < 0 ? 1 : 0;
+    if (digits.size() - first <= 4) return digits;
+    for (std::size_t at = digits.size(); at > first + 3;) {
+        at -= 3;
+        digits.insert(at, "\u202F");
+    }
+    return digits;
+}
+
+}  // namespace
+
+std::string cellText(const Value& value, int decimals, const Language& language)
+{
+    if (std::holds_alternative<std::monostate>(value)) return "–";
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return grouped(*whole);
+    if (const auto* number = std::get_if<double>(&value))
+        return std::isfinite(*number) ? fixed(*number, decimals, language) : "–";
+    if (const auto* ranges = std::get_if<std::vector<Interval>>(&value); ranges && ranges->empty()) return "–";
+    return text(value, language);
+}
+
+bool isNumeric(const Value& value)
+{
+    return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value) ||
+           std::holds_alternative<std::monostate>(value);
+}
+
+std::size_t characters(const std::string& text)
+{
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace lathelier

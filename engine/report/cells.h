@@ -1,0 +1,20 @@
+// Values in tables.
+#pragma once
+
+#include <string>
+
+#include "engine/core/texts.h"
+#include "engine/core/value.h"
+
+namespace lathelier {
+
+/// Numbers with `decimals`, whole numbers in groups of three (narrow no-break space), "–" for what does not exist.
+std::string cellText(const Value& value, int decimals, const Language& language);
+
+/// Numbers are set to the right.
+bool isNumeric(const Value& value);
+
+/// As many columns as the text takes on a terminal, roughly: its characters.
+std::size_t characters(const std::string& text);
+
+}  // namespace lathelier

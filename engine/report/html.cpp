@@ -1,0 +1,168 @@
+#include "engine/report/html.h"
+
+#include <algorithm>
+
+#include "engine/report/cells.h"
+#include "engine/report/html_style.h"
+#include "engine/report/plot_svg.h"
+#include "engine/report/png.h"
+#include "engine/report/svg.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t longTable = 24;  ///< rows; longer tables of few columns stand in several columns
+constexpr std::size_t narrowTable = 5;
+
+std::string element(const std::string& tag, const std::string& content)
+{
+    return "<" + tag + ">" + content + "</" + tag + ">\n";
+}
+
+/// The blocks of one document, one call for each kind.
+class Writer {
+public:
+    explicit Writer(const Language& language) : language_(language) {}
+
+    std::string operator()(const Headline& headline) const
+    {
+        const std::string kind = !headline.verdict ? "" : *headline.verdict ? " pass" : " fail";
+        return "<p class=\"headline" + kind + "\">" + escaped(headline.text) + "</p>\n";
+    }
+
+    std::string operator()(const Paragraph& paragraph) const
+    {
+        return element("p", escaped(fill(text(paragraph.pattern, language_), paragraph.values, language_)));
+    }
+
+    std::string operator()(const QuantityTable& table) const
+    {
+        std::string rows;
+        for (const Quantity& row : table.rows)
+            rows += "<tr><th scope=\"row\">" + caption(row.name) + "</th><td class=\"number\">" +
+                    cell(row.value, row.decimals) + "</td><td class=\"unit\">" + escaped(text(row.unit, language_)) +
+                    "</td></tr>\n";
+        return "<table class=\"quantities\"><caption>" + caption(table.title) + "</caption>\n" + rows + "</table>\n";
+    }
+
+    std::string operator()(const Table& table) const
+    {
+        std::string head;
+        for (const Caption& column : table.columns) head += "<th scope=\"col\">" + caption(column) + "</th>";
+        head = "<thead><tr>" + head + "</tr></thead>\n";
+        const bool split = table.rows.size() > longTable && table.columns.size() <= narrowTable;
+        const std::size_t parts = split ? 2 : 1;
+        std::string pieces;
+        for (std::size_t part = 0; part < parts; ++part) {
+            const std::size_t begin = part * table.rows.size() / parts;
+            const std::size_t end = (part + 1) * table.rows.size() / parts;
+            std::string rows;
+            for (std::size_t i = begin; i < end; ++i) rows += row(table.rows[i], table.decimals);
+            pieces += "<table class=\"rows\">" + head + "<tbody>\n" + rows + "</tbody></table>\n";
+        }
+        return "<div class=\"table\">" + element("h3", caption(table.title)) + "<div class=\"grid\">" + pieces +
+               "</div></div>\n";
+    }
+
+    std::string operator()(const Plot& plot) const { return element("figure", toSvg(plot, language_)); }
+    std::string operator()(const ColourMap& map) const { return element("figure", toSvg(map, language_)); }
+
+    std::string operator()(const Picture& picture) const
+    {
+        const std::string title = caption(picture.title);
+        return element("figure", "<img alt=\"" + title + "\" src=\"data:image/png;base64," + base64(picture.png) +
+                                     "\"><figcaption>" + title + "</figcaption>");
+    }
+
+    std::string operator()(const Notes& notes) const
+    {
+        std::string items;
+        for (const Note& note : notes)
+            items += severity(note.code) == Severity::Warning
+                         ? "<li class=\"warning\"><b>!</b> " + escaped(text(note, language_)) + "</li>\n"
+                         : "<li>" + escaped(text(note, language_)) + "</li>\n";
+        return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+    }
+
+    /// The blocks in order; tables of quantities that follow each other stand side by side.
+    std::string blocks(const std::vector<Block>& all) const
+    {
+        std::string result;
+        bool grid = false;
+        for (const Block& block : all) {
+            const bool narrow = std::holds_alternative<QuantityTable>(block) || std::holds_alternative<Picture>(block);
+            if (narrow != grid) result += narrow ? "<div class=\"grid\">\n" : "</div>\n";
+            grid = narrow;
+            result += std::visit(*this, block);
+        }
+        return grid ? result + "</div>\n" : result;
+    }
+
+    std::string section(const Section& section) const
+    {
+        return "<section>\n" + element("h2", caption(section.title)) + blocks(section.blocks) + "</section>\n";
+    }
+
+    std::string inputs(const std::vector<InputFile>& files) const
+    {
+        if (files.empty()) return {};
+        std::string rows;
+        for (const InputFile& file : files)
+            rows += "<tr><td class=\"path\">" + escaped(file.path) + "</td><td class=\"number\">" +
+                    cell(file.bytes, 0) + "</td><td class=\"digest\">" + escaped(file.sha256) + "</td></tr>\n";
+        return "<section>\n" + element("h2", phrase(LT_TEXT("Engine", "Input files"))) +
+               "<table class=\"rows inputs\"><thead><tr><th>" + phrase(LT_TEXT("Engine", "File")) + "</th><th>" +
+               phrase(LT_TEXT("Engine", "Bytes")) + "</th><th>SHA-256</th></tr></thead><tbody>\n" + rows +
+               "</tbody></table>\n</section>\n";
+    }
+
+    std::string phrase(Text words) const { return escaped(text(words, language_)); }
+    std::string caption(const Caption& words) const { return escaped(captionText(words, language_)); }
+
+private:
+    std::string cell(const Value& value, int decimals) const { return escaped(cellText(value, decimals, language_)); }
+
+    std::string row(const std::vector<Value>& values, int decimals) const
+    {
+        std::string result;
+        for (const Value& value : values)
+            result += (isNumeric(value) ? "<td class=\"number\">" : "<td>") + cell(value, decimals) + "</td>";
+        return "<tr>" + result + "</tr>\n";
+    }
+
+    const Language& language_;
+};
+
+/// "2026-11-21T03:05:09+0000" as people write it: date and time to the minute.
+std::string readable(const std::string& created)
+{
+    if (created.size() < 16 || created[10] != 'T') return created;
+    return created.substr(0, 10) + " " + created.substr(11, 5);
+}
+
+}  // namespace
+
+std::string toHtml(const Document& document, const Language& language)
+{
+    const Writer writer(language);
+    const std::string title = writer.caption(document.title);
+    std::string result = "<!DOCTYPE html>\n<html lang=\"" + writer.phrase(LT_TEXT("Engine", "en")) +
+                         "\">\n<head>\n<meta charset=\"utf-8\">\n"
+                         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                         "<meta name=\"generator\" content=\"Lathelier " LATHELIER_VERSION "\">\n" +
+                         element("title", title) + "<style>\n" + std::string(reportStyle) +
+                         "</style>\n</head>\n<body>\n";
+    result += "<header><div>" + element("h1", title);
+    if (document.synthetic)
+        result += "<p class=\"synthetic\">" +
+                  writer.phrase(LT_TEXT("Engine", "Synthetic data: made by a program, not measured")) + "</p>\n";
+    result += "</div><p class=\"origin\"><b>Lathelier</b> " LATHELIER_VERSION;
+    if (!document.created.empty())
+        result += "<br><time datetime=\"" + escaped(document.created) + "\">" + escaped(readable(document.created)) +
+                  "</time>";
+    result += "</p></header>\n";
+    for (const Section& section : document.sections) result += writer.section(section);
+    return result + writer.inputs(document.inputs) + "</body>\n</html>\n";
+}
+
+}  // namespace lathelier

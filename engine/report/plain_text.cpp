@@ -1,0 +1,81 @@
+#include "engine/report/plain_text.h"
+
+#include <algorithm>
+
+#include "engine/report/cells.h"
+
+namespace lathelier {
+namespace {
+
+std::string spaces(std::size_t wanted, std::size_t used)
+{
+    return std::string(wanted > used ? wanted - used : 0, ' ');
+}
+
+std::string padded(const std::string& text, std::size_t width, bool right)
+{
+    const std::string room = spaces(width, characters(text));
+    return right ? room + text : text + room;
+}
+
+std::string tableText(const QuantityTable& table, const Language& language)
+{
+    std::size_t name = 0;
+    std::size_t value = 0;
+    for (const Quantity& row : table.rows) {
+        name = std::max(name, characters(captionText(row.name, language)));
+        value = std::max(value, characters(cellText(row.value, row.decimals, language)));
+    }
+    std::string result = captionText(table.title, language) + "\n";
+    for (const Quantity& row : table.rows) {
+        std::string line = "  " + padded(captionText(row.name, language), name, false) + "  " +
+                           padded(cellText(row.value, row.decimals, language), value, true) + " " +
+                           text(row.unit, language);
+        line.erase(line.find_last_not_of(' ') + 1);
+        result += line + "\n";
+    }
+    return result;
+}
+
+std::string tableText(const Table& table, const Language& language)
+{
+    std::vector<std::vector<std::string>> lines(1);
+    for (const Caption& column : table.columns) lines[0].push_back(captionText(column, language));
+    for (const std::vector<Value>& row : table.rows) {
+        std::vector<std::string>& line = lines.emplace_back();
+        for (const Value& value : row) line.push_back(cellText(value, table.decimals, language));
+    }
+    std::vector<std::size_t> widths(table.columns.size());
+    for (const auto& line : lines)
+        for (std::size_t i = 0; i < std::min(line.size(), widths.size()); ++i)
+            widths[i] = std::max(widths[i], characters(line[i]));
+    std::string result = captionText(table.title, language) + "\n";
+    for (const auto& line : lines) {
+        for (std::size_t i = 0; i < std::min(line.size(), widths.size()); ++i)
+            result += "  " + padded(line[i], widths[i], true);
+        result += "\n";
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string toPlainText(const Section& section, const Language& language)
+{
+    std::string result;
+    for (const Block& block : section.blocks) {
+        std::string piece;
+        if (const auto* headline = std::get_if<Headline>(&block))
+            piece = headline->text + "\n";
+        else if (const auto* paragraph = std::get_if<Paragraph>(&block))
+            piece = fill(text(paragraph->pattern, language), paragraph->values, language) + "\n";
+        else if (const auto* quantities = std::get_if<QuantityTable>(&block))
+            piece = tableText(*quantities, language);
+        else if (const auto* table = std::get_if<Table>(&block))
+            piece = tableText(*table, language);
+        if (!piece.empty()) result += (result.empty() ? "" : "\n") + piece;
+    }
+    return result;
+}
+
+}  // namespace lathelier

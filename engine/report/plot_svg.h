@@ -1,0 +1,16 @@
+// Plots and colour maps of a report as SVG.
+#pragma once
+
+#include <string>
+
+#include "engine/report/document.h"
+
+namespace lathelier {
+
+/// Curves are thinned to what a sheet can show: first, lowest, highest and last value in each column of pixels.
+std::string toSvg(const Plot& plot, const Language& language = {});
+
+/// The cells as one embedded picture, at most 900 × 450 of them (larger grids are averaged), with axes and scale.
+std::string toSvg(const ColourMap& map, const Language& language = {});
+
+}  // namespace lathelier

@@ -1,0 +1,159 @@
+#include "engine/report/svg.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine/report/png.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::string_view replacement = "\xEF\xBF\xBD";
+constexpr std::string_view ink = "#1f2933";
+
+/// The length of the UTF-8 character that starts at text[at]; 0 when it is none.
+std::size_t utf8Length(std::string_view text, std::size_t at)
+{
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0U; };
+    const unsigned first = byte(at);
+    const auto continues = [&](std::size_t count) {
+        for (std::size_t i = 1; i <= count; ++i)
+            if ((byte(at + i) & 0xC0U) != 0x80U) return false;
+        return true;
+    };
+    if (first < 0x80) return 1;
+    if (first >= 0xC2 && first < 0xE0) return continues(1) ? 2 : 0;
+    if (first >= 0xE0 && first < 0xF0) {
+        const bool overlong = first == 0xE0 && byte(at + 1) < 0xA0;
+        const bool surrogate = first == 0xED && byte(at + 1) >= 0xA0;
+        return continues(2) && !overlong && !surrogate ? 3 : 0;
+    }
+    if (first >= 0xF0 && first < 0xF5) {
+        const bool overlong = first == 0xF0 && byte(at + 1) < 0x90;
+        const bool beyond = first == 0xF4 && byte(at + 1) >= 0x90;
+        return continues(3) && !overlong && !beyond ? 4 : 0;
+    }
+    return 0;
+}
+
+const char* anchorName(Svg::Anchor anchor)
+{
+    switch (anchor) {
+        case Svg::Anchor::Start: return "start";
+        case Svg::Anchor::Middle: return "middle";
+        case Svg::Anchor::End: return "end";
+    }
+    return "start";
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        const std::size_t length = utf8Length(text, at);
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '"')
+            result += "&quot;";
+        else if (c == '\'')
+            result += "&#39;";
+        else if (length == 0 || (length == 1 && (c == 0x7F || (c < 0x20 && c != '\n' && c != '\t'))))
+            result += replacement;
+        else
+            result += text.substr(at, length);
+        at += std::max<std::size_t>(length, 1);
+    }
+    return result;
+}
+
+std::string hex(const Rgb& colour)
+{
+    return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
+}
+
+std::string coordinate(double value)
+{
+    std::string result = fmt::format("{:.2f}", value);
+    result.erase(result.find_last_not_of('0') + 1);
+    if (result.back() == '.') result.pop_back();
+    return result == "-0" ? "0" : result;
+}
+
+double textWidth(std::string_view text, double size)
+{
+    double characters = 0;
+    for (const char c : text)
+        if ((static_cast<std::uint8_t>(c) & 0xC0U) != 0x80U) ++characters;
+    return 0.58 * size * characters;
+}
+
+Svg::Svg(double width, double height, const std::string& label)
+{
+    out_ = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {} {}\" "
+        "role=\"img\" aria-label=\"{}\" font-family=\"'DejaVu Sans',Verdana,Arial,sans-serif\">\n",
+        coordinate(width), coordinate(height), escaped(label));
+}
+
+void Svg::line(double x1, double y1, double x2, double y2, std::string_view stroke, double width,
+               std::string_view dashes)
+{
+    out_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"{}\"",
+                        coordinate(x1), coordinate(y1), coordinate(x2), coordinate(y2), stroke, coordinate(width));
+    if (!dashes.empty()) out_ += fmt::format(" stroke-dasharray=\"{}\"", dashes);
+    out_ += "/>\n";
+}
+
+void Svg::rect(double x, double y, double width, double height, std::string_view fill, std::string_view stroke)
+{
+    out_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n",
+                        coordinate(x), coordinate(y), coordinate(width), coordinate(height), fill, stroke);
+}
+
+void Svg::path(std::string_view data, std::string_view stroke, double width, std::string_view fill, double opacity)
+{
+    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"", data,
+                        fill, stroke, coordinate(width));
+    if (opacity < 1) out_ += fmt::format(" fill-opacity=\"{}\"", coordinate(opacity));
+    out_ += "/>\n";
+}
+
+void Svg::text(double x, double y, Anchor anchor, double size, std::string_view content, bool bold)
+{
+    out_ += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" font-size=\"{}\" fill=\"{}\"{}>{}</text>\n",
+                        coordinate(x), coordinate(y), anchorName(anchor), coordinate(size), ink,
+                        bold ? " font-weight=\"bold\"" : "", escaped(content));
+}
+
+void Svg::verticalText(double x, double y, double size, std::string_view content)
+{
+    out_ += fmt::format(
+        "<text transform=\"translate({},{}) rotate(-90)\" text-anchor=\"middle\" font-size=\"{}\" "
+        "fill=\"{}\">{}</text>\n",
+        coordinate(x), coordinate(y), coordinate(size), ink, escaped(content));
+}
+
+void Svg::png(double x, double y, double width, double height, std::string_view bytes)
+{
+    out_ += fmt::format(
+        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+        "image-rendering=\"pixelated\" "
+        "xlink:href=\"data:image/png;base64,{}\"/>\n",
+        coordinate(x), coordinate(y), coordinate(width), coordinate(height), base64(bytes));
+}
+
+std::string Svg::finish()
+{
+    return out_ + "</svg>\n";
+}
+
+}  // namespace lathelier

@@ -1,0 +1,46 @@
+// Drawing as SVG text: only what SVG Tiny 1.2 has, with attributes instead of styles, so that browsers, Qt and
+// Inkscape show the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/report/colours.h"
+
+namespace lathelier {
+
+/// Text for HTML and XML: &, <, >, quotes escaped; control characters and what is no UTF-8 replaced by U+FFFD.
+std::string escaped(std::string_view text);
+
+/// "#rrggbb"
+std::string hex(const Rgb& colour);
+
+class Svg {
+public:
+    /// `label` is what a screen reader says.
+    Svg(double width, double height, const std::string& label);
+
+    enum class Anchor { Start, Middle, End };
+
+    void line(double x1, double y1, double x2, double y2, std::string_view stroke, double width = 1,
+              std::string_view dashes = {});
+    void rect(double x, double y, double width, double height, std::string_view fill, std::string_view stroke = "none");
+    void path(std::string_view data, std::string_view stroke, double width, std::string_view fill = "none",
+              double opacity = 1);
+    void text(double x, double y, Anchor anchor, double size, std::string_view content, bool bold = false);
+    void verticalText(double x, double y, double size, std::string_view content);  ///< reads upward, centred
+    void png(double x, double y, double width, double height, std::string_view bytes);
+
+    std::string finish();
+
+private:
+    std::string out_;
+};
+
+/// A coordinate: at most two decimals, decimal point.
+std::string coordinate(double value);
+
+/// About how wide `text` is when set in `size`; for laying out only.
+double textWidth(std::string_view text, double size);
+
+}  // namespace lathelier

@@ -1,0 +1,116 @@
+#include "engine/registration/neighbours.h"
+
+#include <algorithm>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/neighbours_order.h"
+
+namespace lathelier {
+
+Neighbours::Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress)
+    : order_(hilbertOrder(points_mm, progress))
+{
+    leaves_.resize((order_.size() + leaf_size - 1) / leaf_size);
+    std::vector<Box> boxes(leaves_.size());
+    parallelFor(leaves_.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t l = begin; l < end; ++l)
+            for (std::size_t i = 0; i < leaf_size; ++i) {
+                const std::size_t place = l * leaf_size + i;
+                Eigen::Vector3d p = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+                if (place < order_.size()) {
+                    p = points_mm[order_[place]];
+                    boxes[l].add(p);
+                }
+                leaves_[l].x[i] = p.x();
+                leaves_[l].y[i] = p.y();
+                leaves_[l].z[i] = p.z();
+            }
+    });
+    boxes_ = BoxTree(boxes, progress);
+}
+
+inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const
+{
+    const Leaf& points = leaves_[leaf];
+    for (std::uint32_t i = 0; i < leaf_size; ++i) {
+        const double dx = points.x[i] - query_mm.x();
+        const double dy = points.y[i] - query_mm.y();
+        const double dz = points.z[i] - query_mm.z();
+        squared[i] = dx * dx + dy * dy + dz * dz;
+    }
+}
+
+inline void Neighbours::improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const
+{
+    alignas(64) double squared[leaf_size];
+    leafDistances(leaf, query_mm, squared);
+    const double low = std::min(std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3])),
+                                std::min(std::min(squared[4], squared[5]), std::min(squared[6], squared[7])));
+    if (!(low < best.squared_mm2)) return;
+    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leaf_size, low) - squared);
+    best = {leaf * leaf_size + at, low};
+}
+
+Neighbours::Found Neighbours::nearest(const Eigen::Vector3d& query_mm, double limit_mm2) const
+{
+    Found best{Found::none, limit_mm2};
+    complete(query_mm, best);
+    return best;
+}
+
+void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
+{
+    double bound = best.squared_mm2;
+    boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
+        improve(leaf, query_mm, best);
+        limit = best.squared_mm2;
+    });
+    if (best.place == Found::none) best.squared_mm2 = std::numeric_limits<double>::infinity();
+}
+
+void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const
+{
+    Box box;
+    for (std::size_t q = 0; q < queries_mm.size(); ++q) {
+        box.add(queries_mm[q]);
+        found[q] = {Found::none, limit_mm2};
+    }
+    // Queries far apart, or far from many points, do not gain by going together and go on alone.
+    int leaves_left = 32;
+    double bound = limit_mm2;
+    boxes_.visit(box, bound, [&](std::uint32_t leaf, double& limit) {
+        limit = 0;
+        for (std::size_t q = 0; q < queries_mm.size(); ++q) {
+            improve(leaf, queries_mm[q], found[q]);
+            limit = std::max(limit, found[q].squared_mm2);
+        }
+        if (--leaves_left == 0) limit = 0;
+    });
+    for (std::size_t q = 0; q < queries_mm.size(); ++q)
+        if (leaves_left <= 0)
+            complete(queries_mm[q], found[q]);
+        else if (found[q].place == Found::none)
+            found[q].squared_mm2 = std::numeric_limits<double>::infinity();
+}
+
+void Neighbours::nearest(const Eigen::Vector3d& query_mm, std::size_t count, double limit_mm2,
+                         std::vector<Found>& found) const
+{
+    found.clear();
+    if (count == 0) return;
+    double bound = limit_mm2;
+    boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
+        alignas(64) double squared[leaf_size];
+        leafDistances(leaf, query_mm, squared);
+        for (std::uint32_t i = 0; i < leaf_size; ++i) {
+            if (!(squared[i] < limit)) continue;
+            if (found.size() < count) found.emplace_back();
+            std::size_t place = found.size() - 1;
+            for (; place > 0 && found[place - 1].squared_mm2 > squared[i]; --place) found[place] = found[place - 1];
+            found[place] = {leaf * leaf_size + i, squared[i]};
+            if (found.size() == count) limit = std::min(limit, found.back().squared_mm2);
+        }
+    });
+}
+
+}  // namespace lathelier

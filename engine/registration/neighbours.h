@@ -1,0 +1,64 @@
+// Nearest points of a cloud: exact, for any distribution of points (equal points, clusters, far outliers).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/registration/neighbours_boxes.h"
+
+namespace lathelier {
+
+/// An index over points, built once: n log n time, about 40 bytes a point. Points are numbered by their place in the
+/// index (0…size-1, neighbours in number are neighbours in space); input() gives their number in the input.
+class Neighbours {
+public:
+    /// All coordinates finite. Throws Cancelled.
+    explicit Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress = {});
+
+    std::size_t size() const { return order_.size(); }
+    std::uint32_t input(std::uint32_t place) const { return order_[place]; }
+    Eigen::Vector3d point_mm(std::uint32_t place) const
+    {
+        const Leaf& leaf = leaves_[place / leaf_size];
+        return {leaf.x[place % leaf_size], leaf.y[place % leaf_size], leaf.z[place % leaf_size]};
+    }
+
+    struct Found {
+        static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+        std::uint32_t place = none;  ///< `none` when no point is nearer than asked
+        double squared_mm2 = std::numeric_limits<double>::infinity();
+    };
+
+    /// The nearest point closer than sqrt(`limit_mm2`).
+    Found nearest(const Eigen::Vector3d& query_mm, double limit_mm2 = std::numeric_limits<double>::infinity()) const;
+
+    /// The same for several queries that lie near each other, much faster than one by one; 8 to 16 are a good number.
+    void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const;
+
+    /// The up to `count` nearest points closer than sqrt(`limit_mm2`), nearest first, into `found`.
+    void nearest(const Eigen::Vector3d& query_mm, std::size_t count, double limit_mm2, std::vector<Found>& found) const;
+
+private:
+    static constexpr std::uint32_t leaf_size = 8;
+
+    // Eight points side by side; absent ones are infinitely far.
+    struct alignas(64) Leaf {
+        double x[leaf_size];
+        double y[leaf_size];
+        double z[leaf_size];
+    };
+
+    void improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const;
+    void complete(const Eigen::Vector3d& query_mm, Found& best) const;
+    void leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const;
+
+    std::vector<std::uint32_t> order_;
+    std::vector<Leaf> leaves_;
+    BoxTree boxes_;
+};
+
+}  // namespace lathelier

@@ -36,6 +36,13 @@ bool isNumeric(const Value& value)
            std::holds_alternative<std::monostate>(value);
 }
 
+std::string verdictText(const Headline& headline, const Language& language)
+{
+    if (!headline.verdict) return {};
+    return *headline.verdict ? "✓ " + text(LT_TEXT("Engine", "within tolerance"), language)
+                             : "✗ " + text(LT_TEXT("Engine", "out of tolerance"), language);
+}
+
 std::size_t characters(const std::string& text)
 {
     return static_cast<std::size_t>(std::count_if(

@@ -5,6 +5,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/core/value.h"
+#include "engine/report/document.h"
 
 namespace lathelier {
 
@@ -13,6 +14,9 @@ std::string cellText(const Value& value, int decimals, const Language& language)
 
 /// Numbers are set to the right.
 bool isNumeric(const Value& value);
+
+/// "✓ within tolerance", "✗ out of tolerance", or empty without a verdict. Never colour alone.
+std::string verdictText(const Headline& headline, const Language& language);
 
 /// As many columns as the text takes on a terminal, roughly: its characters.
 std::size_t characters(const std::string& text);

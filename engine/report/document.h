@@ -36,7 +36,9 @@ struct Table {
     Caption title;
     std::vector<Caption> columns;  ///< with units
     std::vector<std::vector<Value>> rows;
-    int decimals = 3;
+    std::vector<int> decimals;  ///< of the numbers, by column; 3 where not given
+
+    int decimalsOf(std::size_t column) const { return column < decimals.size() ? decimals[column] : 3; }
 };
 
 /// A sentence of explanation: a pattern with named values, as in errors and notes.
@@ -62,6 +64,8 @@ struct Plot {
     std::vector<Curve> curves;
     std::vector<double> y_marks;      ///< horizontal lines, such as tolerance limits
     std::vector<double> x_marks;      ///< vertical lines
+    Caption marks_name = Text{};      ///< what the marks are, for the legend
+    std::optional<Interval> x_range;  ///< what is shown. Default: all
     std::optional<Interval> y_range;  ///< what is shown; values beyond are drawn at the edge. Default: all
 };
 

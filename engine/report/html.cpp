@@ -27,7 +27,9 @@ public:
     std::string operator()(const Headline& headline) const
     {
         const std::string kind = !headline.verdict ? "" : *headline.verdict ? " pass" : " fail";
-        return "<p class=\"headline" + kind + "\">" + escaped(headline.text) + "</p>\n";
+        const std::string verdict = verdictText(headline, language_);
+        return "<p class=\"headline" + kind + "\">" + escaped(headline.text) +
+               (verdict.empty() ? "" : " <span class=\"verdict\">" + escaped(verdict) + "</span>") + "</p>\n";
     }
 
     std::string operator()(const Paragraph& paragraph) const
@@ -48,7 +50,11 @@ public:
     std::string operator()(const Table& table) const
     {
         std::string head;
-        for (const Caption& column : table.columns) head += "<th scope=\"col\">" + caption(column) + "</th>";
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const bool number = !table.rows.empty() && i < table.rows[0].size() && isNumeric(table.rows[0][i]);
+            head += std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">") +
+                    caption(table.columns[i]) + "</th>";
+        }
         head = "<thead><tr>" + head + "</tr></thead>\n";
         const bool split = table.rows.size() > longTable && table.columns.size() <= narrowTable;
         const std::size_t parts = split ? 2 : 1;
@@ -57,7 +63,7 @@ public:
             const std::size_t begin = part * table.rows.size() / parts;
             const std::size_t end = (part + 1) * table.rows.size() / parts;
             std::string rows;
-            for (std::size_t i = begin; i < end; ++i) rows += row(table.rows[i], table.decimals);
+            for (std::size_t i = begin; i < end; ++i) rows += row(table, table.rows[i]);
             pieces += "<table class=\"rows\">" + head + "<tbody>\n" + rows + "</tbody></table>\n";
         }
         return "<div class=\"table\">" + element("h3", caption(table.title)) + "<div class=\"grid\">" + pieces +
@@ -111,9 +117,9 @@ public:
             rows += "<tr><td class=\"path\">" + escaped(file.path) + "</td><td class=\"number\">" +
                     cell(file.bytes, 0) + "</td><td class=\"digest\">" + escaped(file.sha256) + "</td></tr>\n";
         return "<section>\n" + element("h2", phrase(LT_TEXT("Engine", "Input files"))) +
-               "<table class=\"rows inputs\"><thead><tr><th>" + phrase(LT_TEXT("Engine", "File")) + "</th><th>" +
-               phrase(LT_TEXT("Engine", "Bytes")) + "</th><th>SHA-256</th></tr></thead><tbody>\n" + rows +
-               "</tbody></table>\n</section>\n";
+               "<table class=\"rows inputs\"><thead><tr><th>" + phrase(LT_TEXT("Engine", "File")) +
+               "</th><th class=\"number\">" + phrase(LT_TEXT("Engine", "Bytes")) +
+               "</th><th>SHA-256</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n</section>\n";
     }
 
     std::string phrase(Text words) const { return escaped(text(words, language_)); }
@@ -122,11 +128,12 @@ public:
 private:
     std::string cell(const Value& value, int decimals) const { return escaped(cellText(value, decimals, language_)); }
 
-    std::string row(const std::vector<Value>& values, int decimals) const
+    std::string row(const Table& table, const std::vector<Value>& values) const
     {
         std::string result;
-        for (const Value& value : values)
-            result += (isNumeric(value) ? "<td class=\"number\">" : "<td>") + cell(value, decimals) + "</td>";
+        for (std::size_t i = 0; i < values.size(); ++i)
+            result += (isNumeric(values[i]) ? "<td class=\"number\">" : "<td>") + cell(values[i], table.decimalsOf(i)) +
+                      "</td>";
         return "<tr>" + result + "</tr>\n";
     }
 

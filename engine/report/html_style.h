@@ -21,20 +21,22 @@ p { margin: 8px 0; }
   background: #fff8e6; color: #7b4a00; font-size: 14px; }
 .headline { font-size: 21px; line-height: 1.35; font-weight: 600; margin: 0 0 18px; padding: 14px 18px;
   background: #f0f4f8; border-left: 6px solid #829ab1; }
+.verdict { display: inline-block; margin-left: 6px; padding: 0 12px; border-radius: 4px; color: #fff; white-space: nowrap; }
+.pass .verdict { background: #177a53; } .fail .verdict { background: #b3261e; }
 .headline.pass { background: #e6f6ef; border-color: #1f9d6b; }
 .headline.fail { background: #fdecea; border-color: #c0362c; }
-.grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(380px, 1fr)); gap: 10px 36px; align-items: start; }
+.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(420px, 1fr)); gap: 10px 36px; align-items: start; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; }
 caption { margin: 0; padding-bottom: 6px; }
 th, td { padding: 4px 8px 4px 0; border-bottom: 1px solid #e4e7eb; vertical-align: baseline; text-align: left; }
 th { font-weight: 400; }
+thead th, thead .number { white-space: normal; }
 thead th { font-weight: 600; color: #52606d; border-bottom: 1px solid #9aa5b1; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.quantities .number { font-weight: 600; white-space: normal; }
+.quantities .number { font-weight: 600; }
 .unit { color: #52606d; width: 3.2em; padding-left: 0; }
-.rows th, .rows td { text-align: right; padding: 3px 10px; }
-.rows td:not(.number) { text-align: left; }
-.inputs th { text-align: left; }
+.rows th, .rows td { padding: 3px 10px; }
+.rows th:first-child, .rows td:first-child { padding-left: 0; }
 .path, .digest { overflow-wrap: anywhere; }
 .digest { font: 12px/1.5 "DejaVu Sans Mono", Consolas, monospace; }
 figure { margin: 14px 0; }

@@ -43,7 +43,7 @@ std::string tableText(const Table& table, const Language& language)
     for (const Caption& column : table.columns) lines[0].push_back(captionText(column, language));
     for (const std::vector<Value>& row : table.rows) {
         std::vector<std::string>& line = lines.emplace_back();
-        for (const Value& value : row) line.push_back(cellText(value, table.decimals, language));
+        for (std::size_t i = 0; i < row.size(); ++i) line.push_back(cellText(row[i], table.decimalsOf(i), language));
     }
     std::vector<std::size_t> widths(table.columns.size());
     for (const auto& line : lines)
@@ -66,7 +66,7 @@ std::string toPlainText(const Section& section, const Language& language)
     for (const Block& block : section.blocks) {
         std::string piece;
         if (const auto* headline = std::get_if<Headline>(&block))
-            piece = headline->text + "\n";
+            piece = headline->text + "  " + verdictText(*headline, language) + "\n";
         else if (const auto* paragraph = std::get_if<Paragraph>(&block))
             piece = fill(text(paragraph->pattern, language), paragraph->values, language) + "\n";
         else if (const auto* quantities = std::get_if<QuantityTable>(&block))

@@ -11,9 +11,14 @@ constexpr std::string_view frameColour = "#7b8794";
 
 }  // namespace
 
+bool isDrawable(double value)
+{
+    return std::abs(value) < 1e100;
+}
+
 void Extent::add(double value)
 {
-    if (!std::isfinite(value)) return;
+    if (!isDrawable(value)) return;
     from_ = empty() ? value : std::min(from_, value);
     to_ = from_ > to_ ? value : std::max(to_, value);
 }

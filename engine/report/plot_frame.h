@@ -30,7 +30,10 @@ struct PlotFrame {
     double toY(double value) const { return bottom - (value - y.from) / (y.to - y.from) * (bottom - top); }
 };
 
-/// The range of finite values seen so far.
+/// A number with a place on a sheet: finite, and not so large that differences overflow.
+bool isDrawable(double value);
+
+/// The range of drawable values seen so far.
 class Extent {
 public:
     void add(double value);

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double plotHeight = 330;
 constexpr double bottomRoom = 52;
+constexpr std::string_view markColour = "#52606d";
+constexpr std::string_view markDashes = "6 4";
+constexpr double bandOpacity = 0.18;
+constexpr double barOpacity = 0.8;
 
 // Original blue, copy red (LOOK.md), then colours that stay apart for colour-blind eyes (Okabe and Ito).
 constexpr std::array<std::string_view, 6> colours{"#1f5fa8", "#c0362c", "#009e73", "#e69f00", "#7b4f9d", "#52606d"};
@@ -39,7 +43,7 @@ PlotFrame frameOf(const Plot& plot)
     for (const Curve& curve : plot.curves) {
         const std::size_t count = length(curve);
         const bool bars = curve.style == Curve::Style::Bars;
-        for (std::size_t i = 0; i < count + (bars ? 1 : 0); ++i) x.add(curve.x[i]);
+        for (std::size_t i = 0; i < count + (bars && count > 0 ? 1 : 0); ++i) x.add(curve.x[i]);
         for (std::size_t i = 0; i < count; ++i) y.add(curve.y[i]);
         if (curve.style == Curve::Style::Band)
             for (std::size_t i = 0; i < count; ++i) y.add(curve.y_low[i]);
@@ -50,6 +54,7 @@ PlotFrame frameOf(const Plot& plot)
     PlotFrame frame;
     frame.bottom = plotHeight - bottomRoom;
     frame.x = x.interval();
+    if (plot.x_range && plot.x_range->from < plot.x_range->to) frame.x = *plot.x_range;
     const Interval all = y.interval();
     const double air = 0.05 * (all.to - all.from);
     frame.y = {all.from == 0 ? 0 : all.from - air, all.to + air};
@@ -70,7 +75,7 @@ std::vector<Stretch> stretches(const PlotFrame& frame, const std::vector<double>
     std::vector<Stretch> result;
     bool open = false;
     for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-        if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
+        if (!isDrawable(x[i]) || !isDrawable(y[i])) {
             open = false;
             continue;
         }
@@ -128,7 +133,7 @@ void drawBand(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_
     std::vector<double> high = curve.y;
     std::vector<double> low = curve.y_low;
     for (std::size_t i = 0; i < std::min(high.size(), low.size()); ++i)
-        if (!std::isfinite(high[i]) || !std::isfinite(low[i])) high[i] = low[i] = NAN;
+        if (!isDrawable(high[i]) || !isDrawable(low[i])) high[i] = low[i] = NAN;
     const std::vector<Stretch> above = stretches(frame, curve.x, high);
     const std::vector<Stretch> below = stretches(frame, curve.x, low);
     std::string data;
@@ -137,7 +142,7 @@ void drawBand(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_
         std::reverse(back.begin(), back.end());
         data += moves(thinned(above[i])) + moves(back, 'L') + "Z";
     }
-    if (!data.empty()) svg.path(data, "none", 0, colour, 0.18);
+    if (!data.empty()) svg.path(data, "none", 0, colour, bandOpacity);
 }
 
 void drawBars(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_view colour)
@@ -145,32 +150,65 @@ void drawBars(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_
     std::string data;
     const double base = std::clamp(frame.toY(0), frame.top, frame.bottom);
     for (std::size_t i = 0; i < length(curve); ++i) {
+        if (!isDrawable(curve.x[i]) || !isDrawable(curve.x[i + 1]) || !isDrawable(curve.y[i]) || curve.y[i] == 0)
+            continue;
         const double left = frame.toX(curve.x[i]);
         const double right = frame.toX(curve.x[i + 1]);
         const double top = std::clamp(frame.toY(curve.y[i]), frame.top, frame.bottom);
-        if (!std::isfinite(left) || !std::isfinite(right) || !std::isfinite(curve.y[i]) || curve.y[i] == 0) continue;
         data += fmt::format("M{} {}V{}H{}V{}Z", coordinate(left), coordinate(base), coordinate(top), coordinate(right),
                             coordinate(base));
     }
-    if (!data.empty()) svg.path(data, "#ffffff", 0.5, colour, 0.8);
+    if (!data.empty()) svg.path(data, "#ffffff", 0.5, colour, barOpacity);
 }
 
-/// One row at the right of the title.
+/// One row at the right of the title, from right to left.
+class Legend {
+public:
+    Legend(Svg& svg, const PlotFrame& frame) : svg_(svg), right_(frame.right), y_(frame.top - 13) {}
+
+    /// Makes room for `name`; draws it and hands out where its sample starts.
+    double place(const std::string& name)
+    {
+        const double start = right_ - textWidth(name, tickSize) - sampleWidth - 6;
+        svg_.text(start + sampleWidth + 6, y_ + 4, Svg::Anchor::Start, tickSize, name);
+        right_ = start - 20;
+        return start;
+    }
+
+    void addLine(const std::string& name, std::string_view colour, double width, std::string_view dashes = {})
+    {
+        const double start = place(name);
+        svg_.line(start, y_, start + sampleWidth, y_, colour, width, dashes);
+    }
+
+    void addArea(const std::string& name, std::string_view colour, double opacity)
+    {
+        const double start = place(name);
+        svg_.path(fmt::format("M{} {}h24v10h-24Z", coordinate(start), coordinate(y_ - 5)), "none", 0, colour, opacity);
+    }
+
+private:
+    static constexpr double sampleWidth = 24;
+    Svg& svg_;
+    double right_;
+    double y_;
+};
+
 void drawLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language)
 {
-    double right = frame.right;
+    Legend legend(svg, frame);
+    const std::string marks = captionText(plot.marks_name, language);
+    if (!marks.empty() && !(plot.x_marks.empty() && plot.y_marks.empty()))
+        legend.addLine(marks, markColour, 1.2, markDashes);
     for (std::size_t i = plot.curves.size(); i-- > 0;) {
         const std::string name = captionText(plot.curves[i].name, language);
         if (name.empty()) continue;
-        svg.text(right, frame.top - 9, Svg::Anchor::End, tickSize, name);
-        const double start = right - textWidth(name, tickSize) - 30;
         const std::string_view colour = colourOf(plot.curves[i], i);
-        if (plot.curves[i].style == Curve::Style::Line)
-            svg.line(start, frame.top - 13, start + 24, frame.top - 13, colour, 2.5);
-        else
-            svg.path(fmt::format("M{} {}h24v10h-24Z", coordinate(start), coordinate(frame.top - 18)), "none", 0, colour,
-                     plot.curves[i].style == Curve::Style::Band ? 0.18 : 0.8);
-        right = start - 18;
+        switch (plot.curves[i].style) {
+            case Curve::Style::Line: legend.addLine(name, colour, 2.5); break;
+            case Curve::Style::Band: legend.addArea(name, colour, bandOpacity); break;
+            case Curve::Style::Bars: legend.addArea(name, colour, barOpacity); break;
+        }
     }
 }
 
@@ -191,13 +229,12 @@ std::string toSvg(const Plot& plot, const Language& language)
             case Curve::Style::Bars: drawBars(svg, frame, curve, colourOf(curve, i)); break;
         }
     }
-    constexpr std::string_view markColour = "#52606d";
     for (const double mark : plot.y_marks)
         if (const double y = frame.toY(mark); y >= frame.top && y <= frame.bottom)
-            svg.line(frame.left, y, frame.right, y, markColour, 1.2, "6 4");
+            svg.line(frame.left, y, frame.right, y, markColour, 1.2, markDashes);
     for (const double mark : plot.x_marks)
         if (const double x = frame.toX(mark); x >= frame.left && x <= frame.right)
-            svg.line(x, frame.top, x, frame.bottom, markColour, 1.2, "6 4");
+            svg.line(x, frame.top, x, frame.bottom, markColour, 1.2, markDashes);
     drawOutline(svg, frame);
     drawLegend(svg, frame, plot, language);
     return svg.finish();

@@ -90,10 +90,17 @@ std::string coordinate(double value)
 
 double textWidth(std::string_view text, double size)
 {
-    double characters = 0;
-    for (const char c : text)
-        if ((static_cast<std::uint8_t>(c) & 0xC0U) != 0x80U) ++characters;
-    return 0.58 * size * characters;
+    double width = 0;
+    for (const char c : text) {
+        if ((static_cast<std::uint8_t>(c) & 0xC0U) == 0x80U) continue;  // inside a UTF-8 character
+        if (std::string_view("iljtfrI.,:;'|()[]- ").find(c) != std::string_view::npos)
+            width += 0.36;
+        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)
+            width += 0.95;
+        else
+            width += 0.63;
+    }
+    return width * size;
 }
 
 Svg::Svg(double width, double height, const std::string& label)

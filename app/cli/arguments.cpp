@@ -1,0 +1,185 @@
+#include "app/cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "app/cli/help.h"
+#include "engine/core/texts.h"
+
+namespace lathelier::cli {
+namespace {
+
+/// What was typed for one verb, before it is understood.
+struct Typed {
+    CLI::App* command = nullptr;
+    std::vector<std::vector<std::string>> operands;  ///< by operand
+    std::map<std::string, std::string> values;       ///< by field key
+    std::map<std::string, std::string> outputs;      ///< by option name
+    CommonOptions common;
+};
+
+constexpr const char* outputGroup = "Output";
+
+void addOption(CLI::App& command, const Option& option, const std::string& group, Typed& typed)
+{
+    const std::string& key = option.info.key;
+    CLI::Option* added = nullptr;
+    if (option.info.kind == FieldInfo::Kind::Flag)
+        added = command.add_flag_callback(optionName(key), [&typed, key] { typed.values[key] = "yes"; });
+    else
+        added =
+            command.add_option_function<std::vector<std::string>>(optionName(key), [&typed, key](const auto& words) {
+                for (const std::string& word : words) {
+                    std::string& all = typed.values[key];
+                    all += (all.empty() ? "" : ",") + word;
+                }
+            });
+    // Ranges may be given one by one; every other option once.
+    const bool several = option.info.kind == FieldInfo::Kind::Intervals;
+    if (option.info.kind != FieldInfo::Kind::Flag)
+        added->type_name(placeholder(option.info))
+            ->type_size(1)
+            ->expected(1)
+            ->multi_option_policy(several ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
+    added->description(describe(option))->group(group);
+}
+
+void addVerb(CLI::App& app, const Verb& verb, Typed& typed)
+{
+    typed.command = app.add_subcommand(verb.name, verb.summary);
+    CLI::App& command = *typed.command;
+    typed.operands.resize(verb.operands.size());
+    for (std::size_t i = 0; i < verb.operands.size(); ++i) {
+        const Operand& operand = verb.operands[i];
+        command.add_option(operand.name, typed.operands[i], wrapHelp(operand.help))
+            ->required()
+            ->type_name("")
+            ->type_size(1)
+            ->expected(1, operand.repeated ? CLI::detail::expected_max_vector_size : 1);
+    }
+    for (const Option& option : verb.parameters) addOption(command, option, "Parameters", typed);
+    for (const Option& option : verb.reading) addOption(command, option, "Reading files", typed);
+    for (const OutputOption& output : verb.outputs)
+        command.add_option(output.name, typed.outputs[output.name], wrapHelp(output.help))
+            ->type_name("FILE")
+            ->group(outputGroup);
+    CommonOptions& common = typed.common;
+    command
+        .add_option("--json", common.json,
+                    wrapHelp("Write the result as one JSON object to FILE, or to standard output (-)."))
+        ->type_name("FILE|-")
+        ->group(outputGroup);
+    if (verb.has_report)
+        command.add_option("--report", common.report, wrapHelp("Write the report as one self-contained HTML file."))
+            ->type_name("FILE.html")
+            ->group(outputGroup);
+    command.add_flag("--strict", common.strict, wrapHelp("Exit with 1 when the verdict is \"out of tolerance\"."))
+        ->group(outputGroup);
+    command.add_flag("--quiet", common.quiet, wrapHelp("No progress and no text for people; errors are still said."))
+        ->group(outputGroup);
+    command.add_option("--threads", common.threads, wrapHelp("Use at most N cores (0: all). The result is the same."))
+        ->type_name("N")
+        ->check(CLI::Range(0, 4096).description(""))
+        ->group(outputGroup);
+}
+
+/// Checks what was typed for a field; the message names the option as it was typed.
+Value understand(const FieldInfo& info, const std::string& typed)
+{
+    try {
+        return parse(info, typed);
+    } catch (const Error& error) {
+        Values values = error.values();
+        set(values, "parameter", optionName(info.key));
+        throw Error(error.code(), values);
+    }
+}
+
+/// An empty file name, or one file for two outputs, is a slip of the pen that would cost a result.
+void checkOutputs(const Typed& typed)
+{
+    std::set<std::string> files;
+    const auto add = [&files](const std::string& option, const std::string& path, bool given) {
+        if (!given) return;
+        if (path.empty()) throw CLI::ValidationError(option, "a file name is missing");
+        if (!files.insert(path).second) throw CLI::ValidationError(option, path + " is named for two outputs");
+    };
+    for (const auto& [name, path] : typed.outputs) add(name, path, typed.command->count(name) > 0);
+    add("--json", typed.common.json, typed.command->count("--json") > 0);
+    if (typed.command->get_option_no_throw("--report"))
+        add("--report", typed.common.report, typed.command->count("--report") > 0);
+}
+
+Invocation toInvocation(const Verb& verb, const Typed& typed)
+{
+    checkOutputs(typed);
+    Invocation result{&verb, {}, typed.common};
+    for (const auto& words : typed.operands)
+        result.request.operands.insert(result.request.operands.end(), words.begin(), words.end());
+    for (const auto* options : {&verb.parameters, &verb.reading})
+        for (const Option& option : *options) {
+            const auto given = typed.values.find(option.info.key);
+            set(result.request.parameters, option.info.key,
+                given == typed.values.end() ? option.standard : understand(option.info, given->second));
+        }
+    for (const auto& [name, path] : typed.outputs)
+        if (!path.empty()) result.request.outputs.emplace(name, path);
+    return result;
+}
+
+int usageError(const std::string& message, const CLI::App* command)
+{
+    std::cerr << programName << ": " << message << "\nSee " << programName << (command ? " " + command->get_name() : "")
+              << " --help.\n";
+    return 2;
+}
+
+/// A first word that is no verb is told apart from a missing one.
+bool isUnknownCommand(const std::string& word)
+{
+    const auto same = [&word](const Verb& verb) { return verb.name == word; };
+    return !word.empty() && word[0] != '-' && std::none_of(verbs().begin(), verbs().end(), same);
+}
+
+}  // namespace
+
+Parsed parseArguments(int argc, char** argv)
+{
+    CLI::App app(programSummary, programName);
+    app.set_version_flag("--version", std::string(programName) + " " + LATHELIER_VERSION, "Print the version.");
+    app.set_help_flag("-h,--help", "Print this help.");
+    app.require_subcommand(1);
+    app.footer(exitCodeHelp);
+    app.get_formatter()->column_width(helpColumn);
+    app.get_formatter()->label("REQUIRED", "");
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.get_formatter()->label("Subcommands", "Commands");
+    std::map<const Verb*, Typed> typed;
+    for (const Verb& verb : verbs()) addVerb(app, verb, typed[&verb]);
+
+    if (argc > 1 && isUnknownCommand(argv[1]))
+        return {std::nullopt, usageError(std::string(argv[1]) + " is not a command", nullptr)};
+    const CLI::App* command = nullptr;
+    try {
+        app.parse(argc, argv);
+        for (const Verb& verb : verbs())
+            if (app.got_subcommand(verb.name)) {
+                command = typed[&verb].command;
+                return {toInvocation(verb, typed[&verb]), 0};
+            }
+        return {std::nullopt, usageError("a command is missing", nullptr)};
+    } catch (const CLI::Success& success) {  // help or version
+        return {std::nullopt, app.exit(success)};
+    } catch (const CLI::ParseError& error) {
+        const auto parsed = app.get_subcommands();
+        if (parsed.empty())
+            return {std::nullopt, usageError(argc > 1 ? error.what() : "a command is missing", nullptr)};
+        return {std::nullopt, usageError(error.what(), parsed.front())};
+    } catch (const Error& error) {
+        return {std::nullopt, usageError(text(error), command)};
+    }
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,30 @@
+// The words of the help pages, made from the descriptions of the parameters.
+#pragma once
+
+#include <string>
+
+#include "app/cli/verb.h"
+
+namespace lathelier::cli {
+
+inline constexpr const char* programName = "lathelier-cli";
+inline constexpr const char* programSummary =
+    "Lathelier on the command line: the engine of the turning workbench, without a display.";
+inline constexpr const char* exitCodeHelp =
+    "Exit codes: 0 answered, 1 out of tolerance (with --strict), 2 wrong usage, 3 an input was rejected,\n"
+    "4 the files are sound but no answer exists, 130 cancelled by Ctrl-C.";
+inline constexpr std::size_t helpColumn = 36;
+
+/// "tolerance_mm" → "--tolerance-mm"
+std::string optionName(const std::string& key);
+
+/// What stands behind the option: "auto|point|comma", "NUMBER", "A:B".
+std::string placeholder(const FieldInfo& info);
+
+/// Help text with unit, range and default, wrapped for the help page.
+std::string describe(const Option& option);
+
+/// Breaks lines so that they fit beside the column of options.
+std::string wrapHelp(const std::string& text);
+
+}  // namespace lathelier::cli

@@ -1,0 +1,48 @@
+#include "app/cli/interruption.h"
+
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "app/cli/run.h"
+
+namespace lathelier::cli {
+namespace {
+
+sigset_t stopSignals()
+{
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    sigaddset(&set, SIGTERM);
+    return set;
+}
+
+}  // namespace
+
+Interruption::Interruption()
+{
+    const sigset_t set = stopSignals();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    waiter_ = std::thread([this] { wait(); });
+}
+
+Interruption::~Interruption()
+{
+    done_ = true;
+    pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes sigwait
+    waiter_.join();
+}
+
+void Interruption::wait()
+{
+    const sigset_t set = stopSignals();
+    while (!done_) {
+        int signal = 0;
+        if (sigwait(&set, &signal) != 0 || done_) continue;
+        if (source_.stop_requested()) _exit(exitCancelled);
+        source_.request_stop();
+    }
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,134 @@
+#include "app/cli/run.h"
+
+#include <ctime>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/help.h"
+#include "app/cli/json_text.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/standard_streams.h"
+#include "engine/core/parallel.h"
+#include "engine/core/texts.h"
+#include "engine/report/html.h"
+
+namespace lathelier::cli {
+namespace {
+
+int exitCode(ErrorKind kind)
+{
+    switch (kind) {
+        case ErrorKind::WrongUsage: return exitWrongUsage;
+        case ErrorKind::InputRejected: return exitInputRejected;
+        case ErrorKind::NoAnswer: return exitNoAnswer;
+    }
+    return exitNoAnswer;
+}
+
+int exitCode(const Answer& answer, bool strict)
+{
+    if (!answer.errors.empty()) return exitCode(kind(answer.errors.front().code()));
+    return strict && answer.pass == false ? exitOutOfTolerance : exitAnswered;
+}
+
+/// What every verb's object begins and ends with.
+Json envelope(const Invocation& invocation, Inputs& inputs, const Answer& answer)
+{
+    Json result{{"command", invocation.verb->name}, {"version", LATHELIER_VERSION}, {"inputs", Json::array()}};
+    for (const InputFile& file : inputs.files())
+        result["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+    result["parameters"] = toJson(invocation.request.parameters);
+    Json notes = toJson(answer.notes);
+    if (answer.json) result.update(answer.json());
+    if (!answer.errors.empty()) {
+        result["error"] = toJson(answer.errors.front());
+        // Why there is no answer is a note as well: scripts that collect notes find it beside the others.
+        if (kind(answer.errors.front().code()) == ErrorKind::NoAnswer) notes.push_back(result["error"]);
+    }
+    if (answer.errors.size() > 1)
+        for (const Error& error : answer.errors) result["errors"].push_back(toJson(error));
+    result["notes"] = std::move(notes);
+    return result;
+}
+
+std::string now()
+{
+    const std::time_t seconds = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&seconds, &local);
+    char buffer[32];
+    return {buffer, std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%S%z", &local)};
+}
+
+void writeReport(const std::string& path, const Answer& answer, Inputs& inputs)
+{
+    Document document = answer.report();
+    document.inputs = inputs.files();
+    document.created = now();
+    writeFile(path, toHtml(document));
+}
+
+/// Calls `work`; an Error becomes part of the answer. Cancelled passes through.
+template <class Work>
+void gather(Answer& answer, Work work)
+{
+    try {
+        work();
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& error) {
+        answer.errors.push_back(error);
+    } catch (const std::bad_alloc&) {
+        answer.errors.emplace_back(ErrorCode::OutOfMemory, Values{});
+    } catch (const std::exception& failure) {
+        answer.errors.emplace_back(ErrorCode::Internal, Values{{"reason", std::string(failure.what())}});
+    }
+}
+
+std::string forPeople(const Answer& answer)
+{
+    std::string result = answer.summary;
+    for (const Note& note : answer.notes)
+        result += (severity(note.code) == Severity::Warning ? "! " : "- ") + text(note) + "\n";
+    return result;
+}
+
+int work(const Invocation& invocation, const Progress& progress, ProgressLine& line)
+{
+    const CommonOptions& common = invocation.common;
+    const ThreadLimit limit(common.threads);
+    Inputs inputs(common.threads != 1);
+    Answer answer;
+    gather(answer, [&] { invocation.verb->run(invocation.request, inputs, progress, answer); });
+    if (!common.report.empty() && answer.report && answer.errors.empty())
+        gather(answer, [&] { writeReport(common.report, answer, inputs); });
+    progress.check();  // after the last point where a stop leaves nothing behind but what was asked for
+    line.clear();
+
+    const bool json_on_stdout = common.json == "-";
+    if (!common.json.empty() && !json_on_stdout)
+        gather(answer, [&] { writeFile(common.json, toText(envelope(invocation, inputs, answer))); });
+    if (!common.quiet)
+        gather(answer, [&] { print(json_on_stdout ? Stream::Errors : Stream::Answers, forPeople(answer)); });
+    if (json_on_stdout) gather(answer, [&] { print(Stream::Answers, toText(envelope(invocation, inputs, answer))); });
+    for (const Error& error : answer.errors)
+        print(Stream::Errors, std::string(programName) + ": " + text(error) + "\n");
+    return exitCode(answer, common.strict);
+}
+
+}  // namespace
+
+int run(const Invocation& invocation, std::stop_token stop)
+{
+    ProgressLine line(!invocation.common.quiet);
+    const Progress progress(std::move(stop), [&line](double fraction, Text stage) { line.show(fraction, stage); });
+    try {
+        return work(invocation, progress, line);
+    } catch (const Cancelled&) {
+        line.clear();
+        print(Stream::Errors, std::string(programName) + ": cancelled\n");
+        return exitCancelled;
+    }
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,77 @@
+// What a verb of the command line is: its operands, its options, and the engine call behind it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/inputs.h"
+#include "engine/core/fields.h"
+#include "engine/core/json.h"
+#include "engine/core/progress.h"
+#include "engine/report/document.h"
+
+namespace lathelier::cli {
+
+/// A positional argument.
+struct Operand {
+    std::string name;  ///< as help shows it, "REFERENCE"
+    std::string help;
+    bool repeated = false;
+};
+
+/// An option made from a described field: key `tolerance_mm` becomes `--tolerance-mm`.
+struct Option {
+    FieldInfo info;
+    Value standard;  ///< the value when the option is not given
+};
+
+/// An option that names a file to write besides the usual ones.
+struct OutputOption {
+    std::string name;  ///< "--deviations"
+    std::string help;
+};
+
+/// What the user asked of a verb. `parameters` holds every option by key, defaults included.
+struct Request {
+    std::vector<std::string> operands;
+    Values parameters;
+    std::map<std::string, std::string> outputs;  ///< by option name, only those given
+};
+
+/// What a verb found; filled as it goes, so that notes survive an error. JSON and report are built when asked for.
+struct Answer {
+    std::function<Json()> json;        ///< the verb's own result keys, an object
+    std::function<Document()> report;  ///< empty for verbs without one
+    std::string summary;               ///< for people
+    Notes notes;
+    std::vector<Error> errors;  ///< inputs refused while others could be answered
+    std::optional<bool> pass;   ///< the verdict, where there is one
+};
+
+struct Verb {
+    std::string name;
+    std::string summary;
+    std::vector<Operand> operands;
+    std::vector<Option> parameters;
+    std::vector<Option> reading;  ///< options that settle what an input file leaves open
+    std::vector<OutputOption> outputs;
+    bool has_report = false;
+    void (*run)(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer);
+};
+
+/// The options of a parameter struct, with the defaults of a fresh one.
+template <class P>
+std::vector<Option> optionsOf()
+{
+    std::vector<Option> result;
+    for (const Field<P>& field : fields<P>()) result.push_back({field.info, field.get(P{})});
+    return result;
+}
+
+/// All verbs, in the order of the help page.
+const std::vector<Verb>& verbs();
+
+}  // namespace lathelier::cli

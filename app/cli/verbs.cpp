@@ -1,0 +1,12 @@
+// The table of verbs: a new capability is one line here and one file beside it.
+#include "app/cli/verbs.h"
+
+namespace lathelier::cli {
+
+const std::vector<Verb>& verbs()
+{
+    static const std::vector<Verb> all{sampleVerb()};
+    return all;
+}
+
+}  // namespace lathelier::cli

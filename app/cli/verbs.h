@@ -1,0 +1,12 @@
+// The verbs, one file each.
+#pragma once
+
+#include "app/cli/verb.h"
+
+namespace lathelier::cli {
+
+Verb sampleVerb();
+Verb inspectVerb();
+Verb compareVerb();
+
+}  // namespace lathelier::cli

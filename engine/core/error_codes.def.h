@@ -13,7 +13,7 @@ LATHELIER_ERROR(FileNotReadable, "file_not_readable", InputRejected, LT_TEXT("En
 LATHELIER_ERROR(NotAFile, "not_a_file", InputRejected, LT_TEXT("Engine", "Expected a file, found {found}."))
 LATHELIER_ERROR(FileEmpty, "file_empty", InputRejected, LT_TEXT("Engine", "The file is empty."))
 LATHELIER_ERROR(FileNotWritable, "file_not_writable", InputRejected, LT_TEXT("Engine", "The file cannot be written: {reason}."))
-LATHELIER_ERROR(FormatUnknown, "format_unknown", InputRejected, LT_TEXT("Engine", "The kind of this file is not known; expected {expected}."))
+LATHELIER_ERROR(FormatUnknown, "format_unknown", InputRejected, LT_TEXT("Engine", "The kind of this file is not known: found {found}, expected {expected}."))
 LATHELIER_ERROR(Malformed, "malformed", InputRejected, LT_TEXT("Engine", "Found “{found}”, expected {expected}."))
 LATHELIER_ERROR(Truncated, "truncated", InputRejected, LT_TEXT("Engine", "The file ends early: {found} of {expected} {items} are there."))
 LATHELIER_ERROR(NumberAmbiguous, "number_ambiguous", InputRejected, LT_TEXT("Engine", "“{found}” can be read in two ways: {first} or {second}. State the decimal mark."))

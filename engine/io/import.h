@@ -1,7 +1,9 @@
 // What every reader shares: the settings a person may have to give, and "what I understood of this file".
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,14 +28,14 @@ struct ImportOptions {
 template <>
 const std::vector<Field<ImportOptions>>& fields<ImportOptions>();
 
-/// A row that was passed over. `line` counts from 1.
+/// A row that was passed over. `line` counts from 1; in a binary file it is the number of the point.
 struct SkippedRow {
     std::int64_t line = 0;
     Text reason;
 };
 
 /// What was understood of a file; the command line's `inspect` and the import line of the panels show it.
-/// Words that do not apply (the delimiter of a binary file) are empty.
+/// What does not apply (the delimiter of a binary file) is empty or 0, null in JSON.
 struct FileFacts {
     std::string path;
     std::string format;       ///< "ply_binary_little_endian", "xyz_text", "stl_ascii", "pcd_binary", "obj"…
@@ -42,10 +44,12 @@ struct FileFacts {
     std::string decimal;      ///< "point", "comma"
     std::string unit;         ///< "mm", "m", "inch", "um"
     std::string unit_source;  ///< "stated", "guessed", "given"
-    std::int64_t rows = 0;
+    std::int64_t rows = 0;    ///< rows read; for a cloud its points
     std::int64_t columns = 0;
-    std::vector<SkippedRow> skipped;  ///< the first 100; `details` has "skipped_rows" when there are more
-    Values details;                   ///< by kind of file: "points", "triangles"…
+    std::vector<SkippedRow> skipped;              ///< the first 100; `details` has "skipped_rows" when there are more
+    Values details;                               ///< by kind of file: "points", "triangles"…
+    std::optional<std::array<double, 3>> min_mm;  ///< smallest coordinates of a cloud or mesh
+    std::optional<std::array<double, 3>> max_mm;
 };
 
 }  // namespace lathelier

@@ -27,6 +27,7 @@ struct ScanFile {
 ScanFile readScan(const std::string& path, const ImportOptions& options = {}, const Progress& progress = {});
 
 /// The same from memory; `name` stands for the path in messages.
-ScanFile readScan(const std::string& name, std::string_view bytes, const ImportOptions& options, const Progress& progress = {});
+ScanFile readScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
+                  const Progress& progress = {});
 
 }  // namespace lathelier

@@ -1,0 +1,272 @@
+#include "engine/io/encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace lathelier {
+namespace {
+
+void appendUtf8(std::string& out, char32_t c)
+{
+    if (c < 0x80) {
+        out += static_cast<char>(c);
+    } else if (c < 0x800) {
+        out += static_cast<char>(0xC0 | (c >> 6));
+        out += static_cast<char>(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        out += static_cast<char>(0xE0 | (c >> 12));
+        out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        out += static_cast<char>(0x80 | (c & 0x3F));
+    } else {
+        out += static_cast<char>(0xF0 | (c >> 18));
+        out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
+        out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        out += static_cast<char>(0x80 | (c & 0x3F));
+    }
+}
+
+/// What typesetting programs put in place of a plain blank, minus or apostrophe.
+char32_t plainCharacter(char32_t c)
+{
+    switch (c) {
+        case 0xA0:    // no-break space
+        case 0x2007:  // figure space
+        case 0x2009:  // thin space
+        case 0x202F:  // narrow no-break space
+        case 0xFEFF:  // a byte order mark in the middle of joined files
+            return ' ';
+        case 0x2212: return '-';
+        case 0x2019: return '\'';
+        default: return c;
+    }
+}
+
+unsigned char byteAt(std::string_view bytes, std::size_t i)
+{
+    return static_cast<unsigned char>(bytes[i]);
+}
+
+/// Length of the valid UTF-8 sequence at `i`, 0 when it is none.
+std::size_t sequenceLength(std::string_view bytes, std::size_t i, char32_t& c)
+{
+    const unsigned char lead = byteAt(bytes, i);
+    std::size_t length = 0;
+    char32_t smallest = 0;
+    if (lead < 0x80) {
+        c = lead;
+        return 1;
+    }
+    if (lead >= 0xC2 && lead <= 0xDF)
+        length = 2, smallest = 0x80, c = lead & 0x1F;
+    else if (lead >= 0xE0 && lead <= 0xEF)
+        length = 3, smallest = 0x800, c = lead & 0x0F;
+    else if (lead >= 0xF0 && lead <= 0xF4)
+        length = 4, smallest = 0x10000, c = lead & 0x07;
+    else
+        return 0;
+    if (i + length > bytes.size()) return 0;
+    for (std::size_t k = 1; k < length; ++k) {
+        if ((byteAt(bytes, i + k) & 0xC0) != 0x80) return 0;
+        c = (c << 6) | (byteAt(bytes, i + k) & 0x3F);
+    }
+    const bool surrogate = c >= 0xD800 && c <= 0xDFFF;
+    return c >= smallest && c <= 0x10FFFF && !surrogate ? length : 0;
+}
+
+/// The first byte from `i` on that is not ASCII; eight at a time, since almost all are.
+std::size_t skipAscii(std::string_view bytes, std::size_t i)
+{
+    for (; i + 8 <= bytes.size(); i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + i, 8);
+        if ((word & 0x8080808080808080u) != 0) break;
+    }
+    while (i < bytes.size() && byteAt(bytes, i) < 0x80) ++i;
+    return i;
+}
+
+struct Utf8Check {
+    std::size_t badByte = std::string_view::npos;
+    bool needsPlain = false;  ///< holds characters that plainCharacter changes
+};
+
+Utf8Check checkUtf8(std::string_view bytes)
+{
+    Utf8Check result;
+    for (std::size_t i = skipAscii(bytes, 0); i < bytes.size(); i = skipAscii(bytes, i)) {
+        char32_t c = 0;
+        const std::size_t length = sequenceLength(bytes, i, c);
+        if (length == 0) {
+            result.badByte = i;
+            return result;
+        }
+        result.needsPlain = result.needsPlain || plainCharacter(c) != c;
+        i += length;
+    }
+    return result;
+}
+
+std::string plainUtf8(std::string_view bytes)
+{
+    std::string result;
+    for (std::size_t i = 0; i < bytes.size();) {
+        char32_t c = 0;
+        const std::size_t length = sequenceLength(bytes, i, c);
+        appendUtf8(result, plainCharacter(c));
+        i += std::max<std::size_t>(length, 1);
+    }
+    return result;
+}
+
+/// Windows-1252, which is what "Latin-1" files are in practice: 0x80…0x9F are printable there.
+std::string fromLatin1(std::string_view bytes)
+{
+    constexpr std::array<char16_t, 32> windows = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                  0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                  0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                  0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+    std::string result;
+    result.reserve(bytes.size() + bytes.size() / 16);
+    for (const char byte : bytes) {
+        const auto c = static_cast<unsigned char>(byte);
+        appendUtf8(result, plainCharacter(c >= 0x80 && c < 0xA0 ? windows[c - 0x80] : c));
+    }
+    return result;
+}
+
+std::string fromUtf16(std::string_view bytes, bool bigEndian)
+{
+    std::string result;
+    result.reserve(bytes.size() / 2 + 16);
+    const std::size_t units = bytes.size() / 2;
+    const auto unit = [&](std::size_t i) {
+        const char32_t first = byteAt(bytes, 2 * i);
+        const char32_t second = byteAt(bytes, 2 * i + 1);
+        return bigEndian ? (first << 8) | second : (second << 8) | first;
+    };
+    for (std::size_t i = 0; i < units; ++i) {
+        char32_t c = unit(i);
+        if (c >= 0xD800 && c <= 0xDFFF) {
+            const char32_t low = i + 1 < units ? unit(i + 1) : 0;
+            if (c < 0xDC00 && low >= 0xDC00 && low <= 0xDFFF) {
+                c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+                ++i;
+            } else {
+                c = 0xFFFD;
+            }
+        }
+        appendUtf8(result, plainCharacter(c));
+    }
+    // Some programs end a UTF-16 file with a single-byte line feed.
+    if (bytes.size() % 2 != 0) appendUtf8(result, plainCharacter(byteAt(bytes, bytes.size() - 1)));
+    return result;
+}
+
+/// Numbers in UTF-16 have a zero in every other byte.
+Encoding utf16ByZeros(std::string_view bytes)
+{
+    const std::size_t pairs = std::min<std::size_t>(bytes.size(), 4096) / 2;
+    std::size_t evenZeros = 0;
+    std::size_t oddZeros = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        evenZeros += bytes[2 * i] == '\0';
+        oddZeros += bytes[2 * i + 1] == '\0';
+    }
+    if (pairs >= 2 && oddZeros * 10 >= pairs * 8 && evenZeros * 10 <= pairs) return Encoding::Utf16le;
+    if (pairs >= 2 && evenZeros * 10 >= pairs * 8 && oddZeros * 10 <= pairs) return Encoding::Utf16be;
+    return Encoding::Auto;
+}
+
+std::string_view withoutFilling(std::string_view bytes)
+{
+    while (!bytes.empty() && (bytes.back() == '\0' || bytes.back() == '\x1a')) bytes.remove_suffix(1);
+    return bytes;
+}
+
+void cutFilling(std::string& text)
+{
+    text.resize(withoutFilling(text).size());
+}
+
+Encoding detect(std::string_view bytes, std::size_t& mark)
+{
+    mark = 0;
+    if (bytes.starts_with("\xEF\xBB\xBF")) return mark = 3, Encoding::Utf8;
+    if (bytes.starts_with("\xFF\xFE")) return mark = 2, Encoding::Utf16le;
+    if (bytes.starts_with("\xFE\xFF")) return mark = 2, Encoding::Utf16be;
+    return utf16ByZeros(bytes);
+}
+
+}  // namespace
+
+DecodedText::DecodedText(std::string_view bytes, std::string encoding) : view_(bytes), encoding_(std::move(encoding)) {}
+
+DecodedText::DecodedText(std::string owned, std::string encoding)
+    : owned_(std::move(owned)), isOwned_(true), encoding_(std::move(encoding))
+{
+}
+
+DecodedText::DecodedText(DecodedText&& other) noexcept = default;
+DecodedText& DecodedText::operator=(DecodedText&& other) noexcept = default;
+
+bool looksLikeText(std::string_view bytes)
+{
+    std::size_t mark = 0;
+    const Encoding found = detect(bytes, mark);
+    if (found == Encoding::Utf16le || found == Encoding::Utf16be) return true;
+    const std::string_view head = withoutFilling(bytes).substr(0, 65536);
+    const auto isControl = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20 && !(c >= '\t' && c <= '\r')) || c == 0x7F;
+    };
+    return std::none_of(head.begin(), head.end(), isControl);
+}
+
+DecodedText decodeText(std::string_view bytes, Encoding encoding)
+{
+    std::size_t mark = 0;
+    const Encoding found = detect(bytes, mark);
+    if (encoding == Encoding::Auto) encoding = found;
+    if (encoding == found) bytes.remove_prefix(mark);
+    if (encoding == Encoding::Utf16le || encoding == Encoding::Utf16be) {
+        const bool bigEndian = encoding == Encoding::Utf16be;
+        std::string text = fromUtf16(bytes, bigEndian);
+        cutFilling(text);
+        return {std::move(text), bigEndian ? "utf-16be" : "utf-16le"};
+    }
+    bytes = withoutFilling(bytes);
+    if (encoding == Encoding::Latin1) return {fromLatin1(bytes), "latin-1"};
+    const Utf8Check check = checkUtf8(bytes);
+    if (check.badByte != std::string_view::npos) {
+        if (encoding == Encoding::Utf8 && mark == 0)
+            throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(check.badByte)},
+                                               {"found", LT_TEXT("Engine", "a byte that is no UTF-8")},
+                                               {"expected", LT_TEXT("Engine", "text in UTF-8")}});
+        return {fromLatin1(bytes), "latin-1"};
+    }
+    if (check.needsPlain) return {plainUtf8(bytes), "utf-8"};
+    return {bytes, "utf-8"};
+}
+
+std::int64_t columnAt(std::string_view line, std::size_t offset)
+{
+    const std::string_view before = line.substr(0, offset);
+    return 1 + std::count_if(before.begin(), before.end(),
+                             [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
+std::string excerpt(std::string_view text)
+{
+    std::string result;
+    std::size_t characters = 0;
+    for (std::size_t i = 0; i < text.size() && characters < 40; ++characters) {
+        char32_t c = 0;
+        const std::size_t length = sequenceLength(text, i, c);
+        appendUtf8(result, length == 0 ? char32_t{0xFFFD} : c < 0x20 || c == 0x7F ? char32_t{' '} : c);
+        i += std::max<std::size_t>(length, 1);
+        if (characters == 39 && i < text.size()) result += "…";
+    }
+    return result;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,33 @@
+#include "engine/io/number_cell.h"
+
+#include <limits>
+
+#include "engine/io/number.h"
+#include "engine/io/table_style.h"
+#include "engine/io/text_lines.h"
+
+namespace lathelier {
+
+NumberCells::NumberCells(const ScanSource& source) : text_(source.text), option_(source.options.decimal) {}
+
+double NumberCells::read(std::int64_t lineNumber, std::string_view line, std::string_view word)
+{
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    if (parseNumber(word.data(), end, decimal_, value) == end && !word.empty()) return value;
+    if (isNotFiniteWord(word)) return std::numeric_limits<double>::quiet_NaN();
+    const bool comma = decimal_ == '.' && option_ != Decimal::Point && word.find(',') != std::string_view::npos &&
+                       parseNumber(word.data(), end, ',', value) == end;
+    if (!comma) throw malformed(lineNumber, line, word, LT_TEXT("Engine", "a number"));
+    // The search starts at this line: remarks above may hold commas too.
+    if (option_ == Decimal::Auto) {
+        const auto offset = static_cast<std::size_t>(line.data() - text_.data());
+        const CommaMeaning meaning = meaningOfCommas(text_.substr(offset));
+        if (meaning == CommaMeaning::Unknown) throw ambiguousNumber(lineNumber, line, word);
+        if (meaning == CommaMeaning::Grouping) throw malformed(lineNumber, line, word, LT_TEXT("Engine", "a number"));
+    }
+    decimal_ = ',';
+    return value;
+}
+
+}  // namespace lathelier

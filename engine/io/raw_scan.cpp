@@ -1,0 +1,196 @@
+#include "engine/io/raw_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t listedRows = 100;
+constexpr double smallestGuess = 1;
+constexpr double largestGuess = 10'000;
+
+struct Box {
+    Eigen::Array3d min = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Array3d max = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
+    bool allFinite = true;
+};
+
+Box boxOf(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
+{
+    return parallelReduce(
+        points.size(), grain, progress, Box{},
+        [&points](std::size_t begin, std::size_t end) {
+            Box box;
+            double sum = 0;  // not finite as soon as one coordinate is not (0 times it is NaN)
+            for (std::size_t i = begin; i < end; ++i) {
+                const Eigen::Array3d p = points[i].array();
+                box.min = box.min.min(p);
+                box.max = box.max.max(p);
+                sum += (p * 0.0).sum();
+            }
+            box.allFinite = sum == 0;
+            return box;
+        },
+        [](const Box& a, const Box& b) {
+            return Box{a.min.min(b.min), a.max.max(b.max), a.allFinite && b.allFinite};
+        });
+}
+
+Values placeOf(const PointPlaces& places, std::size_t point)
+{
+    const auto index = static_cast<std::int64_t>(point);
+    if (places.firstLine > 0) return {{"line", places.firstLine + index}, {"column", std::int64_t{1}}};
+    return {{"byte", places.firstByte + index * places.stride}};
+}
+
+/// Removes points that are not finite, and the triangles at them.
+void dropNotFinite(RawScan& raw)
+{
+    Scan& scan = raw.scan;
+    constexpr auto gone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> newIndex(scan.isMesh() ? scan.points_mm.size() : 0, gone);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < scan.points_mm.size(); ++i) {
+        if (!scan.points_mm[i].allFinite()) {
+            ++raw.notFinite;
+            ++raw.skippedCount;
+            if (raw.facts.skipped.size() < listedRows)
+                raw.facts.skipped.push_back(
+                    {std::max<std::int64_t>(raw.places.firstLine, 1) + static_cast<std::int64_t>(i),
+                     LT_TEXT("Engine", "not a finite number")});
+            continue;
+        }
+        if (scan.isMesh()) newIndex[i] = static_cast<std::uint32_t>(kept);
+        scan.points_mm[kept] = scan.points_mm[i];
+        if (scan.hasNormals()) scan.normals[kept] = scan.normals[i];
+        ++kept;
+    }
+    scan.points_mm.resize(kept);
+    if (scan.hasNormals()) scan.normals.resize(kept);
+    for (auto& triangle : scan.triangles)
+        for (std::uint32_t& corner : triangle) corner = newIndex[corner];
+    std::erase_if(scan.triangles, [](const auto& t) { return t[0] == gone || t[1] == gone || t[2] == gone; });
+}
+
+/// Triangles with two equal corners bound nothing.
+void dropDegenerate(RawScan& raw)
+{
+    const std::size_t removed =
+        std::erase_if(raw.scan.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    if (removed > 0) set(raw.facts.details, "triangles_without_area", static_cast<std::int64_t>(removed));
+}
+
+/// Gives normals unit length; drops them all when one has no direction, for a half-known side is of no use.
+void normalise(RawScan& raw, const Progress& progress)
+{
+    std::vector<Eigen::Vector3f>& normals = raw.scan.normals;
+    if (normals.empty()) return;
+    const std::int64_t unusable = parallelReduce(
+        normals.size(), grain, progress, std::int64_t{0},
+        [&normals](std::size_t begin, std::size_t end) {
+            std::int64_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double length = normals[i].cast<double>().norm();
+                if (length > 1e-6 && std::isfinite(length))
+                    normals[i] = (normals[i].cast<double>() / length).cast<float>();
+                else
+                    ++count;
+            }
+            return count;
+        },
+        [](std::int64_t a, std::int64_t b) { return a + b; });
+    if (unusable == 0) return;
+    normals.clear();
+    raw.notes.push_back({NoteCode::NormalsUnusable, {{"count", unusable}}});
+}
+
+LengthScale settleUnit(RawScan& raw, const std::string& path, double extent, const ImportOptions& options)
+{
+    FileFacts& facts = raw.facts;
+    const std::optional<LengthScale> given = lengthScale(options.unit);
+    if (raw.statedUnit) {
+        facts.unit_source = "stated";
+        if (given && given->key != raw.statedUnit->key)
+            raw.notes.push_back({NoteCode::UnitNotUsed, {{"unit", raw.statedUnit->key}, {"given", given->key}}});
+        return *raw.statedUnit;
+    }
+    if (given) {
+        facts.unit_source = "given";
+        return *given;
+    }
+    if (!(extent >= smallestGuess && extent <= largestGuess))
+        throw Error(ErrorCode::UnitUnknown, {{"path", path}, {"extent", extent}});
+    facts.unit_source = "guessed";
+    raw.notes.push_back({NoteCode::UnitGuessed, {{"unit", std::string("mm")}, {"extent", extent}}});
+    return {"mm", 1};
+}
+
+void checkSize(const RawScan& raw, const Box& box, double largest)
+{
+    if (box.min.minCoeff() >= -largest && box.max.maxCoeff() <= largest) return;
+    const auto& points = raw.scan.points_mm;
+    const auto isFar = [largest](const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff() > largest; };
+    const auto far = std::find_if(points.begin(), points.end(), isFar);
+    Values values = placeOf(raw.places, static_cast<std::size_t>(far - points.begin()));
+    set(values, "found", far->cwiseAbs().maxCoeff());
+    set(values, "maximum", largest);
+    throw Error(ErrorCode::CoordinateTooLarge, values);
+}
+
+std::array<double, 3> toArray(const Eigen::Array3d& a)
+{
+    return {a.x(), a.y(), a.z()};
+}
+
+}  // namespace
+
+double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options)
+{
+    const std::optional<LengthScale> known = stated ? stated : lengthScale(options.unit);
+    return known ? largestCoordinate_mm / known->mm : largestCoordinate_mm;
+}
+
+ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress)
+{
+    Box box = boxOf(raw.scan.points_mm, progress);
+    if (!box.allFinite) {
+        dropNotFinite(raw);
+        box = boxOf(raw.scan.points_mm, progress);
+    }
+    if (raw.scan.points_mm.empty()) throw Error(ErrorCode::NoPoints, {{"path", path}});
+    dropDegenerate(raw);
+    normalise(raw, progress);
+
+    checkSize(raw, box, largestCoordinate(raw.statedUnit, options));
+    const LengthScale unit = settleUnit(raw, path, (box.max - box.min).maxCoeff(), options);
+    if (unit.mm != 1) {
+        auto& points = raw.scan.points_mm;
+        parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) points[i] *= unit.mm;
+        });
+        box.min *= unit.mm;
+        box.max *= unit.mm;
+    }
+
+    FileFacts& facts = raw.facts;
+    facts.path = path;
+    facts.unit = unit.key;
+    facts.min_mm = toArray(box.min);
+    facts.max_mm = toArray(box.max);
+    set(facts.details, "points", static_cast<std::int64_t>(raw.scan.points_mm.size()));
+    if (raw.scan.isMesh()) set(facts.details, "triangles", static_cast<std::int64_t>(raw.scan.triangles.size()));
+    set(facts.details, "normals", raw.scan.hasNormals());
+    if (raw.skippedCount > static_cast<std::int64_t>(facts.skipped.size()))
+        set(facts.details, "skipped_rows", raw.skippedCount);
+    if (raw.notFinite > 0) raw.notes.push_back({NoteCode::PointsNotFinite, {{"count", raw.notFinite}}});
+    for (Note& note : raw.notes)
+        if (!find(note.values, "path")) set(note.values, "path", path);
+    progress.report(1);
+    return {std::move(raw.scan), std::move(raw.facts), std::move(raw.notes)};
+}
+
+}  // namespace lathelier

@@ -1,0 +1,57 @@
+// A scan between its reader and the caller: in the unit of the file, perhaps with points that are not finite.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "engine/io/encoding.h"
+#include "engine/io/scan_reader.h"
+#include "engine/io/units.h"
+
+namespace lathelier {
+
+/// Coordinates beyond this are refused: 1000 km, where a double still resolves 0.1 µm.
+inline constexpr double largestCoordinate_mm = 1e9;
+/// What a reader is given. Text formats read `text`, binary ones `bytes`.
+struct ScanSource {
+    std::string_view bytes;
+    std::string_view text;
+    std::string encoding;  ///< of `text`
+    const ImportOptions& options;
+    const Progress& progress;
+};
+
+/// Where the points stand in the file, for errors about one of them.
+struct PointPlaces {
+    std::int64_t firstLine = 0;  ///< text: the line of the first point, the others follow; 0 in a binary file
+    std::int64_t firstByte = 0;  ///< binary: the byte of the first point
+    std::int64_t stride = 0;     ///< binary: from one point to the next; 0 when they are not evenly spaced
+};
+
+/// What a reader gives: points in the unit of the file, normals of any length, everything as it stands there.
+struct RawScan {
+    Scan scan;
+    FileFacts facts;  ///< format, encoding, delimiter, decimal, columns, skipped, details by format
+    Notes notes;
+    std::optional<LengthScale> statedUnit;
+    PointPlaces places;
+    std::int64_t notFinite = 0;     ///< points that the reader itself has left out
+    std::int64_t skippedCount = 0;  ///< all skipped rows, of which `facts.skipped` has the first ones
+};
+
+/// Leaves out points that are not finite and triangles without area, settles the unit, scales to mm, fills in what the
+/// facts of all formats share. Errors: NoPoints, CoordinateTooLarge, UnitUnknown.
+ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress);
+
+/// largestCoordinate_mm in the unit of the file, mm when that is still to be guessed.
+double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options);
+
+RawScan readTextScan(const ScanSource& source);
+RawScan readPly(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`
+RawScan readPcd(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`
+RawScan readBinaryStl(const ScanSource& source);
+RawScan readAsciiStl(const ScanSource& source);
+RawScan readObj(const ScanSource& source);
+
+}  // namespace lathelier

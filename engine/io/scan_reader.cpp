@@ -1,0 +1,195 @@
+// The entry: what kind of file is it? The content decides.
+#include "engine/io/scan_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "engine/io/file.h"
+#include "engine/io/number.h"
+#include "engine/io/ply_header.h"
+#include "engine/io/raw_scan.h"
+#include "engine/io/text_lines.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t headBytes = 65536;
+
+struct Magic {
+    std::string_view start;
+    Text what;
+};
+
+/// Files that a person may well drop here, and that must not be mistaken for a cloud.
+const Magic foreign[] = {
+    {"\x89PNG", LT_TEXT("Engine", "a PNG picture")},
+    {"\xFF\xD8\xFF", LT_TEXT("Engine", "a JPEG picture")},
+    {"GIF8", LT_TEXT("Engine", "a GIF picture")},
+    {"%PDF", LT_TEXT("Engine", "a PDF document")},
+    {"PK\x03\x04", LT_TEXT("Engine", "a ZIP archive or an Office document")},
+    {"\x1F\x8B", LT_TEXT("Engine", "a gzip archive")},
+    {"7z\xBC\xAF", LT_TEXT("Engine", "a 7z archive")},
+    {"\x28\xB5\x2F\xFD", LT_TEXT("Engine", "a zstd archive")},
+    {"\xFD"
+     "7zXZ",
+     LT_TEXT("Engine", "an xz archive")},
+    {"ASTM-E57", LT_TEXT("Engine", "an E57 scan")},
+    {"LASF", LT_TEXT("Engine", "a LAS scan")},
+    {"ISO-10303-21", LT_TEXT("Engine", "a STEP file")},
+    {"# vtk DataFile", LT_TEXT("Engine", "a VTK file")},
+    {"OFF", LT_TEXT("Engine", "an OFF mesh")},
+    {"{\\rtf", LT_TEXT("Engine", "an RTF document")},
+    {"<?xml", LT_TEXT("Engine", "an XML document")},
+    {"<!DOCTYPE", LT_TEXT("Engine", "an HTML document")},
+    {"<!doctype", LT_TEXT("Engine", "an HTML document")},
+    {"<html", LT_TEXT("Engine", "an HTML document")},
+    {"<HTML", LT_TEXT("Engine", "an HTML document")},
+    {"\x7F"
+     "ELF",
+     LT_TEXT("Engine", "a program")},
+    {"SQLite format", LT_TEXT("Engine", "a database")},
+};
+
+[[noreturn]] void throwUnknown(Text found)
+{
+    throw Error(ErrorCode::FormatUnknown, {{"byte", std::int64_t{0}},
+                                           {"found", found},
+                                           {"expected", LT_TEXT("Engine", "points as text, PLY, PCD, STL or OBJ")}});
+}
+
+void refuseForeign(std::string_view bytes)
+{
+    for (const Magic& magic : foreign)
+        if (bytes.starts_with(magic.start)) throwUnknown(magic.what);
+}
+
+/// The word in front of the first line that is neither blank nor a remark.
+std::string_view firstWord(std::string_view text)
+{
+    Lines lines(text.substr(0, headBytes));
+    std::vector<std::string_view> words;
+    while (lines.next()) {
+        splitWords(lines.line(), words);
+        if (!words.empty() && words[0].front() != '#') return words[0];
+    }
+    return {};
+}
+
+bool looksLikePcd(std::string_view text)
+{
+    if (text.starts_with("# .PCD")) return true;
+    const std::string_view word = firstWord(text);
+    return (word == "VERSION" || word == "FIELDS" || word == "COLUMNS") &&
+           text.substr(0, headBytes).find("DATA ") != std::string_view::npos;
+}
+
+bool looksLikeAsciiStl(std::string_view text)
+{
+    if (lowerCase(firstWord(text)) != "solid") return false;
+    const std::string head = lowerCase(text.substr(0, headBytes));
+    return head.find("facet") != std::string::npos || head.find("endsolid") != std::string::npos;
+}
+
+bool looksLikeObj(std::string_view text)
+{
+    static constexpr std::array<std::string_view, 11> keywords = {"v", "vn", "vt",     "vp",     "f", "g",
+                                                                  "o", "s",  "mtllib", "usemtl", "l"};
+    const std::string_view first = firstWord(text);
+    if (std::find(keywords.begin(), keywords.end(), first) == keywords.end()) return false;
+    Lines lines(text.substr(0, headBytes));
+    std::vector<std::string_view> words;
+    while (lines.next()) {
+        splitWords(lines.line(), words);
+        // With a comma the vertex may be written in another country's way.
+        if (words.size() >= 4 && words[0] == "v" && (wholeNumber(words[1], '.') || wholeNumber(words[1], ',')))
+            return true;
+        if (!words.empty() && words[0] == "f") return true;
+    }
+    return false;
+}
+
+std::uint64_t binaryStlSize(std::string_view bytes)
+{
+    std::uint32_t facets = 0;
+    std::memcpy(&facets, bytes.data() + 80, 4);
+    return 84 + std::uint64_t{50} * facets;
+}
+
+/// A binary STL whose size is wrong still shows facets: normals of unit length or zero.
+bool showsStlFacets(std::string_view bytes)
+{
+    const std::size_t facets = std::min<std::size_t>((bytes.size() - 84) / 50, 20);
+    for (std::size_t i = 0; i < facets; ++i) {
+        std::array<float, 12> values{};
+        std::memcpy(values.data(), bytes.data() + 84 + 50 * i, sizeof(values));
+        const double length =
+            std::hypot(static_cast<double>(values[0]), static_cast<double>(values[1]), static_cast<double>(values[2]));
+        if (!(length == 0 || std::abs(length - 1) < 0.01)) return false;
+        for (const float value : values)
+            if (!(std::abs(value) < 1e9F)) return false;
+    }
+    return facets > 0;
+}
+
+using Reader = RawScan (*)(const ScanSource&);
+
+Reader binaryReader(std::string_view bytes)
+{
+    if (bytes.size() >= 84 && binaryStlSize(bytes) == bytes.size()) return readBinaryStl;
+    if (startsLikePly(bytes)) {
+        const std::string_view head = bytes.substr(0, headBytes);
+        if (head.find("format binary") != std::string_view::npos) return readPly;
+    }
+    if (bytes.starts_with("# .PCD") || firstWord(bytes) == "VERSION" || firstWord(bytes) == "FIELDS") {
+        const std::string_view head = bytes.substr(0, headBytes);
+        if (head.find("DATA binary") != std::string_view::npos) return readPcd;
+    }
+    return nullptr;
+}
+
+Reader textReader(std::string_view text)
+{
+    if (startsLikePly(text)) return readPly;
+    if (looksLikePcd(text)) return readPcd;
+    if (looksLikeAsciiStl(text)) return readAsciiStl;
+    if (looksLikeObj(text)) return readObj;
+    return readTextScan;
+}
+
+RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Progress& progress)
+{
+    if (bytes.empty()) throw Error(ErrorCode::FileEmpty, {});
+    refuseForeign(bytes);
+    if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
+    if (!looksLikeText(bytes)) {
+        if (bytes.size() >= 84 && showsStlFacets(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
+        throwUnknown(LT_TEXT("Engine", "binary data"));
+    }
+    const DecodedText text = decodeText(bytes, options.encoding);
+    if (text.view().empty()) throw Error(ErrorCode::FileEmpty, {});
+    refuseForeign(trimmed(text.view().substr(0, headBytes)));
+    return textReader(text.view())({bytes, text.view(), text.encoding(), options, progress});
+}
+
+}  // namespace
+
+ScanFile readScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
+                  const Progress& progress)
+{
+    try {
+        return finishScan(readRaw(bytes, options, progress.part(0, 0.95)), name, options, progress.part(0.95, 1));
+    } catch (Error& error) {
+        error.with("path", name);
+        throw;
+    }
+}
+
+ScanFile readScan(const std::string& path, const ImportOptions& options, const Progress& progress)
+{
+    const FileBytes file(path, progress);
+    return readScan(path, file.view(), options, progress);
+}
+
+}  // namespace lathelier

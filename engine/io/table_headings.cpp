@@ -1,0 +1,126 @@
+#include "engine/io/table_headings.h"
+
+#include <algorithm>
+
+#include "engine/io/text_lines.h"
+
+namespace lathelier {
+namespace {
+
+/// Cells of a line of names: brackets hold units here, and # may be part of a name. ' ' stands for runs of blanks.
+std::vector<Cell> splitNames(std::string_view line, char delimiter)
+{
+    std::vector<Cell> cells;
+    if (delimiter == ' ') {
+        splitWords(line, cells);
+        return cells;
+    }
+    if (delimiter == '|' && line.starts_with('|')) line.remove_prefix(1);
+    for (std::size_t p = 0; p <= line.size();) {
+        const std::size_t end = std::min(line.find(delimiter, p), line.size());
+        cells.push_back(trimmed(line.substr(p, end - p)));
+        p = end + 1;
+    }
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    return cells;
+}
+
+std::vector<Heading> splitHeadings(std::string_view line, char delimiter)
+{
+    std::vector<Heading> headings;
+    for (Cell cell : splitNames(line, delimiter)) {
+        if (cell.size() > 1 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front())
+            cell = cell.substr(1, cell.size() - 2);
+        // "X (in) Y (in)": the bracket belongs to the name before it.
+        const bool bracketed = !cell.empty() && (cell.front() == '(' || cell.front() == '[');
+        if (delimiter == ' ' && bracketed && !headings.empty())
+            headings.back().unit = lengthUnit(cell);
+        else
+            headings.push_back(parseHeading(cell));
+    }
+    return headings;
+}
+
+std::size_t countKnown(const std::vector<Heading>& headings, const TableExpectation& expectation)
+{
+    if (!expectation.knowsName) return 0;
+    return static_cast<std::size_t>(
+        std::count_if(headings.begin(), headings.end(),
+                      [&expectation](const Heading& heading) { return expectation.knowsName(heading.name); }));
+}
+
+/// The reading of a line with most names that the caller knows: the names may be separated in another way than the
+/// rows.
+std::vector<Heading> readLine(std::string_view line, char delimiter, const TableExpectation& expectation)
+{
+    std::vector<Heading> best = splitHeadings(line, delimiter);
+    for (const char other : {',', ';', '\t', '|', ' '}) {
+        std::vector<Heading> headings = splitHeadings(line, other);
+        if (countKnown(headings, expectation) > countKnown(best, expectation)) best = std::move(headings);
+    }
+    return best;
+}
+
+struct NamesFound {
+    std::vector<Heading> headings;
+    std::size_t prefaceIndex = 0;
+    std::size_t known = 0;
+};
+
+/// The line with most known names; without any, the lowest line that is no remark.
+NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
+{
+    NamesFound best;
+    for (std::size_t i = preface.size(); i-- > 0;) {
+        std::vector<Heading> headings = readLine(preface[i].text, delimiter, expectation);
+        const std::size_t known = countKnown(headings, expectation);
+        if (known > best.known || (best.headings.empty() && !preface[i].isRemark && headings.size() > 1))
+            best = {std::move(headings), i, known};
+    }
+    return best;
+}
+
+/// A line of nothing but units, one for each column.
+void applyUnitLine(const std::vector<PrefaceLine>& preface, TableLayout& layout)
+{
+    for (const PrefaceLine& line : preface)
+        for (const char delimiter : {layout.style.delimiter, ' '}) {
+            const std::vector<Cell> cells = splitNames(line.text, delimiter);
+            const auto isUnit = [](Cell cell) { return lengthUnit(cell).has_value(); };
+            if (cells.size() != layout.columns.size() || std::none_of(cells.begin(), cells.end(), isUnit)) continue;
+            if (!std::all_of(cells.begin(), cells.end(),
+                             [&](Cell cell) { return cell.empty() || cell == "-" || isUnit(cell); }))
+                continue;
+            for (std::size_t k = 0; k < cells.size(); ++k)
+                if (auto unit = lengthUnit(cells[k])) layout.columns[k].unit = std::move(unit);
+            return;
+        }
+}
+
+}  // namespace
+
+std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
+{
+    return findNames(preface, delimiter, expectation).headings.size();
+}
+
+void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectation& expectation, TableLayout& layout)
+{
+    applyUnitLine(preface, layout);
+    const NamesFound names = findNames(preface, layout.style.delimiter, expectation);
+    const std::size_t columns = layout.columns.size();
+    if (names.headings.empty()) return;
+    // One name less than columns: the row numbers or labels in front have none.
+    const bool unnamedFirst =
+        names.headings.size() + 1 == columns && (layout.columns[0].isCount || !layout.columns[0].isNumber);
+    const std::size_t shift = unnamedFirst ? 1 : 0;
+    if (names.headings.size() + shift != columns && names.known == 0) return;
+    layout.hasNames = true;
+    for (std::size_t k = 0; k + shift < columns && k < names.headings.size(); ++k) {
+        layout.columns[k + shift].name = names.headings[k].name;
+        if (names.headings[k].unit) layout.columns[k + shift].unit = names.headings[k].unit;
+    }
+    layout.skipped[preface[names.prefaceIndex].skippedIndex].reason = LT_TEXT("Engine", "column names");
+}
+
+}  // namespace lathelier

@@ -1,0 +1,390 @@
+#include "engine/io/table_style.h"
+
+#include <algorithm>
+
+#include "engine/io/number.h"
+#include "engine/io/text_lines.h"
+#include "engine/io/units.h"
+
+namespace lathelier {
+namespace {
+
+bool isGroupMark(char c, char decimal)
+{
+    return c != decimal && (c == ',' || c == '.' || c == '\'' || c == ' ');
+}
+
+/// A number whose integer part may be grouped by threes.
+struct Ungrouped {
+    bool valid = false;
+    int groups = 0;  ///< beyond the first
+    char mark = 0;   ///< what separates them
+    double value = 0;
+};
+
+Ungrouped ungroup(std::string_view cell, char decimal)
+{
+    Ungrouped result;
+    std::string plain;
+    std::size_t i = 0;
+    if (i < cell.size() && (cell[i] == '-' || cell[i] == '+')) plain += cell[i++];
+    std::size_t run = 0;
+    const std::size_t first = i;
+    for (; i < cell.size(); ++i) {
+        const char c = cell[i];
+        if (detail::isDigit(c)) {
+            plain += c;
+            ++run;
+        } else if (isGroupMark(c, decimal) && (result.mark == 0 || result.mark == c)) {
+            if (result.groups == 0 ? run < 1 || run > 3 || cell[first] == '0' : run != 3) return result;
+            result.mark = c;
+            ++result.groups;
+            run = 0;
+        } else {
+            break;
+        }
+    }
+    if (result.groups > 0 && (run != 3 || (i < cell.size() && cell[i] != decimal))) return result;
+    plain += cell.substr(i);
+    if (const auto value = wholeNumber(plain, decimal)) {
+        result.valid = true;
+        result.value = *value;
+    }
+    return result;
+}
+
+/// What one cell tells about the decimal mark.
+enum class Evidence { NoNumber, NoMark, Point, Comma, LonePoint, LoneComma };
+
+Evidence evidenceOf(Cell cell)
+{
+    const Ungrouped point = ungroup(cell, '.');
+    const Ungrouped comma = ungroup(cell, ',');
+    if (point.valid && comma.valid) {
+        if (point.mark == ',') return Evidence::LoneComma;
+        if (comma.mark == '.') return Evidence::LonePoint;
+        return Evidence::NoMark;
+    }
+    if (point.valid) return Evidence::Point;
+    if (comma.valid) return Evidence::Comma;
+    return Evidence::NoNumber;
+}
+
+/// The number in front and the unit behind it: "26.7mm", "1.05 in", "1.05\"".
+bool splitSuffix(Cell cell, Cell& number, Cell& suffix)
+{
+    if (cell.empty() ||
+        !(detail::isDigit(cell.front()) || cell.front() == '-' || cell.front() == '+' || cell.front() == '.'))
+        return false;
+    const std::size_t last = cell.find_last_of("0123456789.");
+    if (last == Cell::npos || last + 1 >= cell.size()) return false;
+    number = cell.substr(0, last + 1);
+    suffix = trimmed(cell.substr(last + 1));
+    return lengthUnit(suffix).has_value();
+}
+
+bool looksLikeNumber(Cell cell)
+{
+    Cell number;
+    Cell suffix;
+    return evidenceOf(cell) != Evidence::NoNumber || isNotFiniteWord(cell) ||
+           (splitSuffix(cell, number, suffix) && evidenceOf(number) != Evidence::NoNumber);
+}
+
+/// The part of the line before a remark at its end.
+std::string_view withoutRemark(std::string_view line, char delimiter)
+{
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        const bool slashes = c == '/' && i + 1 < line.size() && line[i + 1] == '/';
+        const bool semicolon =
+            c == ';' && delimiter != ';' && (i + 1 == line.size() || (i > 0 && isBlank(line[i - 1])));
+        // 1.#QNAN and #N/A are numbers that failed, not remarks.
+        const bool hash =
+            c == '#' && !(i > 0 && (line[i - 1] == '.' || line[i - 1] == ',')) && line.substr(i, 4) != "#N/A";
+        if (slashes || semicolon || hash || c == '%' || c == '!') return line.substr(0, i);
+    }
+    return line;
+}
+
+std::string_view withoutBrackets(std::string_view line)
+{
+    line = trimmed(line);
+    const std::string_view whole = line;
+    while (!line.empty() && std::string_view("([{").find(line.front()) != std::string_view::npos)
+        line = trimmed(line.substr(1));
+    if (line.size() == whole.size()) return whole;
+    while (!line.empty() && std::string_view(")]},;").find(line.back()) != std::string_view::npos)
+        line = trimmed(line.substr(0, line.size() - 1));
+    return line;
+}
+
+/// Cuts "6.90735-16.07329" before each sign that starts a real number.
+void addTouchingReals(Cell word, std::vector<Cell>& cells)
+{
+    constexpr std::string_view marks = ".,";
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i < word.size(); ++i) {
+        if (word[i] != '-' && word[i] != '+') continue;
+        const bool afterNumber = detail::isDigit(word[i - 1]) || word[i - 1] == '.';
+        const bool real = word.substr(begin, i - begin).find_first_of(marks) != Cell::npos &&
+                          word.find_first_of(marks, i) != Cell::npos && i + 1 < word.size() &&
+                          (detail::isDigit(word[i + 1]) || word[i + 1] == '.');
+        if (!afterNumber || !real) continue;
+        cells.push_back(word.substr(begin, i - begin));
+        begin = i;
+    }
+    cells.push_back(word.substr(begin));
+}
+
+void splitAtBlanks(std::string_view line, std::vector<Cell>& cells)
+{
+    std::size_t p = 0;
+    while (p < line.size()) {
+        if (isBlank(line[p])) {
+            ++p;
+        } else if (line[p] == '"' || line[p] == '\'') {
+            const std::size_t close = std::min(line.find(line[p], p + 1), line.size());
+            cells.push_back(trimmed(line.substr(p + 1, close - p - 1)));
+            p = std::min(close + 1, line.size());
+        } else {
+            const std::size_t begin = p;
+            while (p < line.size() && !isBlank(line[p])) ++p;
+            const Cell word = line.substr(begin, p - begin);
+            const bool number =
+                detail::isDigit(word.front()) || word.front() == '-' || word.front() == '+' || word.front() == '.';
+            if (number)
+                addTouchingReals(word, cells);
+            else
+                cells.push_back(word);
+        }
+    }
+}
+
+void splitAtDelimiter(std::string_view line, char delimiter, std::vector<Cell>& cells)
+{
+    std::size_t p = 0;
+    for (;;) {
+        while (p < line.size() && isBlank(line[p]) && line[p] != delimiter) ++p;
+        Cell cell;
+        if (p < line.size() && (line[p] == '"' || line[p] == '\'')) {
+            const std::size_t close = std::min(line.find(line[p], p + 1), line.size());
+            cell = line.substr(p + 1, close - p - 1);
+            p = line.find(delimiter, close);
+        } else {
+            const std::size_t end = line.find(delimiter, p);
+            cell = line.substr(p, end == std::string_view::npos ? end : end - p);
+            p = end;
+        }
+        cells.push_back(trimmed(cell));
+        if (p == std::string_view::npos) return;
+        ++p;
+    }
+}
+
+/// Joins cells two by two: the comma between them is a decimal mark.
+void joinPairs(std::vector<Cell>& cells)
+{
+    if (cells.size() % 2 != 0) return;
+    for (std::size_t i = 0; i < cells.size() / 2; ++i) {
+        const char* begin = cells[2 * i].data();
+        const char* end = cells[2 * i + 1].data() + cells[2 * i + 1].size();
+        cells[i] = Cell(begin, static_cast<std::size_t>(end - begin));
+    }
+    cells.resize(cells.size() / 2);
+}
+
+std::vector<char> delimitersToTry(Delimiter delimiter)
+{
+    switch (delimiter) {
+        case Delimiter::Space: return {' '};
+        case Delimiter::Comma: return {','};
+        case Delimiter::Semicolon: return {';'};
+        case Delimiter::Tab: return {'\t'};
+        case Delimiter::Pipe: return {'|'};
+        case Delimiter::Auto: break;
+    }
+    return {'\t', ';', '|', ',', ' '};
+}
+
+/// How well a separator explains the sample.
+struct Fit {
+    std::size_t columns = 0;
+    double quality = 0;
+};
+
+Fit fitOf(char delimiter, const std::vector<SampleLine>& sample, std::size_t minimumColumns)
+{
+    std::vector<std::pair<std::size_t, double>> byColumns;  // columns, sum of the shares of numbers
+    std::vector<Cell> cells;
+    TableStyle style;
+    style.delimiter = delimiter;
+    for (const SampleLine& line : sample) {
+        splitCells(line.text, style, cells);
+        if (cells.size() > 1 && cells.back().empty()) cells.pop_back();  // a separator ends the row
+        const auto numbers = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), looksLikeNumber));
+        if (numbers < minimumColumns || numbers * 2 < cells.size()) continue;
+        const double share = static_cast<double>(numbers) / static_cast<double>(cells.size());
+        const auto known = std::find_if(byColumns.begin(), byColumns.end(),
+                                        [&](const auto& entry) { return entry.first == cells.size(); });
+        if (known == byColumns.end())
+            byColumns.emplace_back(cells.size(), share);
+        else
+            known->second += share;
+    }
+    Fit best;
+    for (const auto& [columns, quality] : byColumns)
+        if (quality > best.quality) best = {columns, quality};
+    return best;
+}
+
+/// Sets decimal mark and grouping from what the cells show.
+void decideDecimal(const std::vector<SampleLine>& rows, std::string_view whole, const ImportOptions& options,
+                   TableStyle& style)
+{
+    std::vector<Cell> cells;
+    std::size_t counts[6] = {};
+    bool groupedByPoint = false;
+    bool groupedByComma = false;
+    const SampleLine* loneLine = nullptr;
+    Cell loneCell;
+    for (const SampleLine& line : rows) {
+        splitCells(line.text, style, cells);
+        for (const Cell whole_cell : cells) {
+            Cell cell = whole_cell;
+            Cell suffix;
+            splitSuffix(whole_cell, cell, suffix);
+            const Evidence evidence = evidenceOf(cell);
+            ++counts[static_cast<std::size_t>(evidence)];
+            groupedByComma = groupedByComma || (evidence == Evidence::Point && ungroup(cell, '.').mark == ',');
+            groupedByPoint = groupedByPoint || (evidence == Evidence::Comma && ungroup(cell, ',').mark == '.');
+            if (evidence == Evidence::LoneComma && !loneLine) {
+                loneLine = &line;
+                loneCell = cell;
+            }
+        }
+    }
+    const auto count = [&counts](Evidence evidence) { return counts[static_cast<std::size_t>(evidence)]; };
+    if (options.decimal != Decimal::Auto) {
+        style.decimal = options.decimal == Decimal::Comma ? ',' : '.';
+        style.grouped = true;
+        return;
+    }
+    Evidence verdict = count(Evidence::Comma) > count(Evidence::Point) ? Evidence::Comma : Evidence::Point;
+    if (count(Evidence::Comma) == 0 && count(Evidence::Point) == 0 && loneLine) {
+        const CommaMeaning meaning = count(Evidence::LonePoint) > 0 ? CommaMeaning::Unknown : meaningOfCommas(whole);
+        if (meaning == CommaMeaning::Unknown) throw ambiguousNumber(loneLine->number, loneLine->text, loneCell);
+        verdict = meaning == CommaMeaning::Decimal ? Evidence::Comma : Evidence::Point;
+        groupedByComma = meaning == CommaMeaning::Grouping;
+    }
+    style.decimal = verdict == Evidence::Comma ? ',' : '.';
+    style.grouped = verdict == Evidence::Comma ? groupedByPoint : groupedByComma;
+}
+
+}  // namespace
+
+void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells)
+{
+    cells.clear();
+    line = withoutBrackets(withoutRemark(line, style.delimiter));
+    if (style.delimiter == ' ') {
+        splitAtBlanks(line, cells);
+    } else {
+        if (style.delimiter == '|' && line.starts_with('|')) line.remove_prefix(1);  // | 1 | 2 | 3 |
+        splitAtDelimiter(line, style.delimiter, cells);
+    }
+    if (style.paired) joinPairs(cells);
+}
+
+void dropEmptyEnd(std::vector<Cell>& cells, std::size_t columns)
+{
+    while (cells.size() > columns && cells.back().empty()) cells.pop_back();
+}
+
+CellValue readCell(Cell cell, const TableStyle& style)
+{
+    if (cell.empty()) return {CellKind::Empty, 0, {}};
+    if (const auto value = wholeNumber(cell, style.decimal)) return {CellKind::Number, *value, {}};
+    if (isNotFiniteWord(cell)) return {CellKind::NotFinite, 0, {}};
+    const Ungrouped grouped = ungroup(cell, style.decimal);
+    if (grouped.valid) {
+        const bool lone = grouped.groups == 1 && (grouped.mark == ',' || grouped.mark == '.') &&
+                          cell.find(style.decimal) == Cell::npos;
+        return {lone && !style.grouped ? CellKind::Ambiguous : CellKind::Number, grouped.value, {}};
+    }
+    Cell number;
+    Cell suffix;
+    if (splitSuffix(cell, number, suffix)) {
+        CellValue value = readCell(number, style);
+        value.suffix = suffix;
+        return value;
+    }
+    return {CellKind::Text, 0, {}};
+}
+
+CommaMeaning meaningOfCommas(std::string_view text)
+{
+    for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1)) {
+        std::size_t begin = at;
+        while (begin > 0 && detail::isDigit(text[begin - 1])) --begin;
+        std::size_t end = at + 1;
+        while (end < text.size() && detail::isDigit(text[end])) ++end;
+        const std::size_t before = at - begin;
+        const std::size_t after = end - at - 1;
+        if (before == 0 || after == 0) continue;
+        if (before > 3 || text[begin] == '0' || after != 3) return CommaMeaning::Decimal;
+        if (end + 1 < text.size() && (text[end] == ',' || text[end] == '.') && detail::isDigit(text[end + 1]))
+            return CommaMeaning::Grouping;
+    }
+    return CommaMeaning::Unknown;
+}
+
+Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell)
+{
+    const Error place = malformed(number, line, cell, {});
+    const bool comma = cell.find(',') != Cell::npos;
+    return Error(ErrorCode::NumberAmbiguous, {{"line", number},
+                                              {"column", *find(place.values(), "column")},
+                                              {"found", std::string(cell)},
+                                              {"first", ungroup(cell, comma ? ',' : '.').value},
+                                              {"second", ungroup(cell, comma ? '.' : ',').value}});
+}
+
+bool isRemark(std::string_view line, char delimiter)
+{
+    line = trimmed(line);
+    if (line.empty()) return false;
+    if (line.starts_with("#N/A")) return false;
+    return line.front() == '#' || line.starts_with("//") || line.front() == '%' || line.front() == '!' ||
+           line.front() == '*' || (line.front() == ';' && delimiter != ';');
+}
+
+StyleFound findStyle(const std::vector<SampleLine>& sample, std::string_view whole, std::size_t minimumColumns,
+                     const ImportOptions& options)
+{
+    StyleFound result;
+    Fit best;
+    for (const char delimiter : delimitersToTry(options.delimiter)) {
+        const Fit fit = fitOf(delimiter, sample, minimumColumns);
+        if (fit.quality > best.quality) {
+            best = fit;
+            result.style.delimiter = delimiter;
+        }
+    }
+    result.columns = best.columns;
+    if (best.columns == 0) return result;
+    std::vector<SampleLine> rows;
+    std::vector<Cell> cells;
+    for (const SampleLine& line : sample) {
+        splitCells(line.text, result.style, cells);
+        dropEmptyEnd(cells, best.columns);
+        if (cells.size() == best.columns) rows.push_back(line);
+    }
+    decideDecimal(rows, whole, options, result.style);
+    return result;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,82 @@
+// Tables of numbers in text files, whatever their separators, decimal marks, headings and remarks: clouds, probe
+// records, profiles, frequency responses. First the layout is found out from a sample, then the rows are read on all
+// cores.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/io/import.h"
+#include "engine/io/table_style.h"
+#include "engine/io/units.h"
+
+namespace lathelier {
+
+/// What the caller knows beforehand.
+struct TableExpectation {
+    std::size_t minimumColumns = 1;  ///< of numbers
+    /// True for headings (lower case, without unit) that the caller can use; picks the line of column names.
+    std::function<bool(const std::string& name)> knowsName;
+};
+
+struct TableColumn {
+    std::string name;                 ///< lower case, without unit; empty when the file names no columns
+    std::optional<LengthScale> unit;  ///< from the heading, a row of units, or behind the numbers
+    bool isNumber = true;             ///< false: text such as a point's label
+    bool isCount = false;             ///< whole numbers that go up by one: a row number
+    bool hasMarks = false;            ///< some of its numbers have a decimal mark
+};
+
+/// What was found out about a table before its rows are read.
+struct TableLayout {
+    TableStyle style;
+    std::vector<TableColumn> columns;
+    bool hasNames = false;
+    std::optional<LengthScale> unit;            ///< stated in a remark or above the table
+    std::optional<std::int64_t> announcedRows;  ///< a lone whole number above the table
+    std::size_t bodyOffset = 0;                 ///< where the first row starts
+    std::int64_t bodyLine = 1;
+    std::vector<SkippedRow> skipped;    ///< the lines above the first row
+    std::vector<std::string> headings;  ///< their texts: they may come again between rows
+};
+
+/// Errors NumberAmbiguous, Malformed (a row with too few columns, a broken row above the table), FormatUnknown (no rows
+/// of numbers at all). All with `line` and `column`.
+TableLayout findLayout(std::string_view text, const TableExpectation& expectation, const ImportOptions& options);
+
+/// A column to be read. A value that is not finite passes the row over, unless it may be missing (then it is NaN).
+struct WantedColumn {
+    std::size_t column = 0;
+    double largest = std::numeric_limits<double>::infinity();  ///< larger ones are an Error CoordinateTooLarge
+    bool mayBeMissing = false;
+};
+
+/// What happened to the rows.
+struct TableRows {
+    std::size_t rows = 0;             ///< written through `allocate`
+    std::int64_t notFinite = 0;       ///< rows passed over because a wanted value is not finite
+    std::int64_t footers = 0;         ///< lines of text below the last row, and headings that came again
+    std::int64_t skippedCount = 0;    ///< all lines passed over below the first row
+    std::vector<SkippedRow> skipped;  ///< the first 100 of them
+};
+
+/// Reads the wanted columns of all rows, row by row, into the place that `allocate(rows)` gives for `rows` rows at
+/// most. The rows have to be as regular as the first ones: anything else but remarks, blank lines, repeated headings
+/// and text below the last row is an Error Malformed; fewer rows than announced is an Error Truncated. The result does
+/// not depend on the number of cores. Throws Cancelled.
+TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                   const std::function<double*(std::size_t rows)>& allocate, const Progress& progress);
+
+/// Error Malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`).
+Error columnsDiffer(std::int64_t number, std::string_view line, std::size_t found, std::size_t expected);
+
+/// For FileFacts: "comma", "space", "tab"…
+std::string delimiterName(const TableStyle& style);
+std::string decimalName(const TableStyle& style);
+
+}  // namespace lathelier

@@ -1,0 +1,80 @@
+// The same cloud in many disguises: a cylinder through it has the certified diameter (NIST, cylinder 1).
+#include <filesystem>
+
+#include "tests/engine/io/cylinder_fit.h"
+#include "tests/engine/io/reading.h"
+
+namespace lathelier {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::cylinderDiameter;
+
+const fs::path folder = fs::path(LATHELIER_SOURCE_DIR) / "../shared/data/scans";
+constexpr double certifiedDiameter_mm = 57.28923;
+
+TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
+{
+    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
+    int read = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "odd_encodings")) {
+        const std::string name = entry.path().filename().string();
+        if (name >= "90") continue;
+        SCOPED_TRACE(name);
+        const ScanFile file = readScan(entry.path().string());
+        EXPECT_EQ(file.scan.points_mm.size(), 500u);
+        const bool single = name.find("float") != std::string::npos || name.ends_with(".pcd");
+        EXPECT_NEAR(cylinderDiameter(file.scan.points_mm), certifiedDiameter_mm, single ? 5e-4 : 1e-4);
+        ++read;
+    }
+    EXPECT_GE(read, 8);
+}
+
+TEST(OddEncodings, anEmptyFileIsRefused)
+{
+    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
+    try {
+        readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::FileEmpty);
+    }
+}
+
+TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
+{
+    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
+    const std::string path = (folder / "odd_encodings/94_ambiguous_thousands_or_decimals.csv").string();
+    try {
+        readScan(path);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::NumberAmbiguous);
+        EXPECT_EQ(testing::integerOf(error, "line"), 1);
+        EXPECT_EQ(testing::integerOf(error, "column"), 1);
+    }
+    EXPECT_EQ(readScan(path, {Decimal::Comma}).scan.points_mm.front(), Eigen::Vector3d(1.234, 5.678, 9.012));
+    EXPECT_EQ(readScan(path, {Decimal::Point}).scan.points_mm.front(), Eigen::Vector3d(1234, 5678, 9012));
+}
+
+TEST(OddEncodings, aPartInMetresNeedsItsUnit)
+{
+    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
+    const std::string path = (folder / "shaftRotating.stl").string();
+    try {
+        readScan(path);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::UnitUnknown);
+    }
+    ImportOptions options;
+    options.unit = LengthUnit::Metre;
+    const ScanFile file = readScan(path, options);
+    EXPECT_EQ(file.facts.unit, "m");
+    EXPECT_EQ(file.facts.unit_source, "given");
+    EXPECT_NEAR(file.facts.max_mm->at(0), 25, 1e-9);
+    EXPECT_EQ(file.scan.triangles.size(), 2952u);
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -1,0 +1,207 @@
+#include "widgets/plot/map_view.h"
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+#include "widgets/plot/colour_legend.h"
+
+namespace lathelier {
+namespace {
+
+/// A picture stretched over a rectangle of plot coordinates, cells kept sharp.
+class GridPicture : public QCPAbstractPlottable {
+public:
+    GridPicture(QCPAxis* x, QCPAxis* y) : QCPAbstractPlottable(x, y) { removeFromLegend(); }
+
+    void set(QImage image, const QRectF& place)
+    {
+        image_ = std::move(image);
+        place_ = place;
+    }
+    double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
+    QCPRange getKeyRange(bool& found, QCP::SignDomain) const override
+    {
+        found = !image_.isNull();
+        return {place_.left(), place_.right()};
+    }
+    QCPRange getValueRange(bool& found, QCP::SignDomain, const QCPRange&) const override
+    {
+        found = !image_.isNull();
+        return {place_.top(), place_.bottom()};
+    }
+
+protected:
+    void draw(QCPPainter* painter) override
+    {
+        if (image_.isNull()) return;
+        const QPointF low = coordsToPixels(place_.left(), place_.top());
+        const QPointF high = coordsToPixels(place_.right(), place_.bottom());
+        painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
+        painter->drawImage(QRectF(QPointF(low.x(), high.y()), QPointF(high.x(), low.y())), image_);
+    }
+    void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
+
+private:
+    QImage image_;
+    QRectF place_;
+};
+
+class LegendElement : public QCPLayoutElement {
+public:
+    explicit LegendElement(QCustomPlot* plot) : QCPLayoutElement(plot) {}
+    DeviationColours colours;
+    QString title;
+    QFont font;
+    QColor text;
+    QLocale locale;
+    int narrowest = 0;  ///< the field of the limit stands above
+
+    QSize minimumOuterSizeHint() const override
+    {
+        return {std::max(narrowest, colourLegendWidth(colours, title, font, locale) + 10), 0};
+    }
+    QSize maximumOuterSizeHint() const override { return {minimumOuterSizeHint().width(), QWIDGETSIZE_MAX}; }
+
+protected:
+    void draw(QCPPainter* painter) override
+    {
+        paintColourLegend(*painter, QRectF(rect()).adjusted(6, 0, 0, 0), colours, title, font, text, locale);
+    }
+};
+
+}  // namespace
+
+struct MapView::Content {
+    MapData data;
+    DeviationColours colours;
+    GridPicture* picture = nullptr;
+    LegendElement* legend = nullptr;
+    LimitEdit* edit = nullptr;
+    QCPItemTracer* marker = nullptr;
+    std::optional<QPointF> marked;
+};
+
+MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_unique<Content>())
+{
+    Content& c = *content_;
+    c.picture = new GridPicture(plot().xAxis, plot().yAxis);
+    c.legend = new LegendElement(&plot());
+    plot().plotLayout()->addElement(2, 1, c.legend);
+    plot().axisRect()->axis(QCPAxis::atBottom)->grid()->setVisible(false);
+    plot().axisRect()->axis(QCPAxis::atLeft)->grid()->setVisible(false);
+    c.marker = new QCPItemTracer(&plot());
+    c.marker->setLayer("overlay");
+    c.marker->setStyle(QCPItemTracer::tsCrosshair);
+    c.marker->setVisible(false);
+    c.marker->setSelectable(false);
+    c.edit = new LimitEdit(this);
+    connect(c.edit, &LimitEdit::edited, this, &MapView::limitEdited);
+    refresh(false);
+}
+
+MapView::~MapView() = default;
+
+const MapData& MapView::data() const { return content_->data; }
+std::optional<QPointF> MapView::marker() const { return content_->marked; }
+QString MapView::csv() const { return toCsv(content_->data); }
+
+void MapView::setData(MapData data)
+{
+    const bool same = data.title == content_->data.title && !content_->data.empty();
+    content_->data = std::move(data);
+    const MapData& d = content_->data;
+    setTitles(d.title, {}, d.x.label(), d.y.label());
+    content_->legend->title = d.value.label();
+    recolour();
+    refresh(same);
+    placeEdit();
+}
+
+void MapView::setColours(const DeviationColours& colours)
+{
+    content_->colours = colours;
+    content_->legend->colours = colours;
+    content_->edit->setLimit(colours.limit_mm);
+    recolour();
+    placeEdit();
+    plot().replot(QCustomPlot::rpQueuedReplot);
+}
+
+void MapView::recolour()
+{
+    const MapData& d = content_->data;
+    if (d.empty()) return content_->picture->set({}, {});
+    QImage image(d.columns, d.rows, QImage::Format_ARGB32_Premultiplied);
+    for (int row = 0; row < d.rows; ++row) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(d.rows - 1 - row));
+        for (int column = 0; column < d.columns; ++column) {
+            const float value = d.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(d.columns) +
+                                         static_cast<std::size_t>(column)];
+            const Rgb c = content_->colours(static_cast<double>(value));
+            line[column] = std::isnan(value) ? 0 : qRgb(c.red, c.green, c.blue);
+        }
+    }
+    content_->picture->set(image, QRectF(d.xFrom, d.yFrom, d.xTo - d.xFrom, d.yTo - d.yFrom));
+}
+
+QColor MapView::colourAt(double x, double y) const
+{
+    const double value = content_->data.at(x, y);
+    if (std::isnan(value)) return {};
+    const Rgb c = content_->colours(value);
+    return {c.red, c.green, c.blue};
+}
+
+void MapView::setMarker(std::optional<QPointF> place)
+{
+    content_->marked = place;
+    content_->marker->setVisible(place.has_value());
+    if (place) content_->marker->position->setCoords(*place);
+    drawOverlay();
+}
+
+void MapView::applyStyle()
+{
+    LegendElement& legend = *content_->legend;
+    legend.font = font();
+    legend.text = style().text;
+    legend.locale = locale();
+    content_->marker->setPen(QPen(style().marker, 1.2 * style().lineWidth));
+}
+
+QString MapView::readoutAt(double x, double y) const
+{
+    const MapData& d = content_->data;
+    const auto axis = [&](const PlotAxis& a, double value, double span) {
+        return a.title + ' ' + readable(value, span, locale()) + ' ' + a.unit;
+    };
+    const double value = d.at(x, y);
+    return axis(d.x, x, visibleRange().width()) + "  ·  " + axis(d.y, y, visibleRange().height()) + "  ·  " +
+           (std::isnan(value) ? tr("no data") : axis(d.value, value, 0.1));
+}
+
+void MapView::fitRanges()
+{
+    const MapData& d = content_->data;
+    plot().xAxis->setRange(d.xFrom, d.xTo);
+    plot().yAxis->setRange(d.yFrom, d.yTo);
+}
+
+void MapView::placeEdit()
+{
+    // The field stands above the scale, in the line of the title, where the picture has nothing to cover.
+    LimitEdit* edit = content_->edit;
+    edit->setVisible(!content_->data.empty());
+    edit->adjustSize();
+    content_->legend->narrowest = edit->width();
+    edit->move(width() - edit->width(), 0);
+}
+
+void MapView::resizeEvent(QResizeEvent* event)
+{
+    PlotCanvas::resizeEvent(event);
+    placeEdit();
+}
+
+}  // namespace lathelier

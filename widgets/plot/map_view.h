@@ -1,0 +1,48 @@
+// The unrolled map: a value on a grid as a colour picture, with axes, colour scale, crosshair and picking.
+#pragma once
+
+#include "engine/report/colours.h"
+#include "widgets/plot/plot_canvas.h"
+
+namespace lathelier {
+
+class MapView : public PlotCanvas {
+    Q_OBJECT
+
+public:
+    explicit MapView(QWidget* parent = nullptr);
+    ~MapView() override;
+
+    void setData(MapData data);
+    const MapData& data() const;
+
+    /// Recolours at once.
+    void setColours(const DeviationColours& colours);
+
+    /// Marks one place, picked here or in a linked view.
+    void setMarker(std::optional<QPointF> place);
+    std::optional<QPointF> marker() const;
+
+    /// The colour drawn at a place; invalid where there are no data.
+    QColor colourAt(double x, double y) const;
+
+    QString csv() const override;
+
+signals:
+    void limitEdited(double limit);  ///< the user wants another scale
+
+protected:
+    void applyStyle() override;
+    QString readoutAt(double x, double y) const override;
+    void fitRanges() override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Content;
+    void recolour();
+    void placeEdit();
+
+    std::unique_ptr<Content> content_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,88 @@
+// What every plot can do: title and readout line, crosshair, wheel zoom, drag to pan, double click to reset, keyboard,
+// context menu with copy and save. PlotView and MapView put their content into it.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "widgets/plot/plot_data.h"
+#include "widgets/plot/plot_style.h"
+
+class QCustomPlot;
+class QMenu;
+
+namespace lathelier {
+
+class PlotCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    ~PlotCanvas() override;
+
+    /// Writes .svg, .pdf or .png by the extension, dark on white; false when the file cannot be written.
+    bool savePicture(const QString& path);
+    /// Writes the data as CSV in UTF-8; false when the file cannot be written.
+    bool saveData(const QString& path) const;
+    virtual QString csv() const = 0;
+    QImage picture(double scale = 2);
+
+    /// Shows the whole of the data again.
+    void resetView();
+    /// The visible ranges: x from the left, width, y from below, height.
+    QRectF visibleRange() const;
+    /// The place of a data point in this widget, for tests and for callouts.
+    QPointF pixelAt(double x, double y) const;
+    /// What the line above the axes says at the moment.
+    QString readout() const;
+
+    QSize sizeHint() const override { return {480, 320}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+signals:
+    void clicked(double x, double y);  ///< a click that was no drag, in data coordinates
+    void failed(const QString& message);  ///< something could not be written
+
+protected:
+    explicit PlotCanvas(QWidget* parent);
+
+    QCustomPlot& plot() const { return *plot_; }
+    const PlotStyle& style() const { return style_; }
+    void setTitles(const QString& title, const QString& remark, const QString& x, const QString& y);
+    /// Redraws; `keepView` leaves the ranges when the user has chosen them.
+    void refresh(bool keepView);
+    void drawOverlay();
+
+    virtual void applyStyle() = 0;                              ///< colours, widths and fonts of the content
+    virtual QString readoutAt(double x, double y) const = 0;    ///< what the crosshair says
+    virtual void fitRanges() = 0;                               ///< the whole of the data
+    virtual bool beginDrag(const QPointF&) { return false; }    ///< true: the content takes the drag over
+    virtual void continueDrag(double, double) {}
+    virtual void endDrag() {}
+    virtual bool isHandle(const QPointF&, Qt::CursorShape&) const { return false; }
+
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Parts;
+    void restyle(const QPalette& palette);
+    void fitTexts();
+    void fillMenu(QMenu& menu);
+    void askAndSavePicture();
+    void askAndSaveData();
+    void mousePressed(QMouseEvent* event);
+    void mouseMoved(QMouseEvent* event);
+    void mouseReleased(QMouseEvent* event);
+    void mouseWheel(QWheelEvent* event);
+    void hideCrosshair();
+
+    QCustomPlot* plot_;
+    PlotStyle style_;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace lathelier

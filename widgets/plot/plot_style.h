@@ -1,0 +1,34 @@
+// How every plot looks: colours from the palette (dark and light), line widths that grow with the type.
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QLocale>
+#include <QPalette>
+
+class QCustomPlot;
+
+namespace lathelier {
+
+struct PlotStyle {
+    QColor background;
+    QColor text;
+    QColor grid;
+    QColor limit;      ///< tolerance lines
+    QColor marker;     ///< the linked point
+    double lineWidth;  ///< logical pixels, from the height of the type
+
+    PlotStyle(const QPalette& palette, const QFont& font);
+
+    bool dark() const { return background.lightness() < 128; }
+    /// A row of colours that colour-blind people can tell apart (Okabe and Ito), lightened on dark backgrounds.
+    QColor curve(int index) const;
+};
+
+/// A palette for paper: dark on white, whatever the desktop looks like.
+QPalette paperPalette();
+
+/// "-0.0042": fixed digits that fit `span`, in the user's locale, with a true minus sign.
+QString readable(double value, double span, const QLocale& locale);
+
+}  // namespace lathelier

@@ -1,0 +1,52 @@
+// One line of text in a QCustomPlot layout that is elided, never widens the plot. Included by .cpp files only.
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace lathelier {
+
+class TextLine : public QCPLayoutElement {
+public:
+    explicit TextLine(QCustomPlot* plot) : QCPLayoutElement(plot) {}
+
+    void set(const QString& text, const QString& aside = {})
+    {
+        text_ = text;
+        aside_ = aside;
+    }
+    QString text() const { return text_; }
+    void setLook(const QFont& font, const QColor& colour, Qt::Alignment alignment)
+    {
+        font_ = font;
+        colour_ = colour;
+        alignment_ = alignment;
+    }
+    QSize minimumOuterSizeHint() const override { return {0, QFontMetrics(font_).height() + 2}; }
+    QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QFontMetrics(font_).height() + 2}; }
+
+protected:
+    void draw(QCPPainter* painter) override
+    {
+        const QFontMetrics metrics(font_);
+        const QRect room = rect().adjusted(6, 0, -6, 0);
+        painter->setFont(font_);
+        painter->setPen(colour_);
+        const QString shown = metrics.elidedText(text_, Qt::ElideRight, room.width());
+        painter->drawText(room, static_cast<int>(alignment_ | Qt::AlignVCenter), shown);
+        if (aside_.isEmpty() || shown != text_) return;
+        QFont small = font_;
+        small.setBold(false);
+        painter->setFont(small);
+        const QRect rest = room.adjusted(metrics.horizontalAdvance(text_) + metrics.height(), 0, 0, 0);
+        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(aside_, Qt::ElideRight, rest.width()));
+    }
+
+private:
+    QString text_;
+    QString aside_;
+    QFont font_;
+    QColor colour_;
+    Qt::Alignment alignment_ = Qt::AlignLeft;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,192 @@
+#include "widgets/scene/scene_actor.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "engine/core/parallel.h"
+#include "widgets/scene/scene_camera.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t mostThinned = 200'000;
+constexpr std::size_t mostTrianglesMoving = 200'000;
+constexpr std::size_t grain = 65536;
+
+vtkSmartPointer<vtkPoints> upload(std::size_t count, const std::function<Eigen::Vector3d(std::size_t)>& place)
+{
+    vtkNew<vtkFloatArray> array;
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    float* out = array->GetPointer(0);
+    parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3f p = place(i).cast<float>();
+            std::copy(p.data(), p.data() + 3, out + 3 * i);
+        }
+    });
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(array);
+    return points;
+}
+
+/// One cell with all vertices: a cell for each would be ten times slower.
+void setVertices(vtkPolyData* data, std::size_t count)
+{
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{0});
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(static_cast<vtkIdType>(count), ids->GetPointer(0));
+    data->SetVerts(cells);
+}
+
+void setTriangles(vtkPolyData* data, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+    vtkNew<vtkCellArray> cells;
+    cells->AllocateExact(static_cast<vtkIdType>(triangles.size()), static_cast<vtkIdType>(3 * triangles.size()));
+    for (const auto& t : triangles) cells->InsertNextCell({vtkIdType{t[0]}, vtkIdType{t[1]}, vtkIdType{t[2]}});
+    data->SetPolys(cells);
+}
+
+/// How bright a surface looks that faces along `normal`, so that a cloud of one colour still shows its shape.
+double shade(const Eigen::Vector3d& normal)
+{
+    static const Eigen::Vector3d light = Eigen::Vector3d(0.3, 0.45, 0.84).normalized();
+    return 0.72 + 0.28 * normal.dot(light);
+}
+
+}  // namespace
+
+SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin)
+    : renderer_(renderer), object_(object)
+{
+    const Scan& scan = *object.scan;
+    const Eigen::Isometry3d local = Eigen::Translation3d(-origin) * object.scene_T_scan;
+    full_.data->SetPoints(upload(scan.points_mm.size(), [&](std::size_t i) { return local * scan.points_mm[i]; }));
+    if (scan.isMesh()) setTriangles(full_.data, scan.triangles);
+    else setVertices(full_.data, scan.points_mm.size());
+    prepare(full_, 2);
+
+    thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20'000;
+    if (!thinned_) return;
+    order_ = thinnedOrder(scan.points_mm.size(), mostThinned);
+    thin_.data->SetPoints(upload(order_.size(), [&](std::size_t i) { return local * scan.points_mm[order_[i]]; }));
+    prepare(thin_, 3);
+}
+
+SceneActor::~SceneActor()
+{
+    renderer_->RemoveActor(full_.actor);
+    renderer_->RemoveActor(thin_.actor);
+}
+
+void SceneActor::prepare(Layer& layer, double pointSize)
+{
+    layer.colours->SetNumberOfComponents(3);
+    layer.colours->SetNumberOfTuples(layer.data->GetNumberOfPoints());
+    layer.data->GetPointData()->SetScalars(layer.colours);
+    layer.mapper->SetInputData(layer.data);
+    layer.mapper->SetColorModeToDirectScalars();
+    layer.mapper->StaticOn();
+    layer.actor->SetMapper(layer.mapper);
+    layer.actor->GetProperty()->SetPointSize(pointSize);
+    if (!object_.scan->isMesh()) layer.actor->GetProperty()->LightingOff();
+    layer.actor->GetProperty()->SetAmbient(0.45);
+    layer.actor->GetProperty()->SetDiffuse(0.6);
+    layer.actor->VisibilityOff();
+    renderer_->AddActor(layer.actor);
+}
+
+bool SceneActor::sameGeometry(const SceneObject& other) const
+{
+    return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix();
+}
+
+void SceneActor::update(const SceneObject& object, const DeviationColours& colours, const std::optional<SceneAxis>& axis)
+{
+    object_ = object;
+    const Scan& scan = *object.scan;
+    const std::size_t count = scan.points_mm.size();
+    unsigned char* out = full_.colours->GetPointer(0);
+    const bool valued = object.values && object.values->size() == count;
+    const auto store = [&](std::size_t i, Rgb c) {
+        out[3 * i] = c.red;
+        out[3 * i + 1] = c.green;
+        out[3 * i + 2] = c.blue;
+    };
+    // Clouds are not lit: values keep the colours of the legend, plain clouds are shaded by what is known of their normals.
+    const auto brightness = [&](std::size_t i) {
+        if (scan.isMesh()) return 1.0;
+        if (scan.hasNormals()) return shade(object.scene_T_scan.linear() * scan.normals[i].cast<double>());
+        if (!axis) return 0.9;
+        const Eigen::Vector3d arm = object.scene_T_scan * scan.points_mm[i] - axis->point_mm;
+        const Eigen::Vector3d radial = arm - arm.dot(axis->direction) * axis->direction;
+        const double radius = radial.norm();
+        return radius > 0 ? shade(radial / radius) : 0.9;
+    };
+    // A table spares evaluating the colour rule (powers and roots) a million times.
+    constexpr int steps = 4096;
+    std::vector<Rgb> table(steps + 1);
+    for (int i = 0; i <= steps; ++i) table[static_cast<std::size_t>(i)] = colours(colours.limit_mm * (2.0 * i / steps - 1));
+    parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (valued) {
+                const double value = static_cast<double>((*object.values)[i]);
+                const double place = std::clamp((value / colours.limit_mm + 1) / 2, 0.0, 1.0);
+                store(i, std::isnan(value) ? Rgb{150, 150, 150}
+                                           : table[static_cast<std::size_t>(std::lround(place * steps))]);
+            } else {
+                const double b = brightness(i);
+                const auto part = [&](int v) { return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L)); };
+                store(i, {part(object.colour.red()), part(object.colour.green()), part(object.colour.blue())});
+            }
+        }
+    });
+    full_.colours->Modified();
+    if (thinned_) {
+        unsigned char* thin = thin_.colours->GetPointer(0);
+        for (std::size_t i = 0; i < order_.size(); ++i)
+            std::copy(out + 3 * std::size_t{order_[i]}, out + 3 * std::size_t{order_[i]} + 3, thin + 3 * i);
+        thin_.colours->Modified();
+    }
+    full_.data->Modified();
+    thin_.data->Modified();
+    show();
+}
+
+void SceneActor::setMoving(bool moving)
+{
+    moving_ = moving;
+    show();
+}
+
+void SceneActor::setBudget(std::size_t points)
+{
+    if (thinned_) setVertices(thin_.data, std::min(points, order_.size()));
+}
+
+void SceneActor::show()
+{
+    const bool thin = moving_ && thinned_;
+    full_.actor->SetVisibility(object_.visible && !thin);
+    thin_.actor->SetVisibility(object_.visible && thin);
+}
+
+void SceneActor::setSection(vtkPlane* plane)
+{
+    for (Layer* layer : {&full_, &thin_}) {
+        layer->mapper->RemoveAllClippingPlanes();
+        if (plane) layer->mapper->AddClippingPlane(plane);
+    }
+}
+
+}  // namespace lathelier

@@ -1,0 +1,58 @@
+// One object of the scene in VTK: the full set, a thinned one for moving, and their colours. Included by .cpp files only.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+
+#include "engine/report/colours.h"
+#include "widgets/scene/scene_data.h"
+
+namespace lathelier {
+
+class SceneActor {
+public:
+    /// Uploads geometry relative to `origin`, so that single precision on the graphics side costs nothing.
+    SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin);
+    ~SceneActor();
+    SceneActor(const SceneActor&) = delete;
+    SceneActor& operator=(const SceneActor&) = delete;
+
+    const SceneObject& object() const { return object_; }
+    bool sameGeometry(const SceneObject& other) const;
+
+    /// Takes over colour, values and visibility.
+    void update(const SceneObject& object, const DeviationColours& colours, const std::optional<SceneAxis>& axis);
+    void setMoving(bool moving);
+    /// How many points are drawn while moving; meshes of moderate size are drawn whole.
+    void setBudget(std::size_t points);
+    bool isThinned() const { return thinned_; }
+    std::size_t thinnedCount() const { return order_.size(); }
+    void setSection(vtkPlane* plane);
+
+private:
+    struct Layer {
+        vtkNew<vtkPolyData> data;
+        vtkNew<vtkPolyDataMapper> mapper;
+        vtkNew<vtkActor> actor;
+        vtkNew<vtkUnsignedCharArray> colours;
+    };
+    void prepare(Layer& layer, double pointSize);
+    void show();
+
+    vtkRenderer* renderer_;
+    SceneObject object_;
+    bool thinned_ = false;
+    bool moving_ = false;
+    std::vector<std::uint32_t> order_;
+    Layer full_;
+    Layer thin_;
+};
+
+}  // namespace lathelier

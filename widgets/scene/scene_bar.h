@@ -1,0 +1,37 @@
+// The row of buttons above the 3-D picture: viewpoints, projection, section.
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/scene/scene_data.h"
+
+class QAbstractButton;
+class QComboBox;
+class QSlider;
+
+namespace lathelier {
+
+class SceneBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SceneBar(QWidget* parent = nullptr);
+
+signals:
+    void viewpointWanted(lathelier::SceneViewpoint viewpoint);
+    void parallelWanted(bool parallel);
+    void sectionWanted(int sceneAxis, double share);  ///< sceneAxis -1: whole
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void setTexts();
+
+    std::vector<QAbstractButton*> viewpoints_;
+    QAbstractButton* parallel_;
+    QComboBox* section_;
+    QSlider* slider_;
+};
+
+}  // namespace lathelier

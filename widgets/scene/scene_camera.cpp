@@ -1,0 +1,133 @@
+#include "widgets/scene/scene_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <random>
+
+#include "engine/core/parallel.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double halfViewAngle = 15 * M_PI / 180;
+constexpr double margin = 1.06;
+
+/// Away from the part, toward the eye, in frame coordinates; and what is up there.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> directions(SceneViewpoint viewpoint)
+{
+    switch (viewpoint) {
+        case SceneViewpoint::Side: return {{0, 0, 1}, {0, 1, 0}};
+        case SceneViewpoint::Top: return {{0, 1, 0}, {0, 0, -1}};
+        case SceneViewpoint::End: return {{1, 0, 0}, {0, 1, 0}};
+        case SceneViewpoint::Oblique: break;
+    }
+    return {Eigen::Vector3d(0.62, 0.42, 0.66).normalized(), {0, 1, 0}};
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector2d> SceneCamera::project(const Eigen::Vector3d& scene) const
+{
+    const Eigen::Vector3d view = view_T_scene * scene;
+    if (view.z() >= 0) return std::nullopt;
+    const double half = parallel ? halfHeight_mm : halfHeight_mm * -view.z() / distance_mm;
+    return Eigen::Vector2d(view.x() / (half * aspect), view.y() / half);
+}
+
+Eigen::Matrix3d levelFrame(const Eigen::Vector3d& along)
+{
+    const Eigen::Vector3d u = along.normalized();
+    int across = 2;
+    for (const int candidate : {1, 0})
+        if (std::abs(u[candidate]) < std::abs(u[across]) - 0.1) across = candidate;
+    Eigen::Vector3d up = Eigen::Vector3d::Unit(across);
+    up = (up - up.dot(u) * u).normalized();
+    Eigen::Matrix3d frame;
+    frame << u, up, u.cross(up);
+    return frame;
+}
+
+SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, const Eigen::Vector3d& low,
+                      const Eigen::Vector3d& high, double aspect, bool parallel)
+{
+    const auto [toEye, up] = directions(viewpoint);
+    Eigen::Matrix3d view_R_frame;
+    view_R_frame.row(0) = up.cross(toEye).normalized();
+    view_R_frame.row(2) = toEye;
+    view_R_frame.row(1) = toEye.cross(view_R_frame.row(0).transpose());
+    const Eigen::Vector3d centre = (low + high) / 2;
+
+    // The eye is as near as lets all eight corners of the box into the picture.
+    const double slope = std::tan(halfViewAngle);
+    double distance = 0, half = 0, front = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                                    corner & 4 ? high.z() : low.z());
+        const Eigen::Vector3d v = view_R_frame * (point - centre);
+        const double reach = std::max(std::abs(v.y()), std::abs(v.x()) / aspect);
+        half = std::max(half, reach);
+        front = std::max(front, v.z());
+        distance = std::max(distance, v.z() + margin * reach / slope);
+    }
+    SceneCamera camera;
+    camera.parallel = parallel;
+    camera.aspect = aspect;
+    camera.distance_mm = std::max(parallel ? 2 * front + half / slope : distance, 1e-3);
+    camera.halfHeight_mm = std::max(parallel ? margin * half : camera.distance_mm * slope, 1e-6);
+    const Eigen::Matrix3d view_R_scene = view_R_frame * frame.transpose();
+    camera.view_T_scene.linear() = view_R_scene;
+    camera.view_T_scene.translation() = -(view_R_scene * (frame * centre)) - Eigen::Vector3d(0, 0, camera.distance_mm);
+    return camera;
+}
+
+std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Isometry3d& scene_T_points,
+                                        const SceneCamera& camera, const std::optional<SceneSection>& section,
+                                        const Eigen::Vector2d& pointer, double radius_px, int height_px)
+{
+    std::mutex mutex;
+    std::vector<ScenePick> near;
+    parallelFor(points_mm.size(), 65536, {}, [&](std::size_t begin, std::size_t end) {
+        std::vector<ScenePick> found;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3d scene = scene_T_points * points_mm[i];
+            const auto place = camera.project(scene);
+            if (!place) continue;
+            Eigen::Vector2d away = (*place - pointer) * (height_px / 2.0);
+            away.x() *= camera.aspect;
+            if (away.squaredNorm() > radius_px * radius_px) continue;
+            if (section && section->normal.dot(scene) < section->offset_mm) continue;
+            found.push_back({i, -(camera.view_T_scene * scene).z(), away.norm()});
+        }
+        const std::lock_guard lock(mutex);
+        near.insert(near.end(), found.begin(), found.end());
+    });
+    if (near.empty()) return std::nullopt;
+    double front = std::numeric_limits<double>::infinity();
+    for (const ScenePick& pick : near) front = std::min(front, pick.depth_mm);
+    // What lies within two radii behind the frontmost point belongs to the same, perhaps slanting, surface.
+    const double perPixel = 2 * camera.halfHeight_mm * (camera.parallel ? 1 : front / camera.distance_mm) / height_px;
+    const double layer = front + 2 * radius_px * perPixel;
+    std::optional<ScenePick> best;
+    for (const ScenePick& pick : near) {
+        if (pick.depth_mm > layer) continue;
+        if (!best || pick.away_px < best->away_px || (pick.away_px == best->away_px && pick.index < best->index)) best = pick;
+    }
+    return best;
+}
+
+std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most)
+{
+    // The head of a shuffle: any prefix covers the whole without the stripes that a regular step draws on a scan grid.
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0U);
+    std::mt19937 random(1);
+    const std::size_t size = std::min(count, most);
+    for (std::size_t i = 0; i < size; ++i) std::swap(order[i], order[i + random() % (count - i)]);
+    order.resize(size);
+    return order;
+}
+
+}  // namespace lathelier

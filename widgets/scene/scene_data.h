@@ -1,0 +1,33 @@
+// What the 3-D view shows, as values.
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "engine/core/scan.h"
+
+namespace lathelier {
+
+/// A cloud or mesh in the scene. Equal `scan` and pose are uploaded once, however often the colours change.
+struct SceneObject {
+    QString name;
+    ScanPtr scan;
+    Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();
+    QColor colour;                                     ///< where there are no values
+    std::shared_ptr<const std::vector<float>> values;  ///< one for each point, in mm; NaN is drawn grey; null: plain
+    bool visible = true;
+};
+
+/// Where the long axis of the part runs; the standard views lay it level.
+struct SceneAxis {
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+};
+
+/// Standard views of a part whose long axis lies level.
+enum class SceneViewpoint { Oblique, Side, Top, End };
+
+}  // namespace lathelier

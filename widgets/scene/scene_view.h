@@ -1,0 +1,95 @@
+// The 3-D view of clouds and meshes: thinned while it moves, full at rest; colours by deviation; standard views, section,
+// picking, pictures. Where there is no OpenGL it says so instead of drawing.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/report/colours.h"
+#include "widgets/scene/scene_data.h"
+
+namespace lathelier {
+
+class SceneView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// To be called before the application object: the surface format OpenGL needs.
+    static void prepareApplication();
+
+    /// False where there is no OpenGL (an offscreen platform, a missing driver).
+    bool canDraw() const;
+
+    /// Shows these objects in place of the earlier ones; the view point stays unless the geometry is new.
+    void setObjects(std::vector<SceneObject> objects);
+    const std::vector<SceneObject>& objects() const;
+    void setLongAxis(const std::optional<SceneAxis>& axis);
+
+    /// Recolours at once. The legend stands beside the picture while an object has values.
+    void setColours(const DeviationColours& colours);
+    void setScaleTitle(const QString& title);
+
+    void setViewpoint(SceneViewpoint viewpoint);
+    void setParallel(bool parallel);
+    bool isParallel() const;
+
+    /// Cuts away what lies before `share` (0…1) of the extent along the scene axis 0, 1 or 2 (x, y, z).
+    void setSection(int sceneAxis, double share);
+    void clearSection();
+
+    /// Marks a place, in scene coordinates, with its label.
+    void setMarker(const std::optional<Eigen::Vector3d>& place_mm, const QString& label = {});
+    std::optional<Eigen::Vector3d> marker() const;
+
+    /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn.
+    QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true);
+
+    /// Seconds of the last frames drawn while moving and at rest, and the points drawn while moving.
+    struct Speed {
+        double moving_s = 0;
+        double resting_s = 0;
+        std::size_t movingPoints = 0;
+    };
+    Speed speed() const;
+
+    /// Turns the camera as a drag by the mouse would, thinned while it moves.
+    void turn(double right_deg, double up_deg);
+
+    /// The place of a scene point in this widget, if it is before the eye.
+    std::optional<QPointF> pixelAt(const Eigen::Vector3d& place_mm) const;
+
+    QSize sizeHint() const override { return {560, 380}; }
+    QSize minimumSizeHint() const override { return {200, 150}; }
+
+signals:
+    void pointPicked(int object, qint64 point);  ///< index into objects() and its scan
+    void limitEdited(double limit_mm);           ///< the user wants another colour scale
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Parts;
+    void buildBar();
+    void layOver();
+    void applyStyle(bool paper);
+    void applySection();
+    void render();
+    void startMoving();
+    void endMoving();
+    void frameDone();
+    void shareBudget();
+    void pick(const QPoint& place);
+
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace lathelier

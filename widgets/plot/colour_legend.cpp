@@ -62,8 +62,9 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
     const int rows = std::max(1, static_cast<int>(bar.height()));
     for (int row = 0; row < rows; ++row) {
         const Rgb c = colours(limit * (1 - 2 * (row + 0.5) / rows));
-        painter.fillRect(QRectF(bar.left(), bar.top() + row * bar.height() / rows, bar.width(), bar.height() / rows + 0.6),
-                         QColor(c.red, c.green, c.blue));
+        painter.fillRect(
+            QRectF(bar.left(), bar.top() + row * bar.height() / rows, bar.width(), bar.height() / rows + 0.6),
+            QColor(c.red, c.green, c.blue));
     }
     painter.setPen(QPen(text, 1));
     painter.setBrush(Qt::NoBrush);
@@ -116,7 +117,10 @@ void LimitEdit::setLimit(double limit_mm)
     box_->setValue(limit_mm);
 }
 
-double LimitEdit::limit() const { return box_->value(); }
+double LimitEdit::limit() const
+{
+    return box_->value();
+}
 
 ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent), edit_(new LimitEdit(this))
 {

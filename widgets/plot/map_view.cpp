@@ -102,9 +102,18 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
 
 MapView::~MapView() = default;
 
-const MapData& MapView::data() const { return content_->data; }
-std::optional<QPointF> MapView::marker() const { return content_->marked; }
-QString MapView::csv() const { return toCsv(content_->data); }
+const MapData& MapView::data() const
+{
+    return content_->data;
+}
+std::optional<QPointF> MapView::marker() const
+{
+    return content_->marked;
+}
+QString MapView::csv() const
+{
+    return toCsv(content_->data);
+}
 
 void MapView::setData(MapData data)
 {

@@ -91,7 +91,10 @@ void PlotCanvas::refresh(bool keepView)
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void PlotCanvas::drawOverlay() { plot_->layer("overlay")->replot(); }
+void PlotCanvas::drawOverlay()
+{
+    plot_->layer("overlay")->replot();
+}
 
 void PlotCanvas::resetView()
 {
@@ -112,7 +115,10 @@ QPointF PlotCanvas::pixelAt(double x, double y) const
     return {plot_->xAxis->coordToPixel(x), plot_->yAxis->coordToPixel(y)};
 }
 
-QString PlotCanvas::readout() const { return parts_->readout->text(); }
+QString PlotCanvas::readout() const
+{
+    return parts_->readout->text();
+}
 
 void PlotCanvas::restyle(const QPalette& palette)
 {
@@ -137,7 +143,8 @@ void PlotCanvas::restyle(const QPalette& palette)
             axis->grid()->setPen(QPen(style_.grid, 1));
             axis->grid()->setZeroLinePen(QPen(style_.text, 1));
         }
-    for (QCPItemStraightLine* line : {parts_->vertical, parts_->horizontal}) line->setPen(QPen(style_.text, 1, Qt::DotLine));
+    for (QCPItemStraightLine* line : {parts_->vertical, parts_->horizontal})
+        line->setPen(QPen(style_.text, 1, Qt::DotLine));
     plot_->legend->setFont(font());
     plot_->legend->setTextColor(style_.text);
     plot_->legend->setBrush(style_.background);
@@ -157,7 +164,8 @@ void PlotCanvas::fitTexts()
     fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 2 * height);
     int widest = 1;
     for (int i = 0; i < plot_->legend->itemCount(); ++i)
-        widest = std::max(widest, plot_->legend->item(i)->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
+        widest =
+            std::max(widest, plot_->legend->item(i)->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
     plot_->legend->setWrap(std::max(1, (width() - 20) / widest));
 }
 
@@ -246,8 +254,10 @@ void PlotCanvas::mouseWheel(QWheelEvent* event)
     const QRect inner = plot_->axisRect()->rect();
     const QPointF place = event->position();
     Qt::Orientations zoom = Qt::Horizontal | Qt::Vertical;
-    if (place.y() > inner.bottom()) zoom = Qt::Horizontal;
-    else if (place.x() < inner.left()) zoom = Qt::Vertical;
+    if (place.y() > inner.bottom())
+        zoom = Qt::Horizontal;
+    else if (place.x() < inner.left())
+        zoom = Qt::Vertical;
     plot_->axisRect()->setRangeZoom(zoom);
     parts_->viewChosen = true;
 }
@@ -291,14 +301,15 @@ void PlotCanvas::fillMenu(QMenu& menu)
 
 void PlotCanvas::askAndSavePicture()
 {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save picture"), accessibleName() + ".svg", tr("Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)"));
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), accessibleName() + ".svg",
+                                                      tr("Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)"));
     if (!path.isEmpty() && !savePicture(path)) emit failed(tr("%1 could not be written.").arg(path));
 }
 
 void PlotCanvas::askAndSaveData()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save data"), accessibleName() + ".csv", tr("Table (*.csv)"));
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save data"), accessibleName() + ".csv", tr("Table (*.csv)"));
     if (!path.isEmpty() && !saveData(path)) emit failed(tr("%1 could not be written.").arg(path));
 }
 

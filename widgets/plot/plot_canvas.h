@@ -40,7 +40,7 @@ public:
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void clicked(double x, double y);  ///< a click that was no drag, in data coordinates
+    void clicked(double x, double y);     ///< a click that was no drag, in data coordinates
     void failed(const QString& message);  ///< something could not be written
 
 protected:
@@ -53,10 +53,10 @@ protected:
     void refresh(bool keepView);
     void drawOverlay();
 
-    virtual void applyStyle() = 0;                              ///< colours, widths and fonts of the content
-    virtual QString readoutAt(double x, double y) const = 0;    ///< what the crosshair says
-    virtual void fitRanges() = 0;                               ///< the whole of the data
-    virtual bool beginDrag(const QPointF&) { return false; }    ///< true: the content takes the drag over
+    virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
+    virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says
+    virtual void fitRanges() = 0;                             ///< the whole of the data
+    virtual bool beginDrag(const QPointF&) { return false; }  ///< true: the content takes the drag over
     virtual void continueDrag(double, double) {}
     virtual void endDrag() {}
     virtual bool isHandle(const QPointF&, Qt::CursorShape&) const { return false; }

@@ -24,11 +24,11 @@ struct PlotCurve {
     std::vector<double> x;
     std::vector<double> y;
     Style style = Style::Line;
-    std::vector<double> yLow;         ///< Band only: the other edge
-    std::optional<QColor> colour;     ///< none: the next one of a colour-blind-safe row
-    std::vector<double> readout;      ///< what the crosshair and the CSV say instead of y (a magnified error's true value)
-    QString readoutUnit;              ///< unit of `readout`
-    std::vector<QColor> barColours;   ///< Bars only: one for each bar, or empty
+    std::vector<double> yLow;      ///< Band only: the other edge
+    std::optional<QColor> colour;  ///< none: the next one of a colour-blind-safe row
+    std::vector<double> readout;   ///< what the crosshair and the CSV say instead of y (a magnified error's true value)
+    QString readoutUnit;           ///< unit of `readout`
+    std::vector<QColor> barColours;  ///< Bars only: one for each bar, or empty
 };
 
 /// A straight limit across the plot, such as a tolerance. A movable one can be dragged.
@@ -54,8 +54,8 @@ struct PlotData {
     std::vector<PlotCurve> curves;
     std::vector<PlotLimit> limits;
     std::vector<PlotRegion> regions;
-    QString remark;           ///< stands beside the title: "error × 200"
-    bool yFromZero = false;   ///< counts: the y axis starts at 0
+    QString remark;          ///< stands beside the title: "error × 200"
+    bool yFromZero = false;  ///< counts: the y axis starts at 0
 };
 
 /// Comma-separated, decimal point in every locale, full precision; curves that share x share its column.

@@ -25,16 +25,17 @@ PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
 
 QColor PlotStyle::curve(int index) const
 {
-    static const std::array<QColor, 7> row{QColor(0, 114, 178), QColor(213, 94, 0),  QColor(0, 158, 115), QColor(204, 121, 167),
-                                           QColor(86, 180, 233), QColor(230, 159, 0), QColor(120, 120, 120)};
+    static const std::array<QColor, 7> row{QColor(0, 114, 178),   QColor(213, 94, 0),   QColor(0, 158, 115),
+                                           QColor(204, 121, 167), QColor(86, 180, 233), QColor(230, 159, 0),
+                                           QColor(120, 120, 120)};
     const QColor colour = row[static_cast<std::size_t>(index) % row.size()];
     return dark() ? mix(colour, Qt::white, 0.3) : colour;
 }
 
 QPalette paperPalette()
 {
-    QPalette palette(Qt::black, QColor(240, 240, 240), QColor(250, 250, 250), QColor(120, 120, 120), QColor(200, 200, 200),
-                     Qt::black, Qt::white, Qt::white, Qt::white);
+    QPalette palette(Qt::black, QColor(240, 240, 240), QColor(250, 250, 250), QColor(120, 120, 120),
+                     QColor(200, 200, 200), Qt::black, Qt::white, Qt::white, Qt::white);
     return palette;
 }
 

@@ -8,7 +8,10 @@
 namespace lathelier {
 namespace {
 
-QVector<double> toQt(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+QVector<double> toQt(const std::vector<double>& values)
+{
+    return {values.begin(), values.end()};
+}
 
 QColor faint(QColor colour, int alpha)
 {
@@ -55,9 +58,18 @@ PlotView::PlotView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uni
 
 PlotView::~PlotView() = default;
 
-const PlotData& PlotView::data() const { return content_->data; }
-std::optional<double> PlotView::marker() const { return content_->markedX; }
-QString PlotView::csv() const { return toCsv(content_->data); }
+const PlotData& PlotView::data() const
+{
+    return content_->data;
+}
+std::optional<double> PlotView::marker() const
+{
+    return content_->markedX;
+}
+QString PlotView::csv() const
+{
+    return toCsv(content_->data);
+}
 
 void PlotView::setData(PlotData data)
 {
@@ -215,7 +227,8 @@ void PlotView::fitRanges()
         high = std::max(high, value);
     };
     for (const PlotCurve& curve : content_->data.curves) {
-        const double half = curve.style == PlotCurve::Style::Bars && curve.x.size() > 1 ? (curve.x[1] - curve.x[0]) / 2 : 0;
+        const double half =
+            curve.style == PlotCurve::Style::Bars && curve.x.size() > 1 ? (curve.x[1] - curve.x[0]) / 2 : 0;
         if (!curve.x.empty()) {
             widen(xLow, xHigh, curve.x.front() - half);
             widen(xLow, xHigh, curve.x.back() + half);
@@ -225,8 +238,10 @@ void PlotView::fitRanges()
     }
     bool upright = false;
     for (const PlotLimit& limit : content_->data.limits) {
-        if (limit.orientation == Qt::Horizontal) widen(yLow, yHigh, limit.value);
-        else widen(xLow, xHigh, limit.value);
+        if (limit.orientation == Qt::Horizontal)
+            widen(yLow, yHigh, limit.value);
+        else
+            widen(xLow, xHigh, limit.value);
         upright = upright || limit.orientation == Qt::Vertical;
     }
     if (!(xLow <= xHigh)) xLow = 0, xHigh = 1;
@@ -243,7 +258,9 @@ QString PlotView::readoutAt(double x, double y) const
 {
     const PlotData& data = content_->data;
     const QRectF range = visibleRange();
-    const auto withUnit = [](const QString& number, const QString& unit) { return unit.isEmpty() ? number : number + ' ' + unit; };
+    const auto withUnit = [](const QString& number, const QString& unit) {
+        return unit.isEmpty() ? number : number + ' ' + unit;
+    };
     QStringList parts;
     parts << data.x.title + ' ' + withUnit(readable(x, range.width(), locale()), data.x.unit);
     bool any = false;
@@ -257,7 +274,8 @@ QString PlotView::readoutAt(double x, double y) const
         else if (curve.style == PlotCurve::Style::Band)
             parts << name + ' ' + readable(curve.yLow[i], range.height(), locale()) + "…" +
                          withUnit(readable(curve.y[i], range.height(), locale()), data.y.unit);
-        else parts << name + ' ' + withUnit(readable(curve.y[i], range.height(), locale()), data.y.unit);
+        else
+            parts << name + ' ' + withUnit(readable(curve.y[i], range.height(), locale()), data.y.unit);
     }
     if (!any) parts << data.y.title + ' ' + withUnit(readable(y, range.height(), locale()), data.y.unit);
     return parts.join("  ·  ");

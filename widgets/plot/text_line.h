@@ -38,7 +38,8 @@ protected:
         small.setBold(false);
         painter->setFont(small);
         const QRect rest = room.adjusted(metrics.horizontalAdvance(text_) + metrics.height(), 0, 0, 0);
-        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(aside_, Qt::ElideRight, rest.width()));
+        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                          metrics.elidedText(aside_, Qt::ElideRight, rest.width()));
     }
 
 private:

@@ -72,8 +72,10 @@ SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const E
     const Scan& scan = *object.scan;
     const Eigen::Isometry3d local = Eigen::Translation3d(-origin) * object.scene_T_scan;
     full_.data->SetPoints(upload(scan.points_mm.size(), [&](std::size_t i) { return local * scan.points_mm[i]; }));
-    if (scan.isMesh()) setTriangles(full_.data, scan.triangles);
-    else setVertices(full_.data, scan.points_mm.size());
+    if (scan.isMesh())
+        setTriangles(full_.data, scan.triangles);
+    else
+        setVertices(full_.data, scan.points_mm.size());
     prepare(full_, 2);
 
     thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20'000;
@@ -111,7 +113,8 @@ bool SceneActor::sameGeometry(const SceneObject& other) const
     return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix();
 }
 
-void SceneActor::update(const SceneObject& object, const DeviationColours& colours, const std::optional<SceneAxis>& axis)
+void SceneActor::update(const SceneObject& object, const DeviationColours& colours,
+                        const std::optional<SceneAxis>& axis)
 {
     object_ = object;
     const Scan& scan = *object.scan;
@@ -123,7 +126,8 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
         out[3 * i + 1] = c.green;
         out[3 * i + 2] = c.blue;
     };
-    // Clouds are not lit: values keep the colours of the legend, plain clouds are shaded by what is known of their normals.
+    // Clouds are not lit: values keep the colours of the legend, plain clouds are shaded by what is known of their
+    // normals.
     const auto brightness = [&](std::size_t i) {
         if (scan.isMesh()) return 1.0;
         if (scan.hasNormals()) return shade(object.scene_T_scan.linear() * scan.normals[i].cast<double>());
@@ -136,7 +140,8 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
     // A table spares evaluating the colour rule (powers and roots) a million times.
     constexpr int steps = 4096;
     std::vector<Rgb> table(steps + 1);
-    for (int i = 0; i <= steps; ++i) table[static_cast<std::size_t>(i)] = colours(colours.limit_mm * (2.0 * i / steps - 1));
+    for (int i = 0; i <= steps; ++i)
+        table[static_cast<std::size_t>(i)] = colours(colours.limit_mm * (2.0 * i / steps - 1));
     parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (valued) {
@@ -146,7 +151,9 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
                                            : table[static_cast<std::size_t>(std::lround(place * steps))]);
             } else {
                 const double b = brightness(i);
-                const auto part = [&](int v) { return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L)); };
+                const auto part = [&](int v) {
+                    return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L));
+                };
                 store(i, {part(object.colour.red()), part(object.colour.green()), part(object.colour.blue())});
             }
         }

@@ -1,4 +1,5 @@
-// One object of the scene in VTK: the full set, a thinned one for moving, and their colours. Included by .cpp files only.
+// One object of the scene in VTK: the full set, a thinned one for moving, and their colours. Included by .cpp files
+// only.
 #pragma once
 
 #include <vtkActor.h>

@@ -83,9 +83,10 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     return camera;
 }
 
-std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Isometry3d& scene_T_points,
-                                        const SceneCamera& camera, const std::optional<SceneSection>& section,
-                                        const Eigen::Vector2d& pointer, double radius_px, int height_px)
+std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
+                                        const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
+                                        const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer,
+                                        double radius_px, int height_px)
 {
     std::mutex mutex;
     std::vector<ScenePick> near;
@@ -113,7 +114,8 @@ std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& poin
     std::optional<ScenePick> best;
     for (const ScenePick& pick : near) {
         if (pick.depth_mm > layer) continue;
-        if (!best || pick.away_px < best->away_px || (pick.away_px == best->away_px && pick.index < best->index)) best = pick;
+        if (!best || pick.away_px < best->away_px || (pick.away_px == best->away_px && pick.index < best->index))
+            best = pick;
     }
     return best;
 }

@@ -13,10 +13,10 @@ namespace lathelier {
 /// Where the eye is and how it projects. View coordinates: x right, y up, z toward the eye, which is the origin.
 struct SceneCamera {
     Eigen::Isometry3d view_T_scene = Eigen::Isometry3d::Identity();
-    double distance_mm = 1;            ///< from the eye to what it looks at
+    double distance_mm = 1;  ///< from the eye to what it looks at
     bool parallel = false;
-    double halfHeight_mm = 1;          ///< half of the visible height at that distance
-    double aspect = 1;                 ///< width / height of the picture
+    double halfHeight_mm = 1;  ///< half of the visible height at that distance
+    double aspect = 1;         ///< width / height of the picture
 
     /// Place in the picture: x from -1 (left) to 1, y from -1 (bottom) to 1; nothing behind the eye.
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& scene) const;
@@ -38,15 +38,16 @@ struct SceneSection {
 
 struct ScenePick {
     std::size_t index = 0;
-    double depth_mm = 0;        ///< from the eye
-    double away_px = 0;         ///< from the pointer
+    double depth_mm = 0;  ///< from the eye
+    double away_px = 0;   ///< from the pointer
 };
 
 /// The point nearest to the pointer among those of the front layer: all points within `radius_px` of it are projected
 /// exactly, and those clearly behind the frontmost of them are hidden. `pointer` as given by SceneCamera::project.
-std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm, const Eigen::Isometry3d& scene_T_points,
-                                        const SceneCamera& camera, const std::optional<SceneSection>& section,
-                                        const Eigen::Vector2d& pointer, double radius_px, int height_px);
+std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
+                                        const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
+                                        const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer,
+                                        double radius_px, int height_px);
 
 /// Indices that show the whole evenly when only the first n of them are drawn: at most `most`, always the same.
 std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most);

@@ -1,9 +1,9 @@
 // What the 3-D view shows, as values.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <QColor>
 #include <QString>
-#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 

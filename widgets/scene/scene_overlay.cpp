@@ -46,9 +46,10 @@ void SceneRuler::paintEvent(QPaintEvent*)
         QColor colour;
     };
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    std::array<Arm, 3> arms{Arm{camera_.view_T_scene.linear().col(0), "X", dark ? QColor(255, 140, 120) : QColor(190, 40, 20)},
-                            Arm{camera_.view_T_scene.linear().col(1), "Y", dark ? QColor(110, 220, 130) : QColor(0, 120, 50)},
-                            Arm{camera_.view_T_scene.linear().col(2), "Z", dark ? QColor(130, 180, 255) : QColor(20, 70, 190)}};
+    std::array<Arm, 3> arms{
+        Arm{camera_.view_T_scene.linear().col(0), "X", dark ? QColor(255, 140, 120) : QColor(190, 40, 20)},
+        Arm{camera_.view_T_scene.linear().col(1), "Y", dark ? QColor(110, 220, 130) : QColor(0, 120, 50)},
+        Arm{camera_.view_T_scene.linear().col(2), "Z", dark ? QColor(130, 180, 255) : QColor(20, 70, 190)}};
     std::sort(arms.begin(), arms.end(), [](const Arm& a, const Arm& b) { return a.view.z() < b.view.z(); });
     const QPointF root(2.2 * line, height() - 2.2 * line);
     QFont bold = font();
@@ -65,10 +66,11 @@ void SceneRuler::paintEvent(QPaintEvent*)
     const double left = 4.8 * line, level = height() - 0.7 * line;
     painter.setPen(QPen(ink, std::max(2.0, line / 9)));
     painter.drawLine(QPointF(left, level), QPointF(left + length_px_, level));
-    for (const double x : {left, left + length_px_}) painter.drawLine(QPointF(x, level - line / 3), QPointF(x, level + line / 3));
+    for (const double x : {left, left + length_px_})
+        painter.drawLine(QPointF(x, level - line / 3), QPointF(x, level + line / 3));
     painter.setFont(font());
-    painter.drawText(QRectF(left, level - 1.5 * line, std::max(length_px_, 5 * line), 1.2 * line), Qt::AlignLeft | Qt::AlignVCenter,
-                     locale().toString(length_mm_, 'g', 6) + " mm");
+    painter.drawText(QRectF(left, level - 1.5 * line, std::max(length_px_, 5 * line), 1.2 * line),
+                     Qt::AlignLeft | Qt::AlignVCenter, locale().toString(length_mm_, 'g', 6) + " mm");
 }
 
 SceneLabel::SceneLabel(QWidget* parent) : QLabel(parent)

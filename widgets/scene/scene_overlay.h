@@ -1,4 +1,5 @@
-// What lies over the 3-D picture as ordinary widgets: directions of the axes, a length scale, the label of a picked point.
+// What lies over the 3-D picture as ordinary widgets: directions of the axes, a length scale, the label of a picked
+// point.
 #pragma once
 
 #include <QLabel>

@@ -69,9 +69,12 @@ Box extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& frame
                 }
                 return part;
             },
-            [](const Box& a, const Box& b) { return Box{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; });
+            [](const Box& a, const Box& b) {
+                return Box{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+            });
     }
-    if (!(box.low.array() <= box.high.array()).all()) return {Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1)};
+    if (!(box.low.array() <= box.high.array()).all())
+        return {Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1)};
     return box;
 }
 
@@ -107,7 +110,10 @@ struct SceneView::Parts {
     Speed speed;
 
     Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : Eigen::Vector3d::UnitX()); }
-    double aspect() const { return canvas ? static_cast<double>(std::max(1, canvas->width())) / std::max(1, canvas->height()) : 1; }
+    double aspect() const
+    {
+        return canvas ? static_cast<double>(std::max(1, canvas->width())) / std::max(1, canvas->height()) : 1;
+    }
     SceneCamera camera() const;
     void aim(const SceneCamera& camera);
 };
@@ -126,8 +132,8 @@ SceneCamera SceneView::Parts::camera() const
     camera.view_T_scene.translation() = -(rows * place);
     camera.distance_mm = (place - target).norm();
     camera.parallel = eye->GetParallelProjection() != 0;
-    camera.halfHeight_mm = camera.parallel ? eye->GetParallelScale()
-                                           : camera.distance_mm * std::tan(eye->GetViewAngle() * M_PI / 360);
+    camera.halfHeight_mm =
+        camera.parallel ? eye->GetParallelScale() : camera.distance_mm * std::tan(eye->GetViewAngle() * M_PI / 360);
     camera.aspect = aspect();
     return camera;
 }
@@ -162,7 +168,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     if (!openGlIsThere()) {
-        auto* words = new QLabel(tr("The 3-D view needs OpenGL, which is not available here.\nAll other views work."), this);
+        auto* words =
+            new QLabel(tr("The 3-D view needs OpenGL, which is not available here.\nAll other views work."), this);
         words->setAlignment(Qt::AlignCenter);
         words->setWordWrap(true);
         layout->addWidget(words, 1);
@@ -194,8 +201,10 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     connect(p.bar, &SceneBar::viewpointWanted, this, &SceneView::setViewpoint);
     connect(p.bar, &SceneBar::parallelWanted, this, &SceneView::setParallel);
     connect(p.bar, &SceneBar::sectionWanted, this, [this](int sceneAxis, double share) {
-        if (sceneAxis < 0) clearSection();
-        else setSection(sceneAxis, share);
+        if (sceneAxis < 0)
+            clearSection();
+        else
+            setSection(sceneAxis, share);
     });
     p.rest.setSingleShot(true);
     p.rest.setInterval(restAfter_ms);
@@ -204,8 +213,10 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.frameObserver->SetClientData(this);
     p.frameObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
         auto* view = static_cast<SceneView*>(self);
-        if (event == vtkCommand::StartEvent) view->parts_->frameTime.start();
-        else view->frameDone();
+        if (event == vtkCommand::StartEvent)
+            view->parts_->frameTime.start();
+        else
+            view->frameDone();
     });
     p.renderer->AddObserver(vtkCommand::StartEvent, p.frameObserver);
     p.renderer->AddObserver(vtkCommand::EndEvent, p.frameObserver);
@@ -219,11 +230,26 @@ SceneView::~SceneView()
     parts_->actors.clear();
 }
 
-bool SceneView::canDraw() const { return parts_->canvas != nullptr; }
-const std::vector<SceneObject>& SceneView::objects() const { return parts_->objects; }
-bool SceneView::isParallel() const { return parts_->renderer->GetActiveCamera()->GetParallelProjection() != 0; }
-std::optional<Eigen::Vector3d> SceneView::marker() const { return parts_->marked; }
-SceneView::Speed SceneView::speed() const { return parts_->speed; }
+bool SceneView::canDraw() const
+{
+    return parts_->canvas != nullptr;
+}
+const std::vector<SceneObject>& SceneView::objects() const
+{
+    return parts_->objects;
+}
+bool SceneView::isParallel() const
+{
+    return parts_->renderer->GetActiveCamera()->GetParallelProjection() != 0;
+}
+std::optional<Eigen::Vector3d> SceneView::marker() const
+{
+    return parts_->marked;
+}
+SceneView::Speed SceneView::speed() const
+{
+    return parts_->speed;
+}
 
 void SceneView::setObjects(std::vector<SceneObject> objects)
 {
@@ -259,8 +285,10 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
     p.legend->setVisible(valued);
     shareBudget();
     applySection();
-    if (!p.aimed) setViewpoint(SceneViewpoint::Oblique);
-    else render();
+    if (!p.aimed)
+        setViewpoint(SceneViewpoint::Oblique);
+    else
+        render();
 }
 
 void SceneView::setLongAxis(const std::optional<SceneAxis>& axis)
@@ -397,8 +425,9 @@ void SceneView::frameDone()
     const double taken_s = static_cast<double>(p.frameTime.nsecsElapsed()) * 1e-9;
     (p.moving ? p.speed.moving_s : p.speed.resting_s) = taken_s;
     if (p.moving && (taken_s > slowFrame_s || taken_s < quickFrame_s)) {
-        p.budget = std::clamp(static_cast<std::size_t>(static_cast<double>(p.budget) * (taken_s > slowFrame_s ? 0.7 : 1.3)),
-                              fewestMoving, mostMoving);
+        p.budget =
+            std::clamp(static_cast<std::size_t>(static_cast<double>(p.budget) * (taken_s > slowFrame_s ? 0.7 : 1.3)),
+                       fewestMoving, mostMoving);
         shareBudget();
     }
     layOver();
@@ -413,7 +442,8 @@ void SceneView::shareBudget()
     for (const auto& actor : p.actors) {
         const std::size_t share = p.budget / std::max<std::size_t>(1, clouds);
         actor->setBudget(share);
-        if (actor->object().visible && actor->isThinned()) p.speed.movingPoints += std::min(share, actor->thinnedCount());
+        if (actor->object().visible && actor->isThinned())
+            p.speed.movingPoints += std::min(share, actor->thinnedCount());
     }
 }
 
@@ -455,15 +485,16 @@ void SceneView::pick(const QPoint& place)
 {
     Parts& p = *parts_;
     const QSize room = p.canvas->size();
-    const Eigen::Vector2d pointer(2.0 * (place.x() + 0.5) / room.width() - 1, 1 - 2.0 * (place.y() + 0.5) / room.height());
+    const Eigen::Vector2d pointer(2.0 * (place.x() + 0.5) / room.width() - 1,
+                                  1 - 2.0 * (place.y() + 0.5) / room.height());
     const SceneCamera camera = p.camera();
     for (const double radius_px : {6.0, 24.0}) {  // the wide one for meshes with few corners
         std::optional<ScenePick> best;
         int object = -1;
         for (std::size_t i = 0; i < p.objects.size(); ++i) {
             if (!p.objects[i].visible) continue;
-            const auto found = nearestVisible(p.objects[i].scan->points_mm, p.objects[i].scene_T_scan, camera, p.section,
-                                              pointer, radius_px, room.height());
+            const auto found = nearestVisible(p.objects[i].scan->points_mm, p.objects[i].scene_T_scan, camera,
+                                              p.section, pointer, radius_px, room.height());
             if (!found || (best && found->depth_mm >= best->depth_mm)) continue;
             best = found;
             object = static_cast<int>(i);
@@ -558,12 +589,14 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     endMoving();
     applyStyle(true);
     if (!legend) p.legend->hide();
-    if (viewpoint) setViewpoint(*viewpoint);
-    else render();
+    if (viewpoint)
+        setViewpoint(*viewpoint);
+    else
+        render();
     QImage image = p.canvas->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
-    for (QWidget* over : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend), static_cast<QWidget*>(p.label),
-                          static_cast<QWidget*>(p.cross)})
+    for (QWidget* over : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend),
+                          static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
         if (over->isVisible()) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
     painter.end();
     p.legend->setVisible(legendShown);

@@ -1,5 +1,5 @@
-// The 3-D view of clouds and meshes: thinned while it moves, full at rest; colours by deviation; standard views, section,
-// picking, pictures. Where there is no OpenGL it says so instead of drawing.
+// The 3-D view of clouds and meshes: thinned while it moves, full at rest; colours by deviation; standard views,
+// section, picking, pictures. Where there is no OpenGL it says so instead of drawing.
 #pragma once
 
 #include <QImage>

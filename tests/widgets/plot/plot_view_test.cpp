@@ -1,0 +1,248 @@
+#include "widgets/plot/plot_view.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QWheelEvent>
+#include <cmath>
+
+using namespace lathelier;
+
+namespace {
+
+PlotData parabola()
+{
+    PlotData data;
+    data.title = "Parabola";
+    data.x = {"z", "mm"};
+    data.y = {"radius", "mm"};
+    PlotCurve curve;
+    curve.name = "copy";
+    for (int i = 0; i <= 100; ++i) {
+        curve.x.push_back(i);
+        curve.y.push_back(0.01 * i * i);
+    }
+    data.curves.push_back(curve);
+    data.limits.push_back({Qt::Vertical, 80, "+T", true});
+    return data;
+}
+
+QWidget* surface(PlotView& view)
+{
+    return view.findChild<QWidget*>();
+}
+
+QPoint at(const PlotView& view, double x, double y)
+{
+    return view.pixelAt(x, y).toPoint();
+}
+
+/// Sent straight to the widget: QTest::mouseMove is silent when the pointer is there already.
+void hover(QWidget* widget, QPoint place)
+{
+    QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(widget, &move);
+}
+
+void drag(QWidget* widget, QPoint from, QPoint to)
+{
+    QTest::mousePress(widget, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) {
+        QMouseEvent move(QEvent::MouseMove, from + (to - from) * i / 5, Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(widget, &move);
+    }
+    QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
+}
+
+}  // namespace
+
+class PlotViewTest : public QObject {
+    Q_OBJECT
+
+private:
+    PlotView* view_ = nullptr;
+
+private slots:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        view_ = new PlotView;
+        view_->setData(parabola());
+        view_->resize(600, 400);
+        view_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view_));
+        QCoreApplication::processEvents();
+    }
+    void cleanup() { delete view_; }
+
+    void showsTheWholeCurveAndTheLimit()
+    {
+        const QRectF range = view_->visibleRange();
+        QVERIFY(range.left() < 0 && range.right() > 100);
+        QVERIFY(range.top() < 0 && range.bottom() > 100);
+    }
+
+    void crosshairSaysTheValueOfTheCurve()
+    {
+        hover(surface(*view_), at(*view_, 50, 60));
+        QVERIFY2(QRegularExpression("z (49\\.9|50\\.[01])").match(view_->readout()).hasMatch(),
+                 qPrintable(view_->readout()));
+        QVERIFY2(view_->readout().contains("copy 25.0"), qPrintable(view_->readout()));
+        QVERIFY(view_->readout().contains("mm"));
+    }
+
+    void crosshairSpeaksTheUsersLocale()
+    {
+        view_->setLocale(QLocale(QLocale::Polish));
+        hover(surface(*view_), at(*view_, 50, 60));
+        QVERIFY2(view_->readout().contains("copy 25,0"), qPrintable(view_->readout()));
+    }
+
+    void wheelZoomsAboutThePointerAndDoubleClickResets()
+    {
+        const QRectF before = view_->visibleRange();
+        const QPoint place = at(*view_, 25, 50);
+        QWheelEvent wheel(place, surface(*view_)->mapToGlobal(place), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(surface(*view_), &wheel);
+        const QRectF after = view_->visibleRange();
+        QVERIFY(after.width() < 0.8 * before.width());
+        QVERIFY(after.height() < 0.8 * before.height());
+        const auto share = [](const QRectF& range) { return (25 - range.left()) / range.width(); };
+        QVERIFY(std::abs(share(after) - share(before)) < 0.005);  // what is under the pointer stays there
+        view_->setData(parabola());  // new numbers under the same title keep the user's view
+        QCOMPARE(view_->visibleRange().width(), after.width());
+        QTest::mouseDClick(surface(*view_), Qt::LeftButton, {}, place);
+        QCOMPARE(view_->visibleRange().width(), before.width());
+    }
+
+    void dragPansAndAClickPoints()
+    {
+        QSignalSpy clicks(view_, &PlotCanvas::clicked);
+        const QRectF before = view_->visibleRange();
+        const QPoint from = at(*view_, 20, 50), to = at(*view_, 40, 50);
+        drag(surface(*view_), from, to);
+        QVERIFY(std::abs(view_->visibleRange().left() - (before.left() - 20)) < 0.5);
+        QCOMPARE(view_->visibleRange().width(), before.width());
+        QCOMPARE(clicks.count(), 0);
+        QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, at(*view_, 30, 50));
+        QCOMPARE(clicks.count(), 1);
+        QVERIFY(std::abs(clicks[0][0].toDouble() - 30) < 0.5);
+    }
+
+    void limitIsDraggedWithoutPanning()
+    {
+        QSignalSpy moved(view_, &PlotView::limitMoved), dropped(view_, &PlotView::limitDropped);
+        const QRectF before = view_->visibleRange();
+        drag(surface(*view_), at(*view_, 80, 40), at(*view_, 60, 40));
+        QCOMPARE(view_->visibleRange(), before);
+        QVERIFY(moved.count() >= 3);
+        QCOMPARE(dropped.count(), 1);
+        QVERIFY(std::abs(dropped[0][1].toDouble() - 60) < 0.5);
+        QVERIFY(std::abs(view_->data().limits[0].value - 60) < 0.5);
+    }
+
+    void keyboardZoomsAndPans()
+    {
+        const QRectF before = view_->visibleRange();
+        QTest::keyClick(view_, Qt::Key_Plus);
+        QVERIFY(view_->visibleRange().width() < before.width());
+        QTest::keyClick(view_, Qt::Key_Right);
+        QVERIFY(view_->visibleRange().center().x() > before.center().x());
+        QTest::keyClick(view_, Qt::Key_Home);
+        QCOMPARE(view_->visibleRange(), before);
+    }
+
+    void contextMenuOffersPictureAndData()
+    {
+        QStringList offered;
+        QTimer::singleShot(50, this, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            for (const QAction* action : menu->actions()) offered << action->text();
+            menu->close();
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {100, 100}, view_->mapToGlobal({100, 100}));
+        QApplication::sendEvent(view_, &event);
+        QVERIFY(offered.join('|').contains("Copy picture"));
+        QVERIFY(offered.join('|').contains("CSV"));
+    }
+
+    void picturesAndDataAreWritten()
+    {
+        const QTemporaryDir folder;
+        for (const QString name : {"a.svg", "a.pdf", "a.png"}) {
+            QVERIFY2(view_->savePicture(folder.filePath(name)), qPrintable(name));
+            QVERIFY2(QFileInfo(folder.filePath(name)).size() > 1000, qPrintable(name));
+        }
+        QFile svg(folder.filePath("a.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly));
+        QVERIFY2(svg.readAll().contains("radius [mm]"), "text stays text");
+        QVERIFY(view_->saveData(folder.filePath("a.csv")));
+        QVERIFY(!view_->saveData(folder.filePath("missing/a.csv")));
+        QVERIFY(!view_->savePicture(folder.filePath("missing/a.png")));
+    }
+
+    void csvHasADecimalPointInEveryLocale()
+    {
+        QLocale::setDefault(QLocale(QLocale::Polish));
+        PlotData data = parabola();
+        data.curves[0].y[1] = 0.1 + 0.2;
+        data.curves[0].y[2] = std::nan("");
+        const QStringList lines = toCsv(data).split('\n');
+        QCOMPARE(lines[0], QString("z [mm],copy [mm]"));
+        QCOMPARE(lines[2], QString("1,0.30000000000000004"));
+        QCOMPARE(lines[3], QString("2,"));
+        QCOMPARE(lines.size(), 103);  // head, 101 rows, the end
+    }
+
+    void markerIsShownAndTakenAway()
+    {
+        view_->setMarker(40);
+        QCOMPARE(*view_->marker(), 40.0);
+        QCoreApplication::processEvents();
+        const QImage marked = view_->grab().toImage();
+        view_->setMarker({});
+        QCoreApplication::processEvents();
+        QVERIFY(marked != view_->grab().toImage());
+    }
+
+    void aMillionPointsAreDrawn()
+    {
+        PlotData data;
+        data.title = "Noise";
+        data.x = {"t", "s"};
+        data.y = {"a", "m/s²"};
+        PlotCurve curve;
+        unsigned state = 1;
+        for (int i = 0; i < 1'000'000; ++i) {
+            state = state * 1664525U + 1013904223U;
+            curve.x.push_back(i * 1e-4);
+            curve.y.push_back(state / 4294967296.0 - 0.5);
+        }
+        data.curves.push_back(curve);
+        view_->setData(data);
+        QCoreApplication::processEvents();
+        const QImage image = view_->grab().toImage();
+        const QRgb ink = image.pixel(at(*view_, 50, 0));
+        QVERIFY(qBlue(ink) > qRed(ink));  // the curve's blue fills the middle
+        hover(surface(*view_), at(*view_, 50, 0.2));
+        QVERIFY(view_->readout().contains("m/s²"));
+    }
+
+    void emptyDataDrawEmptyAxes()
+    {
+        view_->setData({});
+        QVERIFY(view_->visibleRange().width() > 0);
+        hover(surface(*view_), {300, 200});
+        QCOMPARE(view_->csv(), QString("\n"));
+    }
+};
+
+QTEST_MAIN(PlotViewTest)
+#include "plot_view_test.moc"

@@ -1,0 +1,234 @@
+#include "widgets/scene/scene_view.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "engine/project/sample.h"
+
+using namespace lathelier;
+using Eigen::Vector3d;
+
+namespace {
+
+const QColor blue(31, 119, 180), red(214, 39, 40);
+
+SceneObject shaft(const QColor& colour)
+{
+    static const auto scan = [] {
+        ScannerModel scanner;
+        scanner.row_pitch_mm = 0.5;
+        return std::make_shared<const Scan>(scanShaft(nominalShaft(), scanner));
+    }();
+    SceneObject object;
+    object.scan = scan;
+    object.colour = colour;
+    return object;
+}
+
+/// Number of pixels that look like `wanted`: clearly more of its strongest channel than of the others.
+int count(const QImage& image, const std::function<bool(QColor)>& wanted)
+{
+    int found = 0;
+    for (int y = 0; y < image.height(); y += 2)
+        for (int x = 0; x < image.width(); x += 2) found += wanted(image.pixelColor(x, y));
+    return found;
+}
+
+bool isBlue(QColor c)
+{
+    return c.blue() > c.red() + 50;
+}
+bool isRed(QColor c)
+{
+    return c.red() > c.blue() + 50 && c.red() > c.green() + 50;
+}
+bool isGreen(QColor c)
+{
+    return c.green() > c.red() + 40 && c.green() > c.blue() + 20;
+}
+
+}  // namespace
+
+class SceneViewTest : public QObject {
+    Q_OBJECT
+
+private:
+    SceneView* view_ = nullptr;
+
+    QWidget* canvas() const
+    {
+        for (QWidget* child : view_->findChildren<QWidget*>())
+            if (QString(child->metaObject()->className()) == "QVTKOpenGLNativeWidget") return child;
+        return nullptr;
+    }
+
+private slots:
+    void init()
+    {
+        view_ = new SceneView;
+        if (!view_->canDraw()) QSKIP("no OpenGL here");
+        view_->resize(800, 500);
+        view_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view_));
+    }
+    void cleanup() { delete view_; }
+
+    void overlayShowsBothColours()
+    {
+        SceneObject copy = shaft(red);
+        copy.scene_T_scan.translation() = Vector3d(60, 0, 0);
+        view_->setObjects({shaft(blue), copy});
+        const QImage image = view_->picture();
+        QVERIFY(count(image, isBlue) > 1000);
+        QVERIFY(count(image, isRed) > 1000);
+        copy.visible = false;
+        view_->setObjects({shaft(blue), copy});
+        QVERIFY(count(view_->picture(), isRed) < 100);  // the axis triad has some
+    }
+
+    void deviationRecoloursAtOnce()
+    {
+        SceneObject object = shaft(blue);
+        object.values = std::make_shared<const std::vector<float>>(object.scan->points_mm.size(), 0.04F);
+        view_->setColours({0.05, {}});
+        view_->setScaleTitle("Deviation [mm]");
+        view_->setObjects({object});
+        QVERIFY(count(view_->picture({}, false), isRed) > 1000);
+        view_->setColours({0.05, 0.045});
+        const QImage image = view_->picture({}, false);
+        QVERIFY(count(image, isGreen) > 1000);
+        QVERIFY(count(image, isRed) < 100);
+    }
+
+    void theShaftLiesLevelInTheSideView()
+    {
+        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setObjects({shaft(blue)});
+        view_->setViewpoint(SceneViewpoint::Side);
+        const auto a = view_->pixelAt({0, 0, 0}), b = view_->pixelAt({0, 0, 183});
+        QVERIFY(a && b);
+        QVERIFY(std::abs(a->y() - b->y()) < 1);
+        QVERIFY(b->x() - a->x() > 500);  // of 800: the part fills the picture
+        QVERIFY(a->x() > 0 && b->x() < 800);
+    }
+
+    void aClickPicksThePointUnderThePointer()
+    {
+        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setObjects({shaft(blue)});
+        view_->setParallel(true);
+        view_->setViewpoint(SceneViewpoint::Side);
+        QSignalSpy picks(view_, &SceneView::pointPicked);
+        const QPoint place = view_->pixelAt({0, 0, 60})->toPoint();
+        QTest::mouseClick(canvas(), Qt::LeftButton, {}, canvas()->mapFrom(view_, place));
+        QCOMPARE(picks.count(), 1);
+        QCOMPARE(picks[0][0].toInt(), 0);
+        const auto index = static_cast<std::size_t>(picks[0][1].toLongLong());
+        const Vector3d point = view_->objects()[0].scan->points_mm[index];
+        QVERIFY2(std::abs(point.z() - 60) < 2, qPrintable(QString::number(point.z())));
+        // It is on the side toward the eye: nothing of the shaft is nearer.
+        const auto there = view_->pixelAt(point);
+        QVERIFY(QLineF(*there, place).length() < 6);
+        view_->setMarker(point, "picked");
+        bool labelled = false;
+        for (const QLabel* label : view_->findChildren<QLabel*>())
+            labelled = labelled || (label->isVisible() && label->text() == "picked");
+        QVERIFY(labelled);
+        QTest::mouseClick(canvas(), Qt::LeftButton, {}, {5, 40});  // beside the part: nothing
+        QCOMPARE(picks.count(), 1);
+    }
+
+    void aDragTurnsThePartAndIsNoPick()
+    {
+        view_->setObjects({shaft(blue)});
+        QSignalSpy picks(view_, &SceneView::pointPicked);
+        const auto before = view_->pixelAt({0, 0, 0});
+        const QPoint from(400, 250);
+        QTest::mousePress(canvas(), Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 6; ++i) {
+            QMouseEvent move(QEvent::MouseMove, from + QPoint(15 * i, 5 * i), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(canvas(), &move);
+        }
+        QTest::mouseRelease(canvas(), Qt::LeftButton, {}, from + QPoint(90, 30));
+        QVERIFY(QLineF(*before, *view_->pixelAt({0, 0, 0})).length() > 20);
+        QCOMPARE(picks.count(), 0);
+    }
+
+    void movingIsThinnedAndRestIsFull()
+    {
+        view_->setObjects({shaft(blue)});
+        view_->turn(5, 0);
+        const SceneView::Speed speed = view_->speed();
+        QVERIFY(speed.movingPoints > 0);
+        QVERIFY(speed.movingPoints <= view_->objects()[0].scan->points_mm.size());
+        QVERIFY(speed.moving_s > 0);
+        const double rested = speed.resting_s;
+        QTRY_VERIFY(view_->speed().resting_s != rested);  // a full picture follows by itself
+    }
+
+    void sectionCutsAway()
+    {
+        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setObjects({shaft(blue)});
+        view_->setViewpoint(SceneViewpoint::Side);
+        const int whole = count(view_->picture(SceneViewpoint::Side, false), isBlue);
+        view_->findChild<QComboBox*>()->setCurrentIndex(3);  // along z
+        view_->findChild<QSlider*>()->setValue(500);
+        const int cut = count(view_->picture(SceneViewpoint::Side, false), isBlue);
+        QVERIFY2(cut > 0.3 * whole && cut < 0.7 * whole, qPrintable(QString("%1 of %2").arg(cut).arg(whole)));
+        view_->findChild<QComboBox*>()->setCurrentIndex(0);
+        QVERIFY(count(view_->picture(SceneViewpoint::Side, false), isBlue) > 0.95 * whole);
+    }
+
+    void buttonsChangeTheView()
+    {
+        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setObjects({shaft(blue)});
+        for (QToolButton* button : view_->findChildren<QToolButton*>()) {
+            if (button->text() == "End") {
+                button->click();
+                QVERIFY(QLineF(*view_->pixelAt({0, 0, 0}), *view_->pixelAt({0, 0, 183})).length() < 5);
+            }
+            if (button->text() == "Parallel") {
+                button->click();
+                QVERIFY(view_->isParallel());
+            }
+        }
+    }
+
+    void meshesAreDrawn()
+    {
+        SceneObject mesh;
+        mesh.scan = std::make_shared<const Scan>(shaftMesh(nominalShaft()));
+        mesh.colour = blue;
+        view_->setObjects({mesh});
+        QVERIFY(count(view_->picture(), isBlue) > 3000);
+    }
+
+    void emptyAndSinglePointScenesAreFine()
+    {
+        view_->setObjects({});
+        QVERIFY(!view_->picture().isNull());
+        SceneObject dot;
+        auto scan = std::make_shared<Scan>();
+        scan->points_mm.push_back({1e6, 2e6, 3e6});
+        dot.scan = scan;
+        view_->setObjects({dot});
+        QVERIFY(!view_->picture().isNull());
+    }
+};
+
+int main(int argc, char** argv)
+{
+    SceneView::prepareApplication();
+    QApplication application(argc, argv);
+    SceneViewTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "scene_view_test.moc"

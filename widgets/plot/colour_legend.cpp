@@ -14,17 +14,16 @@ struct Tick {
     bool tolerance;
 };
 
-std::vector<Tick> ticksOf(const DeviationColours& colours)
+/// Round shares of the limit and the tolerance; numbers nearer than `apart` (in units of the value) give way to it.
+std::vector<Tick> ticksOf(const DeviationColours& colours, double apart)
 {
-    const double limit = colours.limit_mm;
     std::vector<Tick> ticks;
-    const bool banded = colours.tolerance_mm && *colours.tolerance_mm < limit;
-    if (banded)
+    if (colours.tolerance_mm && *colours.tolerance_mm < colours.limit_mm)
         for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *colours.tolerance_mm, true});
-    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        const double value = share * limit;
+    for (const double share : {-1.0, 1.0, 0.0, -0.5, 0.5}) {
+        const double value = share * colours.limit_mm;
         bool free = true;
-        for (const Tick& tick : ticks) free = free && std::abs(tick.value - value) > 0.12 * limit;
+        for (const Tick& tick : ticks) free = free && std::abs(tick.value - value) > apart;
         if (free) ticks.push_back({value, false});
     }
     return ticks;
@@ -69,7 +68,7 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
     painter.setPen(QPen(text, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
-    for (const Tick& tick : ticksOf(colours)) {
+    for (const Tick& tick : ticksOf(colours, 2.2 * limit * line / bar.height())) {
         const double y = height(tick.value);
         painter.setPen(QPen(text, tick.tolerance ? 2 : 1));
         painter.drawLine(QPointF(tick.tolerance ? bar.left() : bar.right(), y), QPointF(bar.right() + 0.3 * line, y));
@@ -88,7 +87,7 @@ int colourLegendWidth(const DeviationColours& colours, const QString& title, con
     bold.setBold(true);
     const QFontMetricsF metrics(bold);
     double widest = 0;
-    for (const Tick& tick : ticksOf(colours))
+    for (const Tick& tick : ticksOf(colours, 0))
         widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick.value, colours.limit_mm, locale)));
     return static_cast<int>(std::ceil(
         std::max(1.8 * QFontMetricsF(font).height() + widest, QFontMetricsF(font).horizontalAdvance(title) + 2)));

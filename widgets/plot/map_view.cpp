@@ -88,6 +88,7 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
     c.picture = new GridPicture(plot().xAxis, plot().yAxis);
     c.legend = new LegendElement(&plot());
     plot().plotLayout()->addElement(2, 1, c.legend);
+    plot().plotLayout()->setColumnStretchFactor(1, 1e-6);  // no wider than its numbers
     plot().axisRect()->axis(QCPAxis::atBottom)->grid()->setVisible(false);
     plot().axisRect()->axis(QCPAxis::atLeft)->grid()->setVisible(false);
     c.marker = new QCPItemTracer(&plot());
@@ -195,6 +196,11 @@ void MapView::fitRanges()
     const MapData& d = content_->data;
     plot().xAxis->setRange(d.xFrom, d.xTo);
     plot().yAxis->setRange(d.yFrom, d.yTo);
+}
+
+int MapView::besideAxes() const
+{
+    return content_ ? content_->legend->minimumOuterSizeHint().width() : 0;
 }
 
 void MapView::placeEdit()

@@ -35,6 +35,7 @@ protected:
     void applyStyle() override;
     QString readoutAt(double x, double y) const override;
     void fitRanges() override;
+    int besideAxes() const override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

@@ -160,7 +160,7 @@ void PlotCanvas::fitTexts()
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
     const int height = metrics.height();
-    fit(plot_->xAxis, parts_->xTitle, width() - 6 * height, 6 * height);
+    fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
     fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 2 * height);
     int widest = 1;
     for (int i = 0; i < plot_->legend->itemCount(); ++i)

@@ -56,6 +56,7 @@ protected:
     virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
     virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says
     virtual void fitRanges() = 0;                             ///< the whole of the data
+    virtual int besideAxes() const { return 0; }              ///< pixels at the right that are not the axes
     virtual bool beginDrag(const QPointF&) { return false; }  ///< true: the content takes the drag over
     virtual void continueDrag(double, double) {}
     virtual void endDrag() {}

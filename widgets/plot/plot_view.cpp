@@ -161,7 +161,8 @@ void PlotView::placeLimits()
         place->setTypeX(level ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
         place->setTypeY(level ? QCPItemPosition::ptPlotCoords : QCPItemPosition::ptAxisRectRatio);
         place->setCoords(level ? 0.995 : limit.value, level ? limit.value : 0.01);
-        label->setPositionAlignment(level ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignHCenter | Qt::AlignTop);
+        label->setPositionAlignment(level ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft | Qt::AlignTop);
+        label->setPadding(QMargins(5, 0, 5, 0));
     }
 }
 

@@ -178,7 +178,10 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.bar = new SceneBar(this);
     p.canvas = new QVTKOpenGLNativeWidget(this);
     layout->addWidget(p.bar);
-    layout->addWidget(p.canvas, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    layout->addLayout(row, 1);
+    row->addWidget(p.canvas, 1);
     p.window->SetMultiSamples(0);
     p.canvas->setRenderWindow(p.window.Get());
     p.window->AddRenderer(p.renderer);
@@ -189,7 +192,9 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.canvas->setAccessibleName(tr("3-D view"));
     setFocusProxy(p.canvas);
 
-    p.legend = new ColourLegend(p.canvas);
+    p.legend = new ColourLegend(this);
+    p.legend->setAutoFillBackground(true);
+    row->addWidget(p.legend);
     p.ruler = new SceneRuler(p.canvas);
     p.label = new SceneLabel(p.canvas);
     p.cross = new SceneLabel(p.canvas);
@@ -455,9 +460,6 @@ void SceneView::layOver()
     p.ruler->resize(p.ruler->sizeHint());
     p.ruler->move(6, room.height() - p.ruler->height() - 4);
     p.ruler->setCamera(p.camera(), room.height());
-    const QSize wanted = p.legend->sizeHint();
-    p.legend->resize(wanted.width(), std::min(wanted.height(), room.height() - 12));
-    p.legend->move(room.width() - p.legend->width() - 6, 6);
     if (p.marked && !p.label->text().isEmpty()) {
         p.label->adjustSize();
         p.label->move(8, 8);
@@ -559,6 +561,7 @@ void SceneView::applyStyle(bool paper)
     for (QWidget* part : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend)}) {
         QPalette palette = inks;
         palette.setColor(QPalette::WindowText, style.text);
+        palette.setColor(QPalette::Window, style.background);
         part->setPalette(palette);
     }
     QPalette mark = inks;
@@ -593,11 +596,18 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
         setViewpoint(*viewpoint);
     else
         render();
-    QImage image = p.canvas->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage drawn = p.canvas->grabFramebuffer();
+    const double scale = static_cast<double>(drawn.width()) / p.canvas->width();
+    const int beside = p.legend->isVisible() ? p.legend->width() : 0;
+    QImage image(static_cast<int>((p.canvas->width() + beside) * scale), drawn.height(), QImage::Format_RGB32);
+    image.fill(Qt::white);
     QPainter painter(&image);
-    for (QWidget* over : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend),
-                          static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
+    painter.drawImage(0, 0, drawn);
+    painter.scale(scale, scale);
+    for (QWidget* over :
+         {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
         if (over->isVisible()) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
+    if (beside) p.legend->render(&painter, QPoint(p.canvas->width(), 0), {}, {});
     painter.end();
     p.legend->setVisible(legendShown);
     applyStyle(false);

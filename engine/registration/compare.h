@@ -94,6 +94,9 @@ struct CompareResult {
     std::vector<std::uint8_t> used;        ///< 1 where the point counts
     DeviationStatistics statistics;
     Histogram histogram;
+    /// The frame in which zones, meridian and map are given: its z is their z (0 at the first data), its x axis lies at
+    /// angle 0. Body of revolution only.
+    std::optional<Eigen::Isometry3d> axis_T_reference;
     std::vector<Zone> zones;               ///< body of revolution only
     std::optional<Meridian> meridian;      ///< body of revolution only
     std::optional<UnrolledMap> unrolled;   ///< body of revolution only

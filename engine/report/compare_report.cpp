@@ -173,14 +173,6 @@ QuantityTable parametersTable(const CompareParameters& parameters, const Languag
     return table;
 }
 
-Section answerSection(const CompareResult& result, const Language& language)
-{
-    Section section{LT_TEXT("Engine", "Result"),
-                    {headline(result, language), statisticsTable(result), verdictTable(result)}};
-    if (!result.notes.empty()) section.blocks.push_back(result.notes);
-    return section;
-}
-
 Section whereSection(const CompareResult& result, const Language& language, std::vector<Picture> pictures)
 {
     Section section{LT_TEXT("Engine", "Where"), {}};
@@ -238,13 +230,21 @@ Headline headline(const CompareResult& result, const Language& language)
     return {keptTogether(line), pass};
 }
 
+Section compareSummary(const CompareResult& result, const Language& language)
+{
+    Section section{LT_TEXT("Engine", "Result"),
+                    {headline(result, language), statisticsTable(result), verdictTable(result)}};
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
 Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs, const Language& language,
                        std::vector<Picture> pictures)
 {
     Document document;
     document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
     document.inputs = inputs;
-    document.sections = {answerSection(result, language),
+    document.sections = {compareSummary(result, language),
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),
                          {LT_TEXT("Engine", "Method and parameters"),

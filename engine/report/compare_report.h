@@ -12,9 +12,11 @@ namespace lathelier {
 /// panel and in the report.
 Headline headline(const CompareResult& result, const Language& language = {});
 
+/// Headline, statistics, verdict and notes: the first section of the report, and what the command line prints.
+Section compareSummary(const CompareResult& result, const Language& language = {});
+
 /// Everything the result holds, the most wanted first: headline, statistics and verdict, notes; where (pictures,
-/// unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters. The first
-/// section is the short form for a terminal.
+/// unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters.
 Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs, const Language& language = {},
                        std::vector<Picture> pictures = {});
 

@@ -29,7 +29,7 @@ std::string tableText(const QuantityTable& table, const Language& language)
     std::string result = captionText(table.title, language) + "\n";
     for (const Quantity& row : table.rows) {
         std::string line = "  " + padded(captionText(row.name, language), name, false) + "  " +
-                           padded(cellText(row.value, row.decimals, language), value, true) + " " +
+                           padded(cellText(row.value, row.decimals, language), value, isNumeric(row.value)) + " " +
                            text(row.unit, language);
         line.erase(line.find_last_not_of(' ') + 1);
         result += line + "\n";

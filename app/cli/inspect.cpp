@@ -1,0 +1,92 @@
+// inspect FILE...: what was understood of each file.
+#include <nlohmann/json.hpp>
+
+#include "app/cli/scans.h"
+#include "app/cli/verbs.h"
+#include "engine/core/texts.h"
+#include "engine/io/facts_json.h"
+#include "engine/report/plain_text.h"
+
+namespace lathelier::cli {
+namespace {
+
+std::string corner(const std::optional<std::array<double, 3>>& point)
+{
+    if (!point) return {};
+    return text(Value((*point)[0])) + "  " + text(Value((*point)[1])) + "  " + text(Value((*point)[2]));
+}
+
+/// The facts of one file as rows; what does not apply is left out.
+QuantityTable factsTable(const FileFacts& facts)
+{
+    QuantityTable table{facts.path, {}};
+    const auto add = [&table](Text name, const Value& value) {
+        const auto* word = std::get_if<std::string>(&value);
+        if (!word || !word->empty()) table.rows.push_back({name, value, {}});
+    };
+    add(LT_TEXT("Engine", "Format"), facts.format);
+    add(LT_TEXT("Engine", "Encoding"), facts.encoding);
+    add(LT_TEXT("Engine", "Delimiter"), facts.delimiter);
+    add(LT_TEXT("Engine", "Decimal mark"), facts.decimal);
+    add(LT_TEXT("Engine", "Unit"), facts.unit.empty() ? "" : facts.unit + " (" + facts.unit_source + ")");
+    add(LT_TEXT("Engine", "Rows"), facts.rows);
+    add(LT_TEXT("Engine", "Columns"), facts.columns);
+    for (const auto& [name, value] : facts.details) table.rows.push_back({name, value, {}});
+    add(LT_TEXT("Engine", "Smallest x, y, z (mm)"), corner(facts.min_mm));
+    add(LT_TEXT("Engine", "Largest x, y, z (mm)"), corner(facts.max_mm));
+    for (const SkippedRow& row : facts.skipped)
+        table.rows.push_back(
+            {fill(text(LT_TEXT("Engine", "Skipped line {line}")), {{"line", row.line}}), row.reason, {}});
+    return table;
+}
+
+Section factsSection(const std::vector<FileFacts>& files)
+{
+    Section section{LT_TEXT("Engine", "Files"), {}};
+    for (const FileFacts& facts : files) section.blocks.push_back(factsTable(facts));
+    return section;
+}
+
+void runInspect(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+{
+    auto files = std::make_shared<std::vector<FileFacts>>();
+    answer.json = [files] {
+        Json result{{"files", Json::array()}};
+        for (const FileFacts& facts : *files) result["files"].push_back(toJson(facts));
+        return result;
+    };
+    const double share = 1.0 / static_cast<double>(request.operands.size());
+    for (std::size_t i = 0; i < request.operands.size(); ++i) {
+        const double done = static_cast<double>(i) * share;
+        try {
+            const Progress part = progress.part(done, done + share, LT_TEXT("Engine", "Reading"));
+            files->push_back(readScan(request.operands[i], request, inputs, part, answer).facts);
+        } catch (const Error& error) {  // the other files are answered all the same
+            answer.errors.push_back(error);
+        }
+    }
+    answer.summary = toPlainText(factsSection(*files));
+    answer.report = [files, notes = answer.notes] {
+        Document document;
+        document.title = LT_TEXT("Engine", "What was understood of the files");
+        document.sections = {factsSection(*files)};
+        if (!notes.empty()) document.sections[0].blocks.push_back(notes);
+        return document;
+    };
+}
+
+}  // namespace
+
+Verb inspectVerb()
+{
+    return {"inspect",
+            "Say what was understood of files: format, units, columns, rows, extent.",
+            {{"FILE", "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ).", true}},
+            {},
+            optionsOf<ImportOptions>(),
+            {},
+            true,
+            runInspect};
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,13 @@
+// Reading the scans of a request.
+#pragma once
+
+#include "app/cli/verb.h"
+#include "engine/io/scan_reader.h"
+
+namespace lathelier::cli {
+
+/// Reads one scan as the request's options say; what the reader notes goes into the answer.
+ScanFile readScan(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+                  Answer& answer);
+
+}  // namespace lathelier::cli

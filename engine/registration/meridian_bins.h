@@ -1,0 +1,60 @@
+// The meridian of a body of revolution in bins: radius over z at its side, z over radius on its faces.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace lathelier {
+
+/// A piece of meridian: value + slope · (along - middle), where at the side `along` is z and the value a radius, and on
+/// a face `along` is the radius and the value z.
+struct MeridianBin {
+    double middle = 0;
+    double value = 0;
+    double slope = 0;
+    double cosine = 1;  ///< from the difference in value to the distance along the normal
+    double sigma = 1;   ///< scatter along the normal
+    double points = 0;
+    bool active = false;
+};
+
+/// Side bins first, then `face_columns` bins for each face.
+struct MeridianBins {
+    double z_start_mm = 0;
+    double step_mm = 1;     ///< of side bins in z and of face bins in radius
+    double size_mm = 1;     ///< lever for tilts: half the larger extent
+    double sigma_mm = 0;    ///< scatter at the side
+    double largest_mm = 0;  ///< radius that 99 % of the points stay within
+    int side_count = 0;
+    int face_columns = 0;
+    std::vector<int> face_of;  ///< for each side bin: the face its points belong to when it is not active, or -1
+    std::vector<MeridianBin> bins;
+
+    /// Index of the bin for a point at (z, r), or -1.
+    int find(double z, double r) const
+    {
+        const double place = (z - z_start_mm) / step_mm;
+        if (!(place >= 0) || place >= side_count) return -1;
+        const int side = static_cast<int>(place);
+        if (bins[static_cast<std::size_t>(side)].active) return side;
+        const int face = face_of[static_cast<std::size_t>(side)];
+        if (face < 0) return -1;
+        const double column = r / step_mm;
+        if (column >= face_columns) return -1;
+        const int key = side_count + face * face_columns + static_cast<int>(column);
+        return bins[static_cast<std::size_t>(key)].active ? key : -1;
+    }
+};
+
+/// Robust bins (median, scatter) of a sample. `count` is the wished number of bins along the part.
+MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count);
+
+/// Slopes anew from the values of neighbouring bins.
+void refineSlopes(MeridianBins& bins);
+
+/// Share of the sample that lies on one surface of revolution: within 6 standard deviations of the bins, and these no
+/// wider than 3 times the noise seen between neighbours or 2 % of the radius. Points at shoulders count.
+double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                       const MeridianBins& bins, double noise_mm);
+
+}  // namespace lathelier

@@ -1,0 +1,54 @@
+// The axis of a body of revolution and the radius along it, from points of its surface.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "engine/core/progress.h"
+
+namespace lathelier {
+
+/// Radius along the axis in equal steps. Where there is no single radius (a shoulder, no data) it is NaN.
+struct RadiusProfile {
+    double z_start_mm = 0;  ///< lower limit of the first bin
+    double step_mm = 1;
+    std::vector<double> radius_mm;  ///< at the middle of each bin
+    std::vector<double> slope;      ///< dR/dz
+    std::vector<double> sigma_mm;   ///< standard uncertainty of the radius
+    std::vector<double> points;     ///< number of points (sum of weights)
+
+    double middle_mm(std::size_t bin) const { return z_start_mm + (static_cast<double>(bin) + 0.5) * step_mm; }
+    std::size_t size() const { return radius_mm.size(); }
+};
+
+/// What was found of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
+struct RevolutionFit {
+    Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();
+    RadiusProfile profile;
+    double sigma_mm = 0;          ///< robust scatter of the points about the profile, along its normal
+    double consistent_share = 0;  ///< of the points: how many lie on one surface of revolution about the axis
+    double side_share = 0;        ///< of the points: on the profile, where it determines the axis across
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y) at the origin in mm and the two slopes
+    bool converged = false;
+    int iterations = 0;
+};
+
+/// Starts for the axis, best first, and how far neighbouring points scatter about a plane (noise, and some curvature).
+struct AxisCandidates {
+    std::vector<Eigen::Isometry3d> axis_T_scan;
+    double noise_mm = 0;
+};
+
+/// Starting directions and places of the axis. `points` are 1000 to 30 000 spread over the surface.
+/// Normal lines of a surface of revolution meet its axis: the linear complex of Pottmann and Wallner,
+/// "Computational Line Geometry", 2001, section 4.2, solved with robust weights; and the principal axes.
+AxisCandidates findAxisCandidates(const std::vector<Eigen::Vector3d>& points, const Progress& progress);
+
+/// Robust least squares (Tukey weights) over the axis's four parameters with the radius free in every bin.
+/// Starts from each candidate on a sample and finishes on all points. Points: at least 50, finite, not all in a plane.
+RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Progress& progress = {});
+
+/// True when the fit shows a body of revolution: nearly all points on one profile, and enough of them at its side.
+bool isBodyOfRevolution(const RevolutionFit& fit);
+
+}  // namespace lathelier

@@ -1,0 +1,128 @@
+#include "engine/registration/statistics.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t kGrain = 65536;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Bits in the order of the values.
+std::uint32_t ordered(float value)
+{
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+/// A round number (1, 2, 5 × 10^k) not below `width`.
+double roundUp(double width)
+{
+    const double power = std::pow(10, std::floor(std::log10(width)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= width * (1 - 1e-12)) return factor * power;
+    return 10 * power;
+}
+
+}  // namespace
+
+std::vector<double> quantiles(std::span<const float> values, const std::vector<double>& shares)
+{
+    std::vector<double> result;
+    if (values.empty()) return std::vector<double>(shares.size(), kNone);
+    std::vector<std::size_t> counts(
+        65536);  // by the upper half of the bits; each quantile then looks at one such group
+    for (const float v : values) ++counts[ordered(v) >> 16];
+    for (const double share : shares) {
+        auto rank = std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())));
+        std::uint32_t group = 0;
+        while (rank >= counts[group]) rank -= counts[group++];
+        std::vector<float> members;
+        members.reserve(counts[group]);
+        for (const float v : values)
+            if (ordered(v) >> 16 == group) members.push_back(v);
+        const auto place = members.begin() + static_cast<std::ptrdiff_t>(rank);
+        std::nth_element(members.begin(), place, members.end());
+        result.push_back(*place);
+    }
+    return result;
+}
+
+DeviationStatistics summarise(std::span<const float> values, const Progress& progress)
+{
+    DeviationStatistics s;
+    s.points_used = static_cast<std::int64_t>(values.size());
+    struct Sums {
+        double sum = 0, squares = 0, low = std::numeric_limits<double>::infinity(), high = -low;
+    };
+    const Sums sums = parallelReduce(
+        values.size(), kGrain, progress, Sums{},
+        [&](std::size_t begin, std::size_t end) {
+            Sums part;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double v = values[i];
+                part.sum += v;
+                part.squares += v * v;
+                part.low = std::min(part.low, v);
+                part.high = std::max(part.high, v);
+            }
+            return part;
+        },
+        [](Sums all, const Sums& part) {
+            return Sums{all.sum + part.sum, all.squares + part.squares, std::min(all.low, part.low),
+                        std::max(all.high, part.high)};
+        });
+    const auto n = static_cast<double>(values.size());
+    const bool any = !values.empty();
+    s.mean_mm = any ? sums.sum / n : kNone;
+    s.rmse_mm = any ? std::sqrt(sums.squares / n) : kNone;
+    s.std_mm = any ? std::sqrt(std::max(0.0, sums.squares / n - s.mean_mm * s.mean_mm)) : kNone;
+    s.min_mm = any ? sums.low : kNone;
+    s.max_mm = any ? sums.high : kNone;
+
+    std::vector<float> off(values.size());
+    const std::vector<double> own = quantiles(values, {0.025, 0.5, 0.975});
+    s.p2_5_mm = own[0];
+    s.median_mm = own[1];
+    s.p97_5_mm = own[2];
+    for (std::size_t i = 0; i < values.size(); ++i) off[i] = std::abs(values[i]);
+    s.p95_abs_mm = quantiles(off, {0.95})[0];
+    for (std::size_t i = 0; i < values.size(); ++i) off[i] = std::abs(values[i] - static_cast<float>(s.median_mm));
+    s.mad_sigma_mm = 1.4826 * quantiles(off, {0.5})[0];
+    return s;
+}
+
+Histogram histogramOf(std::span<const float> values, const Progress& progress)
+{
+    Histogram histogram;
+    if (values.empty()) return histogram;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const std::vector<double> middle = quantiles(values, {0.25, 0.75});
+    const double range = static_cast<double>(*high) - *low;
+    // Freedman and Diaconis would give thousands of bins for a scan; a sixteenth of the middle half shows its shape.
+    const double fine = (middle[1] - middle[0]) / 16;
+    const double width = roundUp(std::max({fine, range / 498, 1e-9}));
+    const double first = std::floor(*low / width);
+    const auto bins = static_cast<std::size_t>(std::floor(*high / width) - first) + 1;
+    histogram.counts = parallelReduce(
+        values.size(), kGrain, progress, std::vector<std::int64_t>(bins),
+        [&](std::size_t begin, std::size_t end) {
+            std::vector<std::int64_t> part(bins);
+            for (std::size_t i = begin; i < end; ++i)
+                ++part[std::min(bins - 1,
+                                static_cast<std::size_t>(std::max(0.0, std::floor(values[i] / width) - first)))];
+            return part;
+        },
+        [](std::vector<std::int64_t> all, const std::vector<std::int64_t>& part) {
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += part[i];
+            return all;
+        });
+    for (std::size_t i = 0; i <= bins; ++i) histogram.edges_mm.push_back((first + static_cast<double>(i)) * width);
+    return histogram;
+}
+
+}  // namespace lathelier

@@ -14,15 +14,10 @@ using Eigen::Vector3d;
 
 constexpr double kToUm = 1e3;
 
-/// The part with z reversed: turned by 180° about x.
+/// The part with z reversed.
 TurnedPart reversed(const TurnedPart& part)
 {
-    TurnedPart result = part;
-    RadiusProfile& p = result.fit.profile;
-    p.z_start_mm = -(p.z_start_mm + p.step_mm * static_cast<double>(p.size()));
-    for (auto* values : {&p.radius_mm, &p.slope, &p.sigma_mm, &p.points}) std::reverse(values->begin(), values->end());
-    for (double& slope : p.slope) slope = -slope;
-    result.fit.axis_T_scan = Eigen::AngleAxisd(std::numbers::pi, Vector3d::UnitX()) * part.fit.axis_T_scan;
+    TurnedPart result{lathelier::reversed(part.fit), part.shoulders};
     std::reverse(result.shoulders.begin(), result.shoulders.end());
     for (Shoulder& s : result.shoulders) {
         s.z_mm = -s.z_mm;

@@ -261,6 +261,21 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     return fit;
 }
 
+RevolutionFit reversed(const RevolutionFit& fit)
+{
+    RevolutionFit result = fit;
+    RadiusProfile& p = result.profile;
+    p.z_start_mm = -(p.z_start_mm + p.step_mm * static_cast<double>(p.size()));
+    for (auto* values : {&p.radius_mm, &p.slope, &p.sigma_mm, &p.points}) std::reverse(values->begin(), values->end());
+    for (double& slope : p.slope) slope = -slope;
+    const Eigen::Vector3d turn(1, -1, -1);  // exactly, not by way of sin π
+    result.axis_T_scan.matrix().topRows<3>() = turn.asDiagonal() * fit.axis_T_scan.matrix().topRows<3>();
+    // y and the slope along x change their sign
+    const Eigen::Vector4d signs(1, -1, -1, 1);
+    result.covariance = signs.asDiagonal() * fit.covariance * signs.asDiagonal();
+    return result;
+}
+
 bool isBodyOfRevolution(const RevolutionFit& fit)
 {
     return fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03;

@@ -51,4 +51,7 @@ RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Pr
 /// True when the fit shows a body of revolution: nearly all points on one profile, and enough of them at its side.
 bool isBodyOfRevolution(const RevolutionFit& fit);
 
+/// The same with z reversed: the frame turned by 180° about its x axis.
+RevolutionFit reversed(const RevolutionFit& fit);
+
 }  // namespace lathelier

@@ -1,0 +1,91 @@
+#include "engine/registration/compare_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace lathelier {
+namespace {
+
+Json number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json vector(const Eigen::Vector3d& v)
+{
+    return Json{number(v.x()), number(v.y()), number(v.z())};
+}
+
+const char* keyOf(CompareMethod method)
+{
+    switch (method) {
+        case CompareMethod::Auto: return "auto";
+        case CompareMethod::Revolution: return "revolution";
+        case CompareMethod::Plane: return "plane";
+        case CompareMethod::Point: return "point";
+    }
+    return "";
+}
+
+}  // namespace
+
+Json toJson(const CompareResult& result)
+{
+    const Alignment& alignment = result.alignment;
+    const DeviationStatistics& s = result.statistics;
+    const auto withSign = [&](double value) { return result.has_sign ? number(value) : Json(nullptr); };
+
+    Json json;
+    json["method_used"] = keyOf(result.method_used);
+    Json transform = Json::array();
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) transform.push_back(number(alignment.reference_T_copy.matrix()(r, c)));
+    json["transform_reference_from_copy"] = transform;
+    json["converged"] = alignment.converged;
+    json["iterations"] = alignment.iterations;
+    json["overlap_percent"] = number(s.overlap_percent);
+    json["points_used"] = s.points_used;
+    json["points_excluded"] = s.points_excluded;
+    json["rmse_mm"] = withSign(s.rmse_mm);
+    json["mean_mm"] = withSign(s.mean_mm);
+    json["std_mm"] = withSign(s.std_mm);
+    json["min_mm"] = withSign(s.min_mm);
+    json["max_mm"] = withSign(s.max_mm);
+    json["p95_abs_mm"] = withSign(s.p95_abs_mm);
+    json["median_mm"] = withSign(s.median_mm);
+    json["mad_sigma_mm"] = withSign(s.mad_sigma_mm);
+    json["p2_5_mm"] = withSign(s.p2_5_mm);
+    json["p97_5_mm"] = withSign(s.p97_5_mm);
+    json["within_tolerance_percent"] =
+        result.within_tolerance_percent ? number(*result.within_tolerance_percent) : Json(nullptr);
+    json["verdict"] = result.verdict ? Json(*result.verdict == Verdict::Pass ? "pass" : "fail") : Json(nullptr);
+    json["distinguishable_from_scanner"] =
+        result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);
+    json["cloud_to_cloud_rmse_mm"] = number(result.cloud_to_cloud_rmse_mm);
+    json["sampling_floor_mm"] = number(result.sampling_floor_mm);
+    json["axis"] = nullptr;
+    if (const auto& axis = alignment.reference_axis)
+        json["axis"] = {{"point_mm", vector(axis->point_mm)}, {"direction", vector(axis->direction)}};
+    json["zones"] = Json::array();
+    for (const Zone& zone : result.zones)
+        json["zones"].push_back({{"z_start_mm", number(zone.z_start_mm)},
+                                 {"z_end_mm", number(zone.z_end_mm)},
+                                 {"mean_mm", number(zone.mean_mm)},
+                                 {"std_mm", number(zone.std_mm)},
+                                 {"points", zone.points}});
+    json["free_motions"] = Json::array();
+    for (const FreeMotion& motion : alignment.free_motions)
+        json["free_motions"].push_back(
+            {{"kind", motion.kind == FreeMotion::Kind::Rotation ? "rotation" : "translation"},
+             {"direction", vector(motion.direction)},
+             {"point_mm", vector(motion.point_mm)}});
+    json["uncertainty"] = {{"axial_um", number(alignment.uncertainty.axial_um)},
+                           {"radial_um", number(alignment.uncertainty.radial_um)},
+                           {"axis_deg", number(alignment.uncertainty.axis_deg)}};
+    Json edges = Json::array();
+    for (const double edge : result.histogram.edges_mm) edges.push_back(number(edge));
+    json["histogram"] = {{"edges_mm", edges}, {"counts", result.histogram.counts}};
+    return json;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,54 @@
+#include "engine/registration/compare.h"
+
+namespace lathelier {
+
+template <>
+const std::vector<Field<CompareParameters>>& fields<CompareParameters>()
+{
+    using P = CompareParameters;
+    static const std::vector<Field<P>> all{
+        field("method", &P::method,
+              {{"auto", LT_TEXT("Engine", "Automatic")},
+               {"revolution", LT_TEXT("Engine", "Body of revolution")},
+               {"plane", LT_TEXT("Engine", "Point to plane")},
+               {"point", LT_TEXT("Engine", "Point to point")}},
+              Label{LT_TEXT("Engine", "Method"),
+                    LT_TEXT("Engine", "How the copy is aligned; automatic takes the axis of a body of revolution.")}),
+        field("symmetry", &P::symmetry,
+              {{"auto", LT_TEXT("Engine", "Automatic")},
+               {"revolution", LT_TEXT("Engine", "Body of revolution")},
+               {"none", LT_TEXT("Engine", "None")}},
+              Label{LT_TEXT("Engine", "Symmetry"),
+                    LT_TEXT("Engine", "Whether the part is a body of revolution."),
+                    {},
+                    true}),
+        field("initial", &P::initial,
+              {{"auto", LT_TEXT("Engine", "Automatic")}, {"identity", LT_TEXT("Engine", "As scanned")}},
+              Label{LT_TEXT("Engine", "Initial pose"),
+                    LT_TEXT("Engine", "Automatic finds any pose; as scanned searches near the given one only."),
+                    {},
+                    true}),
+        field("tolerance_mm", &P::tolerance_mm, Range{1e-6, 1000},
+              Label{LT_TEXT("Engine", "Tolerance ±"), LT_TEXT("Engine", "Largest deviation allowed to either side."),
+                    LT_TEXT("Engine", "mm")}),
+        field("pass_percent", &P::pass_percent, Range{0, 100},
+              Label{LT_TEXT("Engine", "Pass from"),
+                    LT_TEXT("Engine", "Share of points that must lie within the tolerance."), LT_TEXT("Engine", "%")}),
+        field("scanner_accuracy_mm", &P::scanner_accuracy_mm, Range{0, 100},
+              Label{LT_TEXT("Engine", "Scanner accuracy"), LT_TEXT("Engine", "One standard deviation of the scanner."),
+                    LT_TEXT("Engine", "mm")}),
+        field(
+            "max_distance_mm", &P::max_distance_mm, Range{1e-6, 100000},
+            Label{LT_TEXT("Engine", "Largest distance"),
+                  LT_TEXT("Engine",
+                          "Points further from the reference are left out; by default 1 mm or 10 standard deviations."),
+                  LT_TEXT("Engine", "mm"), true}),
+        field("exclude_z_mm", &P::exclude_z_mm, Range{-100000, 100000},
+              Label{LT_TEXT("Engine", "Excluded zones"),
+                    LT_TEXT("Engine", "Clamping areas along the axis, counted from the reference's first data."),
+                    LT_TEXT("Engine", "mm"), true}),
+    };
+    return all;
+}
+
+}  // namespace lathelier

@@ -10,6 +10,7 @@
 #include "engine/registration/sampling.h"
 #include "engine/registration/statistics.h"
 #include "engine/registration/surface_samples.h"
+#include "engine/registration/verdict.h"
 
 namespace lathelier {
 namespace {
@@ -20,7 +21,6 @@ constexpr std::size_t kLeastPoints = 50;
 constexpr std::size_t kMeshSamples = 300000;
 constexpr double kLargest_mm = 1e7;        // ten kilometres: beyond it, squares of differences lose micrometres
 constexpr double kLeastOverlap = 50;       // percent of the copy's points near the reference
-constexpr double kDistinguishable = 1.05;  // the scanner's own figure is not known better than this
 
 /// Rejects what no alignment can be found for, before anything divides by its extent.
 void checkPoints(const std::vector<Vector3d>& points, const char* role, const Progress& progress)
@@ -124,23 +124,11 @@ void addStatistics(CompareResult& result, const std::vector<Vector3d>& reference
     if (near_percent < kLeastOverlap) throw Error(ErrorCode::PartsDoNotMatch, {{"overlap_percent", near_percent}});
     result.histogram = histogramOf(deviations, progress);
 
-    const CompareParameters& asked = result.parameters;
     if (left_out.far > 0)
         result.notes.push_back(
             {NoteCode::OutliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
     if (left_out.zones > 0) result.notes.push_back({NoteCode::ZonesExcluded, {{"count", left_out.zones}}});
-    if (asked.tolerance_mm) {
-        const auto inside = std::count_if(deviations.begin(), deviations.end(),
-                                          [&](float v) { return std::abs(v) <= *asked.tolerance_mm; });
-        result.within_tolerance_percent = 100 * static_cast<double>(inside) / static_cast<double>(deviations.size());
-        result.verdict = *result.within_tolerance_percent >= asked.pass_percent ? Verdict::Pass : Verdict::Fail;
-    }
-    if (asked.scanner_accuracy_mm) {
-        result.distinguishable_from_scanner = s.rmse_mm > kDistinguishable * *asked.scanner_accuracy_mm;
-        if (!*result.distinguishable_from_scanner)
-            result.notes.push_back(
-                {NoteCode::NotDistinguishable, {{"scanner_accuracy_mm", *asked.scanner_accuracy_mm}}});
-    }
+    judge(result, result.parameters, progress);
 
     const std::vector<float> nearest = nearestDistances(
         reference, moved, max_distance_mm, progress.part(0.3, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));

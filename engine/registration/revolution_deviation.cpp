@@ -176,6 +176,7 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line, c
             return all;
         });
 
+    result.axis_T_reference = Eigen::Translation3d(0, 0, -line.zFirst_mm()) * reference.fit.axis_T_scan;
     Meridian meridian;
     for (std::size_t i = 0; i < profile.size(); ++i) {
         meridian.z_mm.push_back(profile.middle_mm(i) - line.zFirst_mm());

@@ -13,8 +13,7 @@
 #include <algorithm>
 
 #include "widgets/core/answer_parts.h"
-#include "widgets/core/form.h"
-#include "widgets/core/input_box.h"
+#include "widgets/core/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/core/wait_parts.h"
@@ -40,13 +39,6 @@ Worker::Job reading(std::shared_ptr<ScanStore> scans, const PanelState& state)
     };
 }
 
-Source newSource(const QString& path)
-{
-    Source source;
-    source.path = QFileInfo(path).absoluteFilePath().toStdString();
-    return source;
-}
-
 }  // namespace
 
 PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent)
@@ -55,69 +47,27 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     setObjectName(QString::fromStdString("panel_" + facts.id));
     setAcceptDrops(true);
     splitter_ = new QSplitter(Qt::Horizontal);
-    splitter_->addWidget(makeInputColumn(inputs));
+    column_ = new InputColumn(inputs);
+    splitter_->addWidget(column_);
     splitter_->addWidget(makeResultColumn());
     splitter_->setStretchFactor(1, 1);
     splitter_->setCollapsible(1, false);
+    const int width = fontMetrics().averageCharWidth() * 42;
+    splitter_->setSizes({width, width * 4});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(splitter_);
 
     poll_.setInterval(pollInterval_ms);
     connect(&poll_, &QTimer::timeout, this, &PanelBase::pollWorker);
+    connect(column_, &InputColumn::sourceChosen, this, &PanelBase::setSource);
+    connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
     // A virtual call: only once the panel is complete.
     QTimer::singleShot(0, this, &PanelBase::readProject);
 }
 
 PanelBase::~PanelBase() = default;
-
-QWidget* PanelBase::makeInputColumn(const PanelInputs& inputs)
-{
-    auto* column = new QWidget;
-    auto* layout = new QVBoxLayout(column);
-    layout->setSpacing(12);
-    for (const InputRole& role : inputs.roles) {
-        auto* box = new InputBox(role);
-        boxes_[role.role] = box;
-        layout->addWidget(box);
-        connect(box, &InputBox::openWanted, this, [this, role] {
-            const QString path = QFileDialog::getOpenFileName(
-                this, tr("Open: %1").arg(screenText(role.label)), {},
-                tr("%1 (%2);;All files (*)").arg(screenText(inputs_.files), inputs_.patterns));
-            if (!path.isEmpty()) setSource(role.role, newSource(path), tr("Open %1").arg(QFileInfo(path).fileName()));
-        });
-        connect(box, &InputBox::fileDropped, this, [this, role](const QString& path) {
-            setSource(role.role, newSource(path), tr("Open %1").arg(QFileInfo(path).fileName()));
-        });
-        connect(box, &InputBox::clearWanted, this,
-                [this, role] { setSource(role.role, std::nullopt, tr("Take away: %1").arg(screenText(role.label))); });
-        connect(box, &InputBox::importChanged, this, [this, role](const Values& import) {
-            const auto found = state_.inputs.find(role.role);
-            if (found == state_.inputs.end()) return;
-            Source source = newSource(QString::fromStdString(found->second.path));
-            source.import = import;
-            source.synthetic = found->second.synthetic;
-            setSource(role.role, source, tr("Change how to read: %1").arg(screenText(role.label)));
-        });
-    }
-    form_ = new Form(inputs.fields);
-    form_->setValues(inputs.defaults);
-    layout->addWidget(form_);
-    layout->addStretch();
-    connect(form_, &Form::valueChanged, this, &PanelBase::editParameter);
-
-    auto* scroll = new QScrollArea;
-    scroll->setObjectName("inputColumn");
-    scroll->setWidget(column);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    const int width = fontMetrics().averageCharWidth() * 42;
-    scroll->setMinimumWidth(width * 2 / 3);
-    splitter_->setSizes({width, width * 4});
-    return scroll;
-}
 
 QWidget* PanelBase::makeResultColumn()
 {
@@ -163,11 +113,6 @@ void PanelBase::setViews(QWidget* views)
     shade_->raise();
 }
 
-const PanelState& PanelBase::state() const
-{
-    return state_;
-}
-
 void PanelBase::readProject()
 {
     PanelState state = session_.panel(facts_.id);
@@ -180,7 +125,7 @@ void PanelBase::readProject()
     if (asked_ && state == state_) return;
     asked_ = true;
     state_ = state;
-    form_->setValues(state.parameters);
+    column_->showState(state_);
     request();
 }
 
@@ -193,7 +138,7 @@ void PanelBase::request()
 {
     error_.reset();
     stopped_ = false;
-    showInputs();
+    column_->showFacts(session_.scans(), error_);
     message_->clear();
     if (!isComplete(inputs_, state_)) result_.reset();  // the old picture answers nothing any more
     if (state_.inputs.empty()) {
@@ -228,7 +173,7 @@ void PanelBase::pollWorker()
     }
     poll_.stop();
     progress_->showState({});
-    showInputs();
+    column_->showFacts(session_.scans(), error_);
     updateStack();
     emit busyChanged(false);
     if (isCurrent()) emit resultShown();
@@ -251,18 +196,6 @@ void PanelBase::refuse(const Error& error)
 void PanelBase::cancel()
 {
     worker_.cancel();
-}
-
-void PanelBase::showInputs()
-{
-    for (const auto& [role, box] : boxes_) {
-        const auto found = state_.inputs.find(role);
-        const bool there = found != state_.inputs.end();
-        box->setSource(there ? std::optional(found->second) : std::nullopt);
-        box->setUnderstood(there ? session_.scans().known(found->second) : nullptr);
-        const Value* path = error_ ? lathelier::find(error_->values(), "path") : nullptr;
-        box->setProblem(there && path && *path == Value(found->second.path) ? &*error_ : nullptr);
-    }
 }
 
 void PanelBase::updateStack()
@@ -298,9 +231,9 @@ void PanelBase::showAnswer()
         message_->clear();
 }
 
-void PanelBase::setSource(const std::string& role, const std::optional<Source>& source, const QString& text)
+void PanelBase::setSource(const std::string& role, const std::optional<Source>& source, const QString& step)
 {
-    session_.edit(text, [&](Project& project) {
+    session_.edit(step, [&](Project& project) {
         auto& inputs = project.panels[facts_.id].inputs;
         if (source)
             inputs[role] = *source;
@@ -328,17 +261,13 @@ void PanelBase::openFiles(const QStringList& paths)
 
 void PanelBase::askForFiles()
 {
-    openFiles(QFileDialog::getOpenFileNames(
-        this, tr("Open"), {}, tr("%1 (%2);;All files (*)").arg(screenText(inputs_.files), inputs_.patterns)));
+    openFiles(QFileDialog::getOpenFileNames(this, tr("Open"), {}, fileFilter(inputs_)));
 }
 
-void PanelBase::editParameter(const std::string& key, const Value& value, int gesture)
+void PanelBase::editParameter(const std::string& key, const Value& value, int gesture, const QString& step)
 {
-    const auto info = std::find_if(inputs_.fields.begin(), inputs_.fields.end(),
-                                   [&](const FieldInfo& field) { return field.key == key; });
     session_.edit(
-        tr("Change: %1").arg(screenText(info->label)),
-        [&](Project& project) { lathelier::set(project.panels[facts_.id].parameters, key, value); },
+        step, [&](Project& project) { lathelier::set(project.panels[facts_.id].parameters, key, value); },
         QString("%1/%2/%3").arg(QString::fromStdString(facts_.id), QString::fromStdString(key)).arg(gesture));
 }
 

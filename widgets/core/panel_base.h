@@ -3,7 +3,6 @@
 
 #include <QTimer>
 #include <QWidget>
-#include <map>
 #include <optional>
 
 #include "widgets/core/message.h"
@@ -16,9 +15,8 @@ class QStackedWidget;
 namespace lathelier {
 
 class EmptyState;
-class Form;
 class HeadlineLabel;
-class InputBox;
+class InputColumn;
 class MessageLine;
 class NotesLabel;
 class ProgressRow;
@@ -55,12 +53,12 @@ signals:
     void resultShown();
     void messageRaised(const lathelier::Message& message);
     void sampleWanted();
-    void reportWanted();  ///< the user asked for a report file of this panel
+    void reportWanted(const QString& suffix);  ///< the user asked for a report of this panel: "html" or "pdf"
 
 protected:
     Session& session() const { return session_; }
-    Form& form() const { return *form_; }
-    const PanelState& state() const;  ///< of this panel, with all parameters filled in
+    InputColumn& inputColumn() const { return *column_; }
+    const PanelState& state() const { return state_; }  ///< of this panel, with all parameters filled in
 
     void setViews(QWidget* views);
 
@@ -79,7 +77,6 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    QWidget* makeInputColumn(const PanelInputs& inputs);
     QWidget* makeResultColumn();
     void readProject();
     void request();
@@ -87,10 +84,9 @@ private:
     void accept(std::shared_ptr<const void> result);
     void refuse(const Error& error);
     void showAnswer();
-    void showInputs();
     void updateStack();
-    void setSource(const std::string& role, const std::optional<Source>& source, const QString& text);
-    void editParameter(const std::string& key, const Value& value, int gesture);
+    void setSource(const std::string& role, const std::optional<Source>& source, const QString& step);
+    void editParameter(const std::string& key, const Value& value, int gesture, const QString& step);
     void fillExportMenu();
     void runExport(const PanelExport& item);
 
@@ -103,8 +99,7 @@ private:
     PanelState state_;      ///< what was asked last
     bool asked_ = false;
 
-    std::map<std::string, InputBox*> boxes_;
-    Form* form_ = nullptr;
+    InputColumn* column_ = nullptr;
     QSplitter* splitter_ = nullptr;
     HeadlineLabel* headline_ = nullptr;
     NotesLabel* notes_ = nullptr;

@@ -110,7 +110,11 @@ ProgressRow::ProgressRow(QWidget* parent)
     }
     connect(cancel_, &QPushButton::clicked, this, &ProgressRow::cancelWanted);
     connect(inReport_, &QToolButton::clicked, this, &ProgressRow::addToReportToggled);
-    connect(report_, &QToolButton::clicked, this, &ProgressRow::reportWanted);
+    auto* reportMenu = new QMenu(this);
+    html_ = reportMenu->addAction(QString(), this, [this] { emit reportWanted("html"); });
+    pdf_ = reportMenu->addAction(QString(), this, [this] { emit reportWanted("pdf"); });
+    report_->setMenu(reportMenu);
+    report_->setPopupMode(QToolButton::InstantPopup);
     retranslate();
     showState({});
     setResultThere(false);
@@ -148,8 +152,10 @@ void ProgressRow::retranslate()
     export_->setToolTip(tr("Save pictures and data of this result"));
     inReport_->setText(tr("In the report"));
     inReport_->setToolTip(tr("Make this result part of the project's report"));
-    report_->setText(tr("Report…"));
-    report_->setToolTip(tr("Write a report of this result as HTML or PDF"));
+    report_->setText(tr("Report"));
+    html_->setText(tr("HTML report…"));
+    pdf_->setText(tr("PDF report…"));
+    report_->setToolTip(tr("Write a report of this result"));
 }
 
 void ProgressRow::changeEvent(QEvent* event)

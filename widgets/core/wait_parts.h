@@ -49,7 +49,7 @@ public:
 signals:
     void cancelWanted();
     void addToReportToggled(bool in);
-    void reportWanted();
+    void reportWanted(const QString& suffix);  ///< "html" or "pdf"
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -64,6 +64,8 @@ private:
     QMenu* exportMenu_;
     QToolButton* inReport_;
     QToolButton* report_;
+    QAction* html_;
+    QAction* pdf_;
 };
 
 /// A veil over its parent: the old picture stays, dimmed. Lets the mouse through.

@@ -1,0 +1,104 @@
+#include "app/gui/command_palette.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPointer>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace lathelier {
+namespace {
+
+QString withoutMnemonic(QString text)
+{
+    return text.remove('&');
+}
+
+bool matches(const QString& path, const QStringList& words)
+{
+    return std::all_of(words.begin(), words.end(),
+                       [&](const QString& word) { return path.contains(word, Qt::CaseInsensitive); });
+}
+
+}  // namespace
+
+CommandPalette::CommandPalette(const QList<Command>& commands, QWidget* parent)
+    : QDialog(parent), commands_(commands), search_(new QLineEdit), list_(new QListWidget)
+{
+    setWindowTitle(tr("Commands"));
+    setObjectName("commandPalette");
+    search_->setPlaceholderText(tr("Type what you want to do"));
+    search_->setAccessibleName(search_->placeholderText());
+    search_->installEventFilter(this);
+    list_->setFocusPolicy(Qt::NoFocus);
+    list_->setAccessibleName(windowTitle());
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(search_);
+    layout->addWidget(list_);
+    const int character = fontMetrics().averageCharWidth();
+    resize(character * 70, fontMetrics().height() * 22);
+    connect(search_, &QLineEdit::textChanged, this, &CommandPalette::narrow);
+    connect(search_, &QLineEdit::returnPressed, this, &CommandPalette::run);
+    connect(list_, &QListWidget::itemActivated, this, &CommandPalette::run);
+    connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
+    narrow({});
+}
+
+void CommandPalette::narrow(const QString& typed)
+{
+    const QStringList words = typed.split(' ', Qt::SkipEmptyParts);
+    list_->clear();
+    for (int i = 0; i < commands_.size(); ++i) {
+        const Command& command = commands_[i];
+        if (!command.action->isEnabled() || !matches(command.path, words)) continue;
+        const QString keys = command.action->shortcut().toString(QKeySequence::NativeText);
+        auto* item = new QListWidgetItem(command.action->icon(),
+                                         keys.isEmpty() ? command.path : command.path + "   " + keys, list_);
+        item->setData(Qt::UserRole, i);
+    }
+    list_->setCurrentRow(0);
+}
+
+void CommandPalette::run()
+{
+    const QListWidgetItem* item = list_->currentItem();
+    accept();
+    if (!item) return;
+    QPointer<QAction> action = commands_[item->data(Qt::UserRole).toInt()].action;
+    QTimer::singleShot(0, parentWidget(), [action] {
+        if (action) action->trigger();
+    });
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+        if (step && list_->count()) {
+            list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, list_->count() - 1));
+            return true;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+QList<CommandPalette::Command> commandsOf(const QList<QAction*>& actions, const QString& path)
+{
+    QList<CommandPalette::Command> result;
+    for (QAction* action : actions) {
+        if (action->isSeparator() || !action->isVisible()) continue;
+        const QString text = withoutMnemonic(action->text());
+        const QString here = path.isEmpty() ? text : path + QStringLiteral(" › ") + text;
+        if (action->menu())
+            result += commandsOf(action->menu()->actions(), here);
+        else
+            result.append({here, action});
+    }
+    return result;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,104 @@
+#include "app/gui/layouts.h"
+
+#include <QGuiApplication>
+#include <QScreen>
+#include <QSettings>
+#include <algorithm>
+
+#include "app/gui/workspaces.h"
+
+namespace lathelier {
+namespace {
+
+constexpr int layoutVersion = 1;  // counts up when docks are renamed
+
+QString settingsKey(const std::string& workspace)
+{
+    return QString::fromStdString("layouts/" + workspace);
+}
+
+bool isOnAScreen(const QWidget& widget)
+{
+    const auto screens = QGuiApplication::screens();
+    return std::any_of(screens.begin(), screens.end(), [&](const QScreen* screen) {
+        const QRect seen = screen->availableGeometry().intersected(widget.frameGeometry());
+        return seen.width() > 50 && seen.height() > 30;
+    });
+}
+
+}  // namespace
+
+Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log)
+    : window_(window), docks_(docks), log_(log)
+{
+    for (PanelDock* dock : docks_) {
+        window_.addDockWidget(Qt::TopDockWidgetArea, dock);
+        dock->hide();
+    }
+    window_.addDockWidget(Qt::BottomDockWidgetArea, &log_);
+    log_.hide();
+}
+
+void Layouts::enter(const std::string& id, PanelDock* active)
+{
+    if (!workspace_.empty()) save();
+    workspace_ = id;
+    if (!restore()) arrangeAsAtFirst();
+    for (PanelDock* dock : docks_)
+        if (!isIn(dock->facts(), id)) dock->hide();
+    ensureSeen(active);
+}
+
+void Layouts::save() const
+{
+    QSettings().setValue(settingsKey(workspace_), window_.saveState(layoutVersion));
+}
+
+bool Layouts::restore()
+{
+    const QByteArray state = QSettings().value(settingsKey(workspace_)).toByteArray();
+    return !state.isEmpty() && window_.restoreState(state, layoutVersion);
+}
+
+void Layouts::reset(PanelDock* active)
+{
+    QSettings().remove(settingsKey(workspace_));
+    arrangeAsAtFirst();
+    ensureSeen(active);
+}
+
+void Layouts::arrangeAsAtFirst()
+{
+    PanelDock* first = nullptr;
+    for (PanelDock* dock : docks_) {
+        dock->setFloating(false);
+        window_.removeDockWidget(dock);
+        window_.addDockWidget(Qt::TopDockWidgetArea, dock);
+        const bool here = isIn(dock->facts(), workspace_);
+        if (here && first) window_.tabifyDockWidget(first, dock);
+        dock->setVisible(here);
+        if (here && !first) first = dock;
+    }
+    log_.setFloating(false);
+    window_.removeDockWidget(&log_);
+    window_.addDockWidget(Qt::BottomDockWidgetArea, &log_);
+    log_.hide();
+    if (first) first->raise();
+}
+
+void Layouts::ensureSeen(PanelDock* active)
+{
+    for (PanelDock* dock : docks_)
+        if (dock->isFloating() && !dock->isHidden() && !isOnAScreen(*dock)) dock->setFloating(false);
+    if (!active || !isIn(active->facts(), workspace_)) {
+        active = nullptr;
+        for (PanelDock* dock : docks_)
+            if (isIn(dock->facts(), workspace_) && (!active || (active->isHidden() && !dock->isHidden())))
+                active = dock;
+    }
+    if (!active) return;
+    active->show();
+    active->raise();
+}
+
+}  // namespace lathelier

@@ -1,0 +1,86 @@
+// The desktop application.
+#include <QApplication>
+#include <QIcon>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <iostream>
+
+#include "app/gui/arguments.h"
+#include "app/gui/main_window.h"
+#include "app/gui/panels.h"
+#include "app/gui/report_command.h"
+#include "app/gui/shots.h"
+#include "app/gui/theme.h"
+#include "widgets/core/resources.h"
+#include "widgets/scene/scene_view.h"
+
+using namespace lathelier;
+
+namespace {
+
+QStringList wordsOf(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+    return words;
+}
+
+int runWindow(const Arguments& arguments, Languages& languages)
+{
+    Session session;
+    const bool shots = !arguments.shots.isEmpty();
+    const QString recovery =
+        shots ? QString() : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery";
+    MainWindow window(session, languages, panelTable(), recovery);
+    window.openPaths(arguments.files);
+    if (shots) return takeShots(window, arguments.shots);
+    window.show();
+    QTimer::singleShot(0, &window, [&window] { window.files().offerLostWork(); });
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const Arguments arguments = parseArguments(wordsOf(argc, argv));
+    if (!arguments.error.isEmpty()) {
+        std::cerr << arguments.error.toStdString() << "\n" << usage().toStdString();
+        return 2;
+    }
+    if (arguments.help || arguments.version) {
+        std::cout << (arguments.help ? usage().toStdString() : "lathelier " LATHELIER_VERSION "\n");
+        return 0;
+    }
+
+    // All of this has to stand before the application object.
+    if (!arguments.report.isEmpty()) qputenv("QT_QPA_PLATFORM", "offscreen");
+    SceneView::prepareApplication();
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+#endif
+    QCoreApplication::setOrganizationName("Lathelier");
+    QCoreApplication::setApplicationName("Lathelier");
+    QCoreApplication::setApplicationVersion(LATHELIER_VERSION);
+    QGuiApplication::setDesktopFileName("lathelier");
+    QApplication application(argc, argv);
+    useResources();
+    QApplication::setWindowIcon(QIcon(":/icons/lathelier.svg"));
+    applyTheme(application);
+
+    // Screenshots and reports neither use nor change the user's own settings.
+    QTemporaryDir fresh;
+    if (!arguments.shots.isEmpty() || !arguments.report.isEmpty()) {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, fresh.path());
+    }
+    Languages languages;
+    languages.use(arguments.language.isEmpty() ? readSettings().language : arguments.language);
+
+    if (!arguments.report.isEmpty()) return runReport(arguments.report, arguments.files.front(), panelTable());
+    return runWindow(arguments, languages);
+}

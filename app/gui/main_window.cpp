@@ -1,0 +1,240 @@
+#include "app/gui/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/gui/command_palette.h"
+#include "app/gui/help_window.h"
+#include "app/gui/settings_dialog.h"
+#include "widgets/core/icons.h"
+
+namespace lathelier {
+
+MainWindow::MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
+                       const QString& recoveryFolder)
+    : session_(session),
+      languages_(languages),
+      settings_(readSettings()),
+      files_(session, recoveryFolder, this),
+      workspaces_(workspacesWith(panels)),
+      log_(new MessageLog),
+      logDock_(new QDockWidget(this)),
+      status_(new QLabel),
+      ordinaryFont_(QApplication::font())
+{
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    logDock_->setObjectName("dock_messages");
+    logDock_->setWidget(log_);
+    status_->setTextFormat(Qt::PlainText);
+    status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    statusBar()->addWidget(status_, 1);
+    makeDocks(panels);
+    makeActions();
+    makeMenus();
+    makeWorkspaceBar();
+    retranslate();
+
+    connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
+    connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(&session_, &Session::workspaceChanged, this, [this] { enterWorkspace(session_.project().workspace); });
+    connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
+    connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
+    files_.setAutosave(settings_.autosave_min);
+
+    resize(1280, 800);
+    restoreGeometry(QSettings().value("geometry").toByteArray());
+    enterWorkspace(session_.project().workspace);
+    updateTitle();
+}
+
+MainWindow::~MainWindow()
+{
+    session_.disconnect(this);
+    session_.undoStack().disconnect(this);
+}
+
+void MainWindow::makeDocks(const std::vector<PanelFacts>& panels)
+{
+    for (const PanelFacts& facts : panels) {
+        auto* dock = new PanelDock(session_, facts, this);
+        docks_.push_back(dock);
+        connect(dock, &PanelDock::panelMade, this, [this, dock](PanelBase* panel) { panelMade(dock, panel); });
+        connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
+            if (seen && layouts_) lastActive_[layouts_->workspace()] = dock;
+        });
+    }
+    layouts_ = std::make_unique<Layouts>(*this, docks_, *logDock_);
+}
+
+void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
+{
+    panel->setPresenting(presenting_);
+    connect(panel, &PanelBase::messageRaised, this, &MainWindow::announce);
+    connect(panel, &PanelBase::sampleWanted, &files_, &ProjectFiles::openSample);
+    connect(panel, &PanelBase::reportWanted, this,
+            [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
+}
+
+void MainWindow::enterWorkspace(const std::string& id)
+{
+    if (workspaces_.empty()) return;
+    const auto known = std::find_if(workspaces_.begin(), workspaces_.end(),
+                                    [&](const Workspace& workspace) { return workspace.id == id; });
+    const std::string entered = known == workspaces_.end() ? workspaces_.front().id : id;
+    if (layouts_->workspace() != entered) {
+        const auto active = lastActive_.find(entered);
+        layouts_->enter(entered, active == lastActive_.end() ? nullptr : active->second);
+        for (PanelDock* dock : docks_) dock->toggleViewAction()->setVisible(isIn(dock->facts(), entered));
+    }
+    for (const auto& [name, action] : workspaceActions_) action->setChecked(name == entered);
+    session_.setWorkspace(entered);
+}
+
+PanelDock* MainWindow::activeDock() const
+{
+    const auto active = lastActive_.find(layouts_->workspace());
+    if (active != lastActive_.end()) return active->second;
+    return docks_.empty() ? nullptr : docks_.front();
+}
+
+void MainWindow::openPaths(const QStringList& paths)
+{
+    QStringList others;
+    for (const QString& path : paths) {
+        if (ProjectFiles::isProject(path))
+            files_.open(path);
+        else
+            others << path;
+    }
+    if (others.isEmpty() || !activeDock()) return;
+    activeDock()->show();
+    activeDock()->raise();
+    activeDock()->panel().openFiles(others);
+}
+
+void MainWindow::askForFiles()
+{
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open a project or scans"), {},
+                                                            tr("All files (*)") + ";;" + ProjectFiles::filter());
+    openPaths(paths);
+}
+
+void MainWindow::announce(const Message& message)
+{
+    log_->add(message);
+    const QString text = screenText(message);
+    status_->setText(text);
+    status_->setToolTip(text);
+    // What concerns no panel has no message line to appear in.
+    if (kindOf(message) == MessageKind::Error && message.source.empty()) {
+        logDock_->show();
+        logDock_->raise();
+    }
+}
+
+void MainWindow::setPresenting(bool presenting)
+{
+    if (presenting == presenting_) return;
+    presenting_ = presenting;
+    if (presenting) stateBeforePresenting_ = saveState();
+    QFont font = ordinaryFont_;
+    if (presenting) font.setPointSizeF(font.pointSizeF() * settings_.presenter_percent / 100.0);
+    QApplication::setFont(font);
+    for (PanelDock* dock : docks_) {
+        if (presenting && dock != activeDock()) dock->hide();
+        dock->setTitleSeen(!presenting);
+        if (dock->madePanel()) dock->madePanel()->setPresenting(presenting);
+    }
+    logDock_->setVisible(!presenting && logDock_->isVisible());
+    bar_->setVisible(!presenting);
+    statusBar()->setVisible(!presenting);
+    if (!presenting) restoreState(stateBeforePresenting_);
+    layouts_->ensureSeen(activeDock());
+    action("presenter")->setChecked(presenting);
+}
+
+void MainWindow::applySettings(const Settings& settings)
+{
+    const bool presenting = presenting_;
+    setPresenting(false);
+    settings_ = settings;
+    writeSettings(settings);
+    languages_.use(settings.language);
+    files_.setAutosave(settings.autosave_min);
+    setPresenting(presenting);
+}
+
+void MainWindow::askForSettings()
+{
+    SettingsDialog dialog(settings_, this);
+    if (dialog.exec() == QDialog::Accepted) applySettings(dialog.settings());
+}
+
+void MainWindow::showPalette()
+{
+    auto* palette = new CommandPalette(commandsOf(menuBar()->actions()), this);
+    palette->setAttribute(Qt::WA_DeleteOnClose);
+    palette->open();
+}
+
+void MainWindow::showHelp()
+{
+    if (!help_) help_ = new HelpWindow(this);
+    help_->show();
+    help_->raise();
+    help_->activateWindow();
+}
+
+void MainWindow::updateTitle()
+{
+    const QString name =
+        session_.path().isEmpty() ? tr("Unnamed project") : QFileInfo(session_.path()).completeBaseName();
+    setWindowTitle(name + "[*] – Lathelier");
+    setWindowModified(session_.isModified());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!files_.mayLeave()) {
+        event->ignore();
+        return;
+    }
+    setPresenting(false);
+    if (!layouts_->workspace().empty()) layouts_->save();
+    QSettings().setValue("geometry", saveGeometry());
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) retranslate();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    event->acceptProposedAction();
+    openPaths(paths);
+}
+
+}  // namespace lathelier

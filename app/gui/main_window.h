@@ -1,0 +1,90 @@
+// The window: panels in docks, workspaces, menus.
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/gui/layouts.h"
+#include "app/gui/project_files.h"
+#include "app/gui/settings.h"
+#include "app/gui/workspaces.h"
+#include "widgets/core/language.h"
+#include "widgets/core/message_log.h"
+
+class QLabel;
+
+namespace lathelier {
+
+class HelpWindow;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// `recoveryFolder` empty: no autosave and no recovery (screenshots, tests).
+    MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
+               const QString& recoveryFolder = {});
+    ~MainWindow() override;
+
+    /// A project is opened, other files go to the active panel.
+    void openPaths(const QStringList& paths);
+
+    void enterWorkspace(const std::string& id);
+    PanelDock* activeDock() const;
+    const std::vector<PanelDock*>& docks() const { return docks_; }
+    ProjectFiles& files() { return files_; }
+    MessageLog& messages() { return *log_; }
+    QAction* action(const QString& name) const;  ///< by object name: "undo"
+    void setPresenting(bool presenting);
+    void applySettings(const Settings& settings);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void makeDocks(const std::vector<PanelFacts>& panels);
+    void makeActions();
+    void makeMenus();
+    void makeWorkspaceBar();
+    QAction* makeAction(const char* name, const char* picture, const QList<QKeySequence>& keys,
+                        std::function<void()> run);
+    void retranslate();
+    void panelMade(PanelDock* dock, PanelBase* panel);
+    void announce(const Message& message);
+    void updateTitle();
+    void updateUndo();
+    void fillRecent();
+    void askForFiles();
+    void askForSettings();
+    void showPalette();
+    void showHelp();
+    void writeReport(const std::vector<PanelDock*>& docks, const QString& suffix);
+    void writeProjectReport(const QString& suffix);
+
+    Session& session_;
+    Languages& languages_;
+    Settings settings_;
+    ProjectFiles files_;
+    std::vector<Workspace> workspaces_;
+    std::vector<PanelDock*> docks_;
+    MessageLog* log_;
+    QDockWidget* logDock_;
+    std::unique_ptr<Layouts> layouts_;
+    std::map<std::string, PanelDock*> lastActive_;  ///< by workspace
+    std::map<QString, QAction*> actions_;
+    std::map<std::string, QAction*> workspaceActions_;
+    std::map<QString, QMenu*> menus_;
+    QToolBar* bar_ = nullptr;
+    QLabel* status_ = nullptr;
+    HelpWindow* help_ = nullptr;
+    bool presenting_ = false;
+    QByteArray stateBeforePresenting_;
+    QFont ordinaryFont_;
+};
+
+}  // namespace lathelier

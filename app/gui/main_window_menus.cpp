@@ -1,0 +1,182 @@
+// The window's actions, menus and workspace bar, and their words.
+#include <QActionGroup>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/gui/help_window.h"
+#include "app/gui/main_window.h"
+#include "widgets/core/icons.h"
+
+namespace lathelier {
+
+QAction* MainWindow::action(const QString& name) const
+{
+    const auto found = actions_.find(name);
+    return found == actions_.end() ? nullptr : found->second;
+}
+
+QAction* MainWindow::makeAction(const char* name, const char* picture, const QList<QKeySequence>& keys,
+                                std::function<void()> run)
+{
+    auto* result = new QAction(this);
+    result->setObjectName(name);
+    if (*picture) result->setIcon(icon(picture));
+    result->setShortcuts(keys);
+    connect(result, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    addAction(result);  // keys work when the menu bar is hidden
+    actions_[name] = result;
+    return result;
+}
+
+void MainWindow::makeActions()
+{
+    makeAction("new", "new", {QKeySequence::New}, [this] { files_.startNew(); });
+    makeAction("open", "open", {QKeySequence::Open}, [this] { askForFiles(); });
+    makeAction("sample", "sample", {}, [this] { files_.openSample(); });
+    makeAction("save", "save", {QKeySequence::Save}, [this] { files_.save(); });
+    makeAction("saveAs", "", {QKeySequence("Ctrl+Shift+S")}, [this] { files_.saveAs(); });
+    makeAction("reportHtml", "report", {}, [this] { writeProjectReport("html"); });
+    makeAction("reportPdf", "report", {QKeySequence("Ctrl+P")}, [this] { writeProjectReport("pdf"); });
+    makeAction("quit", "", {QKeySequence("Ctrl+Q")}, [this] { close(); });
+
+    QUndoStack& undo = session_.undoStack();
+    makeAction("undo", "undo", {QKeySequence("Ctrl+Z")}, [&undo] { undo.undo(); });
+    makeAction("redo", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}, [&undo] { undo.redo(); });
+    for (const auto& signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged})
+        connect(&undo, signal, this, &MainWindow::updateUndo);
+    for (const auto& signal : {&QUndoStack::canUndoChanged, &QUndoStack::canRedoChanged})
+        connect(&undo, signal, this, &MainWindow::updateUndo);
+    makeAction("settings", "settings", {}, [this] { askForSettings(); });
+
+    makeAction("compute", "", {QKeySequence("F5")}, [this] {
+        if (activeDock()) activeDock()->panel().recompute();
+    });
+    makeAction("cancel", "stop", {QKeySequence("Esc")}, [this] {
+        if (activeDock()) activeDock()->panel().cancel();
+    });
+    makeAction("resetLayout", "layout", {}, [this] { layouts_->reset(activeDock()); });
+    QAction* presenter =
+        makeAction("presenter", "presenter", {QKeySequence("F9")}, [this] { setPresenting(!presenting_); });
+    presenter->setCheckable(true);
+    makeAction("fullScreen", "", {QKeySequence("F11")},
+               [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+
+    makeAction("help", "help", {QKeySequence("F1")}, [this] { showHelp(); });
+    makeAction("palette", "palette", {QKeySequence("Ctrl+Shift+P")}, [this] { showPalette(); });
+    makeAction("about", "", {}, [this] { showAbout(this); });
+}
+
+void MainWindow::makeMenus()
+{
+    const auto add = [this](const char* name, const QStringList& entries) {
+        QMenu* menu = menuBar()->addMenu(QString());
+        menus_[name] = menu;
+        for (const QString& entry : entries) {
+            if (entry.isEmpty())
+                menu->addSeparator();
+            else if (QAction* known = action(entry))
+                menu->addAction(known);
+            else
+                menus_[entry] = menu->addMenu(QString());
+        }
+    };
+    add("file", {"new", "open", "recent", "sample", "", "save", "saveAs", "", "reportHtml", "reportPdf", "", "quit"});
+    add("edit", {"undo", "redo", "", "settings"});
+    add("view", {"workspaces", ""});
+    for (PanelDock* dock : docks_) menus_["view"]->addAction(dock->toggleViewAction());
+    menus_["view"]->addAction(logDock_->toggleViewAction());
+    logDock_->toggleViewAction()->setIcon(icon("log"));
+    menus_["view"]->addSeparator();
+    for (const char* name : {"compute", "cancel"}) menus_["view"]->addAction(action(name));
+    menus_["view"]->addSeparator();
+    for (const char* name : {"resetLayout", "presenter", "fullScreen"}) menus_["view"]->addAction(action(name));
+    add("help_menu", {"help", "palette", "", "about"});
+    fillRecent();
+}
+
+void MainWindow::makeWorkspaceBar()
+{
+    bar_ = addToolBar(QString());
+    bar_->setObjectName("workspaceBar");
+    bar_->setMovable(false);
+    bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar_->toggleViewAction()->setVisible(false);
+    auto* group = new QActionGroup(this);
+    for (const Workspace& workspace : workspaces_) {
+        QAction* enter = bar_->addAction(icon(workspace.icon), QString());
+        enter->setCheckable(true);
+        group->addAction(enter);
+        connect(enter, &QAction::triggered, this, [this, id = workspace.id] { enterWorkspace(id); });
+        workspaceActions_[workspace.id] = enter;
+        menus_["workspaces"]->addAction(enter);
+    }
+    auto* space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar_->addWidget(space);
+    for (const char* name : {"open", "save", "undo", "redo", "presenter", "palette", "help"}) {
+        bar_->addAction(action(name));
+        if (auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(action(name))))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+}
+
+void MainWindow::fillRecent()
+{
+    QMenu* menu = menus_["recent"];
+    menu->clear();
+    for (const QString& path : recentFiles()) {
+        QAction* entry = menu->addAction(QFileInfo(path).fileName(), this, [this, path] { files_.open(path); });
+        entry->setToolTip(path);
+        entry->setStatusTip(path);
+    }
+    menu->setEnabled(!menu->isEmpty());
+}
+
+void MainWindow::updateUndo()
+{
+    const QUndoStack& undo = session_.undoStack();
+    action("undo")->setEnabled(undo.canUndo());
+    action("redo")->setEnabled(undo.canRedo());
+    action("undo")->setText(undo.canUndo() ? tr("&Undo: %1").arg(undo.undoText()) : tr("&Undo"));
+    action("redo")->setText(undo.canRedo() ? tr("&Redo: %1").arg(undo.redoText()) : tr("&Redo"));
+}
+
+void MainWindow::retranslate()
+{
+    const auto word = [this](const char* name, const QString& text) { action(name)->setText(text); };
+    word("new", tr("&New project"));
+    word("open", tr("&Open…"));
+    word("sample", tr("Open the sa&mple"));
+    word("save", tr("&Save"));
+    word("saveAs", tr("Save &as…"));
+    word("reportHtml", tr("Project report as &HTML…"));
+    word("reportPdf", tr("Project report as &PDF…"));
+    word("quit", tr("&Quit"));
+    word("settings", tr("&Settings…"));
+    word("compute", tr("&Compute again"));
+    word("cancel", tr("&Stop the computation"));
+    word("resetLayout", tr("&Reset layout"));
+    word("presenter", tr("&Presenter mode"));
+    word("fullScreen", tr("&Full screen"));
+    word("help", tr("&Help"));
+    word("palette", tr("All &commands…"));
+    word("about", tr("&About Lathelier"));
+    updateUndo();
+    menus_["file"]->setTitle(tr("&File"));
+    menus_["recent"]->setTitle(tr("Open &recent"));
+    menus_["edit"]->setTitle(tr("&Edit"));
+    menus_["view"]->setTitle(tr("&View"));
+    menus_["workspaces"]->setTitle(tr("&Workspaces"));
+    menus_["help_menu"]->setTitle(tr("&Help"));
+    for (const Workspace& workspace : workspaces_)
+        workspaceActions_[workspace.id]->setText(screenText(workspace.title));
+    bar_->setWindowTitle(tr("Workspaces"));
+    logDock_->setWindowTitle(tr("Messages"));
+    status_->clear();
+    updateTitle();
+}
+
+}  // namespace lathelier

@@ -1,0 +1,68 @@
+// Report files out of the window: of one panel, or of all panels in the project's report.
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QProgressDialog>
+
+#include "app/gui/main_window.h"
+#include "widgets/core/report_files.h"
+
+namespace lathelier {
+namespace {
+
+/// Waits until every panel has its answer; false when the user would not wait.
+bool waitForPanels(const std::vector<PanelDock*>& docks, QWidget* window)
+{
+    QProgressDialog progress(MainWindow::tr("Computing what belongs in the report…"), MainWindow::tr("Cancel"), 0, 0,
+                             window);
+    progress.setWindowModality(Qt::WindowModal);
+    for (PanelDock* dock : docks) {
+        PanelBase& panel = dock->panel();
+        QCoreApplication::processEvents();  // a panel made just now begins here
+        while (panel.isBusy() && !progress.wasCanceled()) {
+            progress.setValue(0);
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+        }
+    }
+    return !progress.wasCanceled();
+}
+
+}  // namespace
+
+void MainWindow::writeProjectReport(const QString& suffix)
+{
+    std::vector<PanelDock*> chosen;
+    for (const std::string& id : session_.project().report)
+        for (PanelDock* dock : docks_)
+            if (dock->facts().id == id) chosen.push_back(dock);
+    if (chosen.empty() && activeDock()) chosen.push_back(activeDock());  // nothing was put in: what is on screen
+    writeReport(chosen, suffix);
+}
+
+void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString& suffix)
+{
+    if (!waitForPanels(docks, this)) return;
+    std::vector<Document> parts;
+    for (PanelDock* dock : docks)
+        if (auto part = dock->panel().reportDocument()) parts.push_back(std::move(*part));
+    if (parts.empty()) {
+        announce({Phrase{LT_TEXT("Engine", "There is no result to report yet."), {}}, {}});
+        return;
+    }
+    QFileDialog dialog(this, tr("Write the report"), QFileInfo(session_.path()).completeBaseName() + "." + suffix,
+                       suffix == "pdf" ? tr("PDF (*.pdf)") : tr("HTML (*.html)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().value(0);
+    try {
+        const QString title = session_.path().isEmpty() ? tr("Report") : QFileInfo(session_.path()).completeBaseName();
+        lathelier::writeReport(path, joined(parts, title.toStdString()));
+        announce({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
+    } catch (const Error& error) {
+        announce({error, {}});
+    }
+}
+
+}  // namespace lathelier

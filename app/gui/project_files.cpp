@@ -1,0 +1,186 @@
+#include "app/gui/project_files.h"
+
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include "app/gui/settings.h"
+#include "engine/project/sample.h"
+#include "widgets/core/language.h"
+#include "widgets/core/worker.h"
+
+namespace lathelier {
+namespace {
+
+constexpr const char* suffix = "lathelier";
+
+}
+
+ProjectFiles::ProjectFiles(Session& session, const QString& recoveryFolder, QWidget* window)
+    : QObject(window), session_(session), window_(window)
+{
+    if (!recoveryFolder.isEmpty()) recovery_ = std::make_unique<Recovery>(recoveryFolder);
+    connect(&autosave_, &QTimer::timeout, this, &ProjectFiles::keepAside);
+}
+
+bool ProjectFiles::isProject(const QString& path)
+{
+    return QFileInfo(path).suffix() == suffix;
+}
+
+QString ProjectFiles::filter()
+{
+    return tr("Lathelier projects (*.lathelier)");
+}
+
+void ProjectFiles::startNew()
+{
+    if (mayLeave()) session_.reset();
+}
+
+void ProjectFiles::open(const QString& path)
+{
+    if (!mayLeave()) return;
+    try {
+        opened(session_.open(QFileInfo(path).absoluteFilePath()), path);
+    } catch (const Error& error) {
+        emit messageRaised({error, {}});
+    }
+}
+
+void ProjectFiles::opened(const Notes& notes, const QString& path)
+{
+    addRecentFile(path);
+    emit recentChanged();
+    for (const Note& note : notes) emit messageRaised({note, {}});
+}
+
+bool ProjectFiles::save()
+{
+    return session_.path().isEmpty() ? saveAs() : write(session_.path());
+}
+
+bool ProjectFiles::saveAs()
+{
+    QFileDialog dialog(window_, tr("Save the project"), session_.path(), filter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    return dialog.exec() == QDialog::Accepted && write(dialog.selectedFiles().value(0));
+}
+
+bool ProjectFiles::write(const QString& path)
+{
+    try {
+        session_.save(path);
+    } catch (const Error& error) {
+        emit messageRaised({error, {}});
+        return false;
+    }
+    if (recovery_) recovery_->forget();
+    addRecentFile(path);
+    emit recentChanged();
+    emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
+    return true;
+}
+
+bool ProjectFiles::mayLeave()
+{
+    if (!session_.isModified()) return true;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The project has unsaved changes."),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    box.setInformativeText(tr("Save them before going on?"));
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) return save();
+    if (answer != QMessageBox::Discard) return false;
+    if (recovery_) recovery_->forget();
+    return true;
+}
+
+void ProjectFiles::offerLostWork()
+{
+    if (!recovery_) return;
+    for (const LostWork& work : recovery_->lostWork()) {
+        const QString name =
+            work.original.isEmpty() ? tr("a project without a name") : QFileInfo(work.original).fileName();
+        QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
+                        tr("Lathelier ended unexpectedly. Unsaved work on %1 was kept.").arg(name),
+                        QMessageBox::NoButton, window_);
+        QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+        QPushButton* discard = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
+        box.addButton(tr("Later"), QMessageBox::RejectRole);
+        box.exec();
+        if (box.clickedButton() == discard) Recovery::discard(work);
+        if (box.clickedButton() != recover) continue;
+        if (!mayLeave()) return;
+        try {
+            for (const Note& note : session_.recover(work.file, work.original)) emit messageRaised({note, {}});
+            keepAside();
+            Recovery::discard(work);
+        } catch (const Error& error) {
+            emit messageRaised({error, {}});
+        }
+        return;
+    }
+}
+
+void ProjectFiles::setAutosave(int minutes)
+{
+    if (minutes == 0)
+        autosave_.stop();
+    else
+        autosave_.start(minutes * 60'000);
+}
+
+void ProjectFiles::keepAside()
+{
+    if (!recovery_) return;
+    try {
+        recovery_->keep(session_);
+    } catch (const Error& error) {
+        emit messageRaised({error, {}});
+    }
+}
+
+QString ProjectFiles::makeSample()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
+    const QString project = folder + "/sample.lathelier";  // written last
+    if (QFileInfo::exists(project)) return project;
+
+    QProgressDialog progress(tr("Making the sample scans…"), tr("Cancel"), 0, 1000, window_);
+    progress.setWindowModality(Qt::WindowModal);
+    progress.setMinimumDuration(0);
+    progress.setValue(0);
+    Worker worker;
+    worker.request([path = folder.toStdString()](const Progress& share) -> std::shared_ptr<const void> {
+        writeSample(path, 1, share);
+        return nullptr;
+    });
+    connect(&progress, &QProgressDialog::canceled, this, [&worker] { worker.cancel(); });
+    QEventLoop loop;
+    std::optional<Worker::Outcome> outcome;
+    QTimer poll;
+    connect(&poll, &QTimer::timeout, &loop, [&] {
+        progress.setValue(static_cast<int>(worker.state().fraction * 999));
+        outcome = worker.take();
+        if (outcome) loop.quit();
+    });
+    poll.start(33);
+    loop.exec();
+    progress.reset();
+    if (std::holds_alternative<std::shared_ptr<const void>>(*outcome)) return project;
+    if (const auto* error = std::get_if<Error>(&*outcome)) emit messageRaised({*error, {}});
+    return {};
+}
+
+void ProjectFiles::openSample()
+{
+    const QString project = makeSample();
+    if (!project.isEmpty()) open(project);
+}
+
+}  // namespace lathelier

@@ -1,0 +1,81 @@
+#include "app/gui/recovery.h"
+
+#include <QDir>
+#include <QFile>
+#include <QUuid>
+
+#include "engine/io/file.h"
+
+namespace lathelier {
+namespace {
+
+QString pathFile(const QString& file)
+{
+    return file + ".path";
+}
+QString lockFile(const QString& file)
+{
+    return file + ".lock";
+}
+
+void removeAll(const QString& file)
+{
+    QFile::remove(file);
+    QFile::remove(pathFile(file));
+}
+
+}  // namespace
+
+Recovery::Recovery(const QString& folder) : folder_(folder)
+{
+    QDir().mkpath(folder_);
+    file_ = folder_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces) + ".lathelier";
+    lock_ = std::make_unique<QLockFile>(lockFile(file_));
+    lock_->setStaleLockTime(0);  // valid as long as its process lives
+    lock_->tryLock(0);
+}
+
+Recovery::~Recovery()
+{
+    forget();
+}
+
+void Recovery::keep(const Session& session)
+{
+    if (!session.isModified()) {
+        forget();
+        return;
+    }
+    session.saveCopy(file_);
+    writeFile(pathFile(file_).toStdString(), session.path().toStdString());
+}
+
+void Recovery::forget()
+{
+    removeAll(file_);
+}
+
+std::vector<LostWork> Recovery::lostWork() const
+{
+    std::vector<LostWork> result;
+    const QDir folder(folder_);
+    for (const QString& name : folder.entryList({"*.lathelier"}, QDir::Files, QDir::Time)) {
+        const QString file = folder.filePath(name);
+        if (file == file_) continue;
+        QLockFile lock(lockFile(file));
+        lock.setStaleLockTime(0);
+        if (!lock.tryLock(0)) continue;  // another window is working on it
+        QFile path(pathFile(file));
+        QString original;
+        if (path.open(QIODevice::ReadOnly)) original = QString::fromUtf8(path.readAll());
+        result.push_back({file, original});
+    }
+    return result;
+}
+
+void Recovery::discard(const LostWork& work)
+{
+    removeAll(work.file);
+}
+
+}  // namespace lathelier

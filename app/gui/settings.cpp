@@ -1,0 +1,47 @@
+#include "app/gui/settings.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+
+namespace lathelier {
+namespace {
+
+constexpr int recentCount = 10;
+
+}
+
+Settings readSettings()
+{
+    const QSettings stored;
+    Settings result;
+    result.language = stored.value("language").toString();
+    result.autosave_min = std::clamp(stored.value("autosave_min", result.autosave_min).toInt(), 0, 60);
+    result.presenter_percent =
+        std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
+    return result;
+}
+
+void writeSettings(const Settings& settings)
+{
+    QSettings stored;
+    stored.setValue("language", settings.language);
+    stored.setValue("autosave_min", settings.autosave_min);
+    stored.setValue("presenter_percent", settings.presenter_percent);
+}
+
+QStringList recentFiles()
+{
+    return QSettings().value("recent").toStringList();
+}
+
+void addRecentFile(const QString& path)
+{
+    QStringList files = recentFiles();
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    files.removeAll(whole);
+    files.prepend(whole);
+    QSettings().setValue("recent", QStringList(files.mid(0, recentCount)));
+}
+
+}  // namespace lathelier

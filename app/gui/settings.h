@@ -1,0 +1,22 @@
+// The user's settings, kept between runs.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace lathelier {
+
+struct Settings {
+    QString language;             ///< "en", "pl"; empty: the system's
+    int autosave_min = 2;         ///< 0: never
+    int presenter_percent = 150;  ///< type size in presenter mode
+};
+
+Settings readSettings();
+void writeSettings(const Settings& settings);
+
+/// Project files, newest first, at most ten.
+QStringList recentFiles();
+void addRecentFile(const QString& path);
+
+}  // namespace lathelier

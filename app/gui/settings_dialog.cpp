@@ -1,0 +1,48 @@
+#include "app/gui/settings_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QSpinBox>
+
+#include "widgets/core/language.h"
+
+namespace lathelier {
+
+SettingsDialog::SettingsDialog(const Settings& settings, QWidget* parent)
+    : QDialog(parent), language_(new QComboBox), autosave_(new QSpinBox), presenter_(new QSpinBox)
+{
+    setWindowTitle(tr("Settings"));
+    language_->setObjectName("language");
+    language_->addItem(tr("As the system"), QString());
+    for (const QString& code : Languages::codes()) language_->addItem(Languages::name(code), code);
+    language_->setCurrentIndex(std::max(0, language_->findData(settings.language)));
+    autosave_->setObjectName("autosave");
+    autosave_->setRange(0, 60);
+    autosave_->setSpecialValueText(tr("never"));
+    autosave_->setSuffix(tr(" min"));
+    autosave_->setValue(settings.autosave_min);
+    autosave_->setToolTip(tr("How often unsaved work is kept aside, in case the program ends unexpectedly"));
+    presenter_->setObjectName("presenter");
+    presenter_->setRange(100, 300);
+    presenter_->setSingleStep(10);
+    presenter_->setSuffix(tr(" %"));
+    presenter_->setValue(settings.presenter_percent);
+    presenter_->setToolTip(tr("Type size in presenter mode"));
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QFormLayout(this);
+    layout->addRow(tr("Language"), language_);
+    layout->addRow(tr("Autosave every"), autosave_);
+    layout->addRow(tr("Presenter type size"), presenter_);
+    layout->addRow(buttons);
+}
+
+Settings SettingsDialog::settings() const
+{
+    return {language_->currentData().toString(), autosave_->value(), presenter_->value()};
+}
+
+}  // namespace lathelier

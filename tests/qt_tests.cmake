@@ -1,0 +1,31 @@
+# Widgets, panels and the window, driven as a user would: tests/widgets/<folder>/*_test.cpp and tests/app/*_test.cpp, one
+# Qt Test program each. Those that show 3-D need an X server, because VTK draws nothing on the offscreen platform.
+find_program(LATHELIER_XVFB xvfb-run)
+
+function(add_widget_test name source screen)
+    add_executable(test_${name} ${source})
+    set_target_properties(test_${name} PROPERTIES AUTOMOC ON)
+    target_link_libraries(test_${name} PRIVATE ${ARGN} Qt5::Test)
+    target_compile_definitions(test_${name} PRIVATE LATHELIER_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    if(screen STREQUAL offscreen)
+        add_test(NAME ${name} COMMAND test_${name})
+        set_tests_properties(${name} PROPERTIES ENVIRONMENT QT_QPA_PLATFORM=offscreen)
+    elseif(LATHELIER_XVFB)
+        add_test(NAME ${name} COMMAND ${LATHELIER_XVFB} -a -s "-screen 0 1920x1080x24 +extension GLX" $<TARGET_FILE:test_${name}>)
+        set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1")
+    endif()
+endfunction()
+
+file(GLOB widget_tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} widgets/*/*_test.cpp app/*_test.cpp)
+list(FILTER widget_tests EXCLUDE REGEX "^widgets/worker/")  # knows no Qt
+foreach(source ${widget_tests})
+    get_filename_component(name ${source} NAME_WE)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(folder STREQUAL app)
+        add_widget_test(window_${name} ${source} offscreen window)
+    elseif(folder MATCHES "core|plot")
+        add_widget_test(view_${name} ${source} offscreen widgets)
+    else()
+        add_widget_test(view_${name} ${source} screen widgets)
+    endif()
+endforeach()

@@ -1,0 +1,105 @@
+// A panel over a small computation, to drive Panel<Result> as a user would.
+#pragma once
+
+#include <QFile>
+#include <QLabel>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "engine/core/fields.h"
+#include "widgets/core/panel.h"
+
+namespace lathelier {
+
+struct FakeParameters {
+    double factor_mm = 2;
+    std::optional<double> tolerance_mm;
+    bool endless = false;  ///< runs until it is stopped
+};
+
+template <>
+inline const std::vector<Field<FakeParameters>>& fields<FakeParameters>()
+{
+    static const std::vector<Field<FakeParameters>> all{
+        field("factor_mm", &FakeParameters::factor_mm, {0, 100}, {Text{"Factor"}, Text{"Multiplies"}, Text{"mm"}}),
+        field("tolerance_mm", &FakeParameters::tolerance_mm, {0, 10}, {Text{"Tolerance"}, Text{"Band"}, Text{"mm"}}),
+        field("endless", &FakeParameters::endless, {Text{"Endless"}, Text{"Never ends"}, {}, true})};
+    return all;
+}
+
+/// The number of bytes of the file times the factor.
+struct FakeResult {
+    double value_mm = 0;
+    FakeParameters parameters;
+};
+
+class FakePanel : public Panel<FakeResult> {
+public:
+    explicit FakePanel(Session& owner, const std::string& id = "fake")
+        : Panel(owner, factsOf(id), inputs()), views_(new QLabel)
+    {
+        setViews(views_);
+    }
+
+    static PanelFacts factsOf(const std::string& id, const std::string& workspace = "inspection")
+    {
+        return {id, Text{"Fake"}, "compare", {workspace}, [id](Session& owner) { return new FakePanel(owner, id); },
+                [](const PanelState&, ScanStore&, const Language&, const Progress&) { return Document{}; }};
+    }
+
+    QString shown() const { return views_->text(); }
+    int computed() const { return *computed_; }
+
+protected:
+    Compute compute(const PanelState& state) const override
+    {
+        const auto parameters = fromValues<FakeParameters>(state.parameters);
+        const std::string path = state.inputs.at("file").path;
+        return [parameters, path, count = computed_](const Progress& progress) {
+            ++*count;
+            QFile file(QString::fromStdString(path));
+            if (!file.exists()) throw Error(ErrorCode::FileNotFound, {{"path", path}});
+            const Progress part = progress.part(0, 1, Text{"Multiplying"});
+            part.report(0.5);
+            while (parameters.endless) {
+                part.report(0.5);
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+            return FakeResult{static_cast<double>(file.size()) * parameters.factor_mm, parameters};
+        };
+    }
+    void showResult(const std::shared_ptr<const FakeResult>& result) override
+    {
+        views_->setText(QString::number(result->value_mm));
+    }
+    Headline headline(const FakeResult& result) const override
+    {
+        Headline answer;
+        answer.text = "Product " + std::to_string(static_cast<int>(result.value_mm)) + " mm";
+        if (result.parameters.tolerance_mm) answer.verdict = result.value_mm <= *result.parameters.tolerance_mm;
+        return answer;
+    }
+    Notes notes(const FakeResult&) const override { return {{NoteCode::RollNotDetermined, {}}}; }
+    Document document(const FakeResult& result) const override
+    {
+        Document report;
+        report.title = std::string("Fake report");
+        report.sections.push_back({std::string("Result"), {headline(result)}});
+        return report;
+    }
+
+private:
+    static PanelInputs inputs()
+    {
+        return {{{"file", Text{"File"}, Text{"Any file"}}}, Text{"Files"},        "*.txt", infos<FakeParameters>(),
+                toValues(FakeParameters()),                Text{"Drop a file."}};
+    }
+
+    QLabel* views_;
+    std::shared_ptr<std::atomic<int>> computed_ = std::make_shared<std::atomic<int>>(0);
+};
+
+}  // namespace lathelier

@@ -1,0 +1,50 @@
+// The left column of a panel: its files and its parameters.
+#pragma once
+
+#include <QScrollArea>
+#include <map>
+#include <optional>
+
+#include "widgets/core/panel_facts.h"
+
+namespace lathelier {
+
+class Form;
+class InputBox;
+
+/// Shows a PanelState and says what the user wants changed. Changes nothing by itself: the panel does, through the
+/// session; `step` names the change in the Edit menu.
+class InputColumn : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit InputColumn(const PanelInputs& inputs, QWidget* parent = nullptr);
+
+    void showState(const PanelState& state);
+
+    /// What was understood of the files so far, and which of them `error` is about.
+    void showFacts(const ScanStore& scans, const std::optional<Error>& error);
+
+    Form& form() const { return *form_; }
+
+signals:
+    void sourceChosen(const std::string& role, const std::optional<lathelier::Source>& source, const QString& step);
+    void parameterEdited(const std::string& key, const lathelier::Value& value, int gesture, const QString& step);
+
+private:
+    InputBox* makeBox(const InputRole& role);
+    void ask(const InputRole& role);
+    void choose(const InputRole& role, const QString& path);
+
+    PanelInputs inputs_;
+    PanelState state_;
+    std::map<std::string, InputBox*> boxes_;
+    Form* form_;
+};
+
+/// A source as it is when a file has just been chosen.
+Source newSource(const QString& path);
+
+/// "Point clouds and meshes (*.xyz *.ply);;All files (*)"
+QString fileFilter(const PanelInputs& inputs);
+
+}  // namespace lathelier

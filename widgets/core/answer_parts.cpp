@@ -48,6 +48,7 @@ void HeadlineLabel::setHeadline(const Headline& headline)
 {
     text_->setText(QString::fromStdString(headline.text));
     verdict_->setVisible(headline.verdict.has_value());
+    verdict_->clear();
     if (headline.verdict) {
         const bool pass = *headline.verdict;
         verdict_->setText(pass ? tr("✓ within tolerance") : tr("✗ out of tolerance"));

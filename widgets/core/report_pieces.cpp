@@ -74,7 +74,7 @@ public:
         piece.html += "</tr>";
         for (const auto& row : table.rows) {
             QString cells;
-            for (const Value& value : row) cells += cellHtml(value, table.decimals, language_);
+            for (std::size_t i = 0; i < row.size(); ++i) cells += cellHtml(row[i], table.decimalsOf(i), language_);
             piece.rows.push_back("<tr>" + cells + "</tr>");
         }
         return piece;

@@ -46,7 +46,11 @@ public:
 
     static PanelFacts factsOf(const std::string& id, const std::string& workspace = "inspection")
     {
-        return {id, Text{"Fake"}, "compare", {workspace}, [id](Session& owner) { return new FakePanel(owner, id); },
+        return {id,
+                Text{"Fake"},
+                "compare",
+                {workspace},
+                [id](Session& owner) { return new FakePanel(owner, id); },
                 [](const PanelState&, ScanStore&, const Language&, const Progress&) { return Document{}; }};
     }
 
@@ -94,8 +98,12 @@ protected:
 private:
     static PanelInputs inputs()
     {
-        return {{{"file", Text{"File"}, Text{"Any file"}}}, Text{"Files"},        "*.txt", infos<FakeParameters>(),
-                toValues(FakeParameters()),                Text{"Drop a file."}};
+        return {{{"file", Text{"File"}, Text{"Any file"}}},
+                Text{"Files"},
+                "*.txt",
+                infos<FakeParameters>(),
+                toValues(FakeParameters()),
+                Text{"Drop a file."}};
     }
 
     QLabel* views_;

@@ -34,9 +34,11 @@ std::vector<FieldInfo> shapeFields()
         field("limit_mm", &Shape::limit_mm, {0, 10}, {Text{"Limit"}, Text{"How far"}, Text{"mm"}}),
         field("count", &Shape::count, {1, 9}, {Text{"Count"}, Text{"How many"}}),
         field("closed", &Shape::closed, {Text{"Closed"}, Text{"Is it?"}}),
-        field("colour", &Shape::colour, {{"red", Text{"Red"}}, {"blue", Text{"Blue"}}}, {Text{"Colour"}, Text{"Which"}}),
+        field("colour", &Shape::colour, {{"red", Text{"Red"}}, {"blue", Text{"Blue"}}},
+              {Text{"Colour"}, Text{"Which"}}),
         field("name", &Shape::name, {Text{"Name"}, Text{"What"}, {}, true}),
-        field("left_out_mm", &Shape::left_out_mm, {-100, 100}, {Text{"Left out"}, Text{"Where not"}, Text{"mm"}, true})};
+        field("left_out_mm", &Shape::left_out_mm, {-100, 100},
+              {Text{"Left out"}, Text{"Where not"}, Text{"mm"}, true})};
     std::vector<FieldInfo> infos;
     for (const auto& one : all) infos.push_back(one.info);
     return infos;
@@ -44,8 +46,12 @@ std::vector<FieldInfo> shapeFields()
 
 Values someValues()
 {
-    return {{"size_mm", 2.25},   {"limit_mm", Value()},        {"count", std::int64_t{5}},
-            {"closed", false},   {"colour", std::string("red")}, {"name", std::string("flange")},
+    return {{"size_mm", 2.25},
+            {"limit_mm", Value()},
+            {"count", std::int64_t{5}},
+            {"closed", false},
+            {"colour", std::string("red")},
+            {"name", std::string("flange")},
             {"left_out_mm", std::vector<Interval>{{0, 5}, {10, 12.5}}}};
 }
 
@@ -80,9 +86,10 @@ class FormTest : public QObject {
     {
         changes_.clear();
         form_ = std::make_unique<Form>(shapeFields());
-        connect(form_.get(), &Form::valueChanged, this, [this](const std::string& key, const Value& value, int gesture) {
-            changes_.push_back({key, value, gesture});
-        });
+        connect(form_.get(), &Form::valueChanged, this,
+                [this](const std::string& key, const Value& value, int gesture) {
+                    changes_.push_back({key, value, gesture});
+                });
         form_->show();
         QVERIFY(QTest::qWaitForWindowExposed(form_.get()));
         QApplication::setActiveWindow(form_.get());
@@ -193,7 +200,9 @@ private slots:
 
     void flagAndChoice()
     {
-        QTest::mouseClick(editor<QCheckBox>("closed"), Qt::LeftButton, {}, QPoint(6, editor<QCheckBox>("closed")->height() / 2));
+        form_->setValues({{"closed", true}, {"colour", std::string("blue")}});
+        QTest::mouseClick(editor<QCheckBox>("closed"), Qt::LeftButton, {},
+                          QPoint(6, editor<QCheckBox>("closed")->height() / 2));
         QVERIFY(changes_.back().value == Value(false));
         auto* box = editor<QComboBox>("colour");
         box->setFocus();

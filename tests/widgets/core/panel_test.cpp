@@ -1,8 +1,8 @@
 // Panel<Result> driven as a user does: drop, type, cancel, undo.
-#include <QMimeData>
-#include <QMenu>
 #include <QDragEnterEvent>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -212,7 +212,8 @@ private slots:
                 qobject_cast<QLineEdit*>(widget->parentWidget()))
                 continue;
             const auto* button = qobject_cast<QAbstractButton*>(widget);
-            const QString name = widget->accessibleName().isEmpty() && button ? button->text() : widget->accessibleName();
+            const QString name =
+                widget->accessibleName().isEmpty() && button ? button->text() : widget->accessibleName();
             QVERIFY2(!name.isEmpty(), qPrintable(widget->objectName() + " " + widget->metaObject()->className()));
             QVERIFY2(widget->focusPolicy() & Qt::TabFocus, qPrintable(widget->objectName()));
         }

@@ -12,7 +12,8 @@ class SessionTest : public QObject {
 
     static void setTitle(Session& session, const std::string& title, const QString& key = {})
     {
-        session.edit("title", [&](Project& project) { project.title = title; }, key);
+        session.edit(
+            "title", [&](Project& project) { project.title = title; }, key);
     }
 
 private slots:

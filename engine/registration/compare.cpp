@@ -163,8 +163,10 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         if (!isBodyOfRevolution(*fit))
             throw Error(ErrorCode::NotABodyOfRevolution, {{"role", std::string(role)}, {"residual_mm", fit->sigma_mm}});
     faceForward(reference.fit);
-    reference.shoulders = findShoulders(*reference_surface.points, reference.fit, progress);
-    copy.shoulders = findShoulders(*copy_surface.points, copy.fit, progress);
+    ShoulderPair shoulders =
+        findShoulders(*reference_surface.points, reference.fit, *copy_surface.points, copy.fit, progress);
+    reference.shoulders = std::move(shoulders.reference);
+    copy.shoulders = std::move(shoulders.copy);
     result.alignment = alignRevolution(reference, copy, parameters.initial);
     result.notes = result.alignment.notes;
 

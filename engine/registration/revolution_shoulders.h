@@ -9,18 +9,23 @@ namespace lathelier {
 
 struct Shoulder {
     double z_mm = 0;
-    double sigma_mm = 0;   ///< standard uncertainty of z, from the scatter between sectors
-    double before_mm = 0;  ///< radius just before it, in z
-    double after_mm = 0;   ///< radius just after it
+    double sigma_mm = 0;                                          ///< standard uncertainty of z
+    double before_mm = 0;                                         ///< radius just before it, in z
+    double after_mm = 0;                                          ///< radius just after it
     int facing() const { return after_mm > before_mm ? -1 : 1; }  ///< direction of its outward normal along z
 };
 
-/// Shoulders higher than 8 times the scatter, in order of z.
-/// A scanner's spot smears a shoulder into a mixture of points of either radius, alike on both sides; the place is the
-/// one with as many points of the larger radius on the wrong side as of the smaller. Rays that lean cast a shadow on
-/// the side turned away, which displaces that balance by half the shadow; the lean is fitted to the balance in 24
-/// sectors of all shoulders together and taken out.
-std::vector<Shoulder> findShoulders(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
-                                    const Progress& progress = {});
+/// Shoulders of the two parts to be compared, in order of z.
+/// A scanner's spot smears a shoulder: near it, a ray may hit the larger radius or not, with a probability that rises
+/// in proportion to its height over the width of the spot. Place and width are fitted to that by maximum likelihood,
+/// the width for all shoulders of a scan together, and for both scans together when that contradicts neither (the same
+/// scanner). What the width leaves open is part of each shoulder's uncertainty.
+struct ShoulderPair {
+    std::vector<Shoulder> reference;
+    std::vector<Shoulder> copy;
+};
+ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
+                           const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,
+                           const Progress& progress = {});
 
 }  // namespace lathelier

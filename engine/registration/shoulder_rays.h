@@ -1,0 +1,41 @@
+// Rays of a scan near the shoulders of a body of revolution.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/registration/revolution_axis.h"
+
+namespace lathelier {
+
+/// Where the radius jumps, roughly. Heights are z times `sign`, so that the larger radius lies at larger heights.
+struct Edge {
+    double z_mm = 0;
+    double before_mm = 0;  ///< radius just before it, in z
+    double after_mm = 0;   ///< radius just after it
+    double sign = 1;
+    double from_mm = 0, to_mm = 0;  ///< the stretch of z that was looked at
+};
+
+/// One ray near an edge: its height where it passes the larger radius, and whether it hit it.
+struct Ray {
+    double height;
+    bool hit;
+};
+
+struct EdgeRays {
+    Edge edge;
+    std::vector<Ray> rays;  ///< in order of height
+};
+
+/// The place with as many rays below it as there are misses in all; nullopt with too few hits or misses.
+std::optional<double> balance(const std::vector<Ray>& rays);
+
+/// All edges higher than 8 times the scatter with their rays.
+/// The lean of the rays is found from the rows of the scan when its points come row by row (neighbours in a row lie in
+/// one plane, across which no ray moves); else from the shadow that leaning rays leave beside a shoulder on the side
+/// turned away, which displaces the balance there by half the shadow.
+std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                                   const Progress& progress = {});
+
+}  // namespace lathelier

@@ -1,0 +1,96 @@
+// Golden runs of the real program: one test for each line of tests/golden/*.txt (see golden_line.h).
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "tests/app/cli/expectations.h"
+#include "tests/app/cli/golden_data.h"
+#include "tests/app/cli/golden_line.h"
+#include "tests/app/cli/run_program.h"
+
+namespace lathelier::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::temp_directory_path() / ("lathelier-golden-" + std::to_string(::getpid()));
+const std::string shared = fs::path(LATHELIER_SOURCE_DIR "/../shared/data").lexically_normal().string();
+
+class GoldenRun : public testing::Test {
+public:
+    explicit GoldenRun(Line line) : line_(std::move(line)) {}
+
+    void TestBody() override
+    {
+        if (line_.source.find("{shared}") != std::string::npos && !fs::exists(shared)) GTEST_SKIP() << "no shared data";
+        if (line_.not_as_root && ::geteuid() == 0) GTEST_SKIP() << "root may read anything";
+        const fs::path out = folder / "out";
+        const auto fresh = [&out] {
+            fs::remove_all(out);
+            fs::create_directories(out);
+        };
+        fresh();
+        const auto fill = [&](const std::string& text) {
+            return replaced(replaced(replaced(text, "{data}", (folder / "data").string()), "{out}", out.string()), "{shared}", shared);
+        };
+        for (std::string* text : {&line_.run.stdout_file, &line_.run.feed_pipe, &line_.run.feed_file}) *text = fill(*text);
+        for (std::string& word : line_.run.words) word = fill(word);
+        const Outcome outcome = runProgram(LATHELIER_CLI, line_.run);
+        EXPECT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
+        const Evidence evidence{line_, outcome, out.string(), shared, [](const Run& run) { return runProgram(LATHELIER_CLI, run); }};
+        for (const std::string& expectation : line_.expectations) {
+            std::string problem;
+            try {
+                problem = check(fill(expectation), evidence);
+            } catch (const std::exception& failure) {
+                problem = failure.what();
+            }
+            EXPECT_EQ(problem, "") << line_.source << "\nexpected: " << expectation << "\n" << outcome.standard_error;
+        }
+    }
+
+private:
+    Line line_;
+};
+
+/// "compare.txt:12" as a name GoogleTest can filter by.
+std::string testName(const std::string& name)
+{
+    std::string result = name;
+    std::replace_if(result.begin(), result.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return result;
+}
+
+int runAll(int argc, char** argv)
+{
+    testing::InitGoogleTest(&argc, argv);
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(LATHELIER_SOURCE_DIR "/tests/golden"))
+        if (entry.path().extension() == ".txt") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+        for (const Line& line : readLines(file.string()))
+            testing::RegisterTest("Golden", testName(line.name).c_str(), nullptr, nullptr, file.c_str(), 1,
+                                  [line]() -> testing::Test* { return new GoldenRun(line); });
+    fs::create_directories(folder / "data");
+    makeData((folder / "data").string());
+    const int result = RUN_ALL_TESTS();
+    fs::remove_all(folder);
+    return result;
+}
+
+}  // namespace
+}  // namespace lathelier::golden
+
+int main(int argc, char** argv)
+{
+    try {
+        return lathelier::golden::runAll(argc, argv);
+    } catch (const std::exception& failure) {
+        std::cerr << failure.what() << "\n";
+        return 1;
+    }
+}

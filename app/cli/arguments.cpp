@@ -53,11 +53,15 @@ void addVerb(CLI::App& app, const Verb& verb, Typed& typed)
     typed.operands.resize(verb.operands.size());
     for (std::size_t i = 0; i < verb.operands.size(); ++i) {
         const Operand& operand = verb.operands[i];
-        command.add_option(operand.name, typed.operands[i], wrapHelp(operand.help))
-            ->required()
-            ->type_name("")
-            ->type_size(1)
-            ->expected(1, operand.repeated ? CLI::detail::expected_max_vector_size : 1);
+        std::vector<std::string>& words = typed.operands[i];
+        CLI::Option* added = nullptr;
+        if (operand.repeated) {
+            added = command.add_option(operand.name, words);
+        } else {
+            words.resize(1);
+            added = command.add_option(operand.name, words.front());
+        }
+        added->required()->description(wrapHelp(operand.help))->type_name(operand.repeated ? "..." : "");
     }
     for (const Option& option : verb.parameters) addOption(command, option, "Parameters", typed);
     for (const Option& option : verb.reading) addOption(command, option, "Reading files", typed);

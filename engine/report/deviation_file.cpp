@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -28,10 +29,18 @@ bool endsWith(const std::string& path, const std::string& extension)
 
 void appendText(std::string& out, const Eigen::Vector3d& point_mm, float deviation_mm, bool used)
 {
-    auto end = std::back_inserter(out);
-    fmt::format_to(end, "{:.6f},{:.6f},{:.6f},", point_mm.x(), point_mm.y(), point_mm.z());
-    if (std::isfinite(deviation_mm)) fmt::format_to(end, "{:.6f}", deviation_mm);
-    out += used ? ",1\n" : ",0\n";
+    std::array<char, 128> row{};
+    char* const end = row.data() + row.size();
+    char* place = row.data();
+    for (int axis = 0; axis < 3; ++axis) {
+        place = std::to_chars(place, end, point_mm[axis]).ptr;
+        *place++ = ',';
+    }
+    if (std::isfinite(deviation_mm)) place = std::to_chars(place, end, deviation_mm).ptr;
+    *place++ = ',';
+    *place++ = used ? '1' : '0';
+    *place++ = '\n';
+    out.append(row.data(), place);
 }
 
 template <class T>
@@ -55,7 +64,7 @@ std::string header(bool binary, std::size_t rows)
     return fmt::format(
         "ply\nformat binary_little_endian 1.0\ncomment Lathelier: signed deviation of the copy, in the reference's "
         "frame\n"
-        "comment unit: mm\nelement vertex {}\nproperty double x_mm\nproperty double y_mm\nproperty double z_mm\n"
+        "comment unit mm\nelement vertex {}\nproperty double x_mm\nproperty double y_mm\nproperty double z_mm\n"
         "property float deviation_mm\nproperty uchar used\nend_header\n",
         rows);
 }

@@ -23,11 +23,13 @@ const Json* find(const Json& json, const std::string& path)
     for (std::size_t begin = 0; begin <= path.size();) {
         const std::size_t end = std::min(path.find('.', begin), path.size());
         const std::string step = path.substr(begin, end - begin);
-        if (here->is_object() && here->contains(step)) here = &(*here)[step];
+        if (here->is_object() && here->contains(step))
+            here = &(*here)[step];
         else if (here->is_array() && step.find_first_not_of("0123456789") == std::string::npos &&
                  std::stoul(step) < here->size())
             here = &(*here)[std::stoul(step)];
-        else return nullptr;
+        else
+            return nullptr;
         begin = end + 1;
     }
     return here;
@@ -61,7 +63,8 @@ double alignmentError(const std::string& name, const Json& result, const std::st
     const Eigen::Isometry3d original = pose(truth["pose_original_part_to_scan"]);
     const Eigen::Isometry3d copy = pose(truth["pose_copy_part_to_scan"]);
     Eigen::Matrix4d matrix;
-    for (int i = 0; i < 16; ++i) matrix(i / 4, i % 4) = result["transform_reference_from_copy"][static_cast<std::size_t>(i)].get<double>();
+    for (int i = 0; i < 16; ++i)
+        matrix(i / 4, i % 4) = result["transform_reference_from_copy"][static_cast<std::size_t>(i)].get<double>();
     const Eigen::Isometry3d found(matrix);
     const Eigen::Vector3d middle(0, 0, 91.5);
     const Eigen::Vector3d axis = original.linear().col(2);
@@ -70,7 +73,8 @@ double alignmentError(const std::string& name, const Json& result, const std::st
     if (name == "axial_um") return 1000 * std::abs(along);
     if (name == "radial_um") return 1000 * (error - along * axis).norm();
     if (name == "axis_deg")
-        return std::asin(std::min(1.0, (found.linear() * copy.linear().col(2)).cross(axis).norm())) * 180 / std::numbers::pi;
+        return std::asin(std::min(1.0, (found.linear() * copy.linear().col(2)).cross(axis).norm())) * 180 /
+               std::numbers::pi;
     throw std::runtime_error("no such error: " + name);
 }
 
@@ -87,13 +91,15 @@ std::string checkZone(const std::vector<std::string>& words, const Json& result)
         }
     if (points == 0) return "no zone lies there";
     const double mean_um = 1000 * sum / points;
-    return std::abs(mean_um - std::stod(words.at(4))) <= std::stod(words.at(5)) ? "" : "found " + std::to_string(mean_um);
+    return std::abs(mean_um - std::stod(words.at(4))) <= std::stod(words.at(5)) ? ""
+                                                                                : "found " + std::to_string(mean_um);
 }
 
 std::string checkLeft(const std::vector<std::string>& names, const std::string& folder)
 {
     std::set<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) found.insert(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        found.insert(entry.path().filename().string());
     std::string list;
     for (const std::string& name : found) list += " " + name;
     return found == std::set<std::string>(names.begin() + 1, names.end()) ? "" : "found" + list;
@@ -143,7 +149,8 @@ std::string check(const std::string& expectation, const Evidence& evidence)
     const std::size_t has = expectation.find(" has ");
     const std::string part = has == std::string::npos ? "" : expectation.substr(has + 5);
     if (words[0] == "stdout" || words[0] == "stderr") {
-        const std::string& text = words[0] == "stdout" ? evidence.outcome.standard_output : evidence.outcome.standard_error;
+        const std::string& text =
+            words[0] == "stdout" ? evidence.outcome.standard_output : evidence.outcome.standard_error;
         if (words.at(1) == "empty") return text.empty() ? "" : "found “" + text.substr(0, 400) + "”";
         return contained(text, part);
     }

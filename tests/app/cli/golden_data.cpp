@@ -25,7 +25,8 @@ std::string rows(int count, const std::function<Eigen::Vector3d(int)>& point)
 
 std::string rows(const Scan& scan)
 {
-    return rows(static_cast<int>(scan.points_mm.size()), [&](int i) { return scan.points_mm[static_cast<std::size_t>(i)]; });
+    return rows(static_cast<int>(scan.points_mm.size()),
+                [&](int i) { return scan.points_mm[static_cast<std::size_t>(i)]; });
 }
 
 /// A shaft scanned more coarsely than the practice data: 1 mm × 3°, 22 000 points.

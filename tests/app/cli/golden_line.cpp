@@ -14,15 +14,21 @@ void applyDirective(Line& line, const std::vector<std::string>& words)
         return words[i];
     };
     const std::string& name = argument(0);
-    if (name == "env") line.run.environment.push_back(argument(1));
-    else if (name == "stdout") line.run.stdout_file = argument(1);
-    else if (name == "interrupt") line.run.interrupt_ms = std::stoi(argument(1));
-    else if (name == "limit") line.run.largest_file = std::stol(argument(1));
-    else if (name == "not-root") line.not_as_root = true;
+    if (name == "env")
+        line.run.environment.push_back(argument(1));
+    else if (name == "stdout")
+        line.run.stdout_file = argument(1);
+    else if (name == "interrupt")
+        line.run.interrupt_ms = std::stoi(argument(1));
+    else if (name == "limit")
+        line.run.largest_file = std::stol(argument(1));
+    else if (name == "not-root")
+        line.not_as_root = true;
     else if (name == "feed") {
         line.run.feed_pipe = argument(1);
         line.run.feed_file = argument(2);
-    } else throw std::runtime_error(line.name + ": no directive " + name);
+    } else
+        throw std::runtime_error(line.name + ": no directive " + name);
 }
 
 std::string trimmed(const std::string& text)
@@ -45,8 +51,10 @@ std::vector<std::string> split(const std::string& text)
         }
         if (!open) words.emplace_back();
         open = true;
-        if (c == '"') quoted = !quoted;
-        else words.back() += c;
+        if (c == '"')
+            quoted = !quoted;
+        else
+            words.back() += c;
     }
     return words;
 }

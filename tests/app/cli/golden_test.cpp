@@ -34,13 +34,16 @@ public:
         };
         fresh();
         const auto fill = [&](const std::string& text) {
-            return replaced(replaced(replaced(text, "{data}", (folder / "data").string()), "{out}", out.string()), "{shared}", shared);
+            return replaced(replaced(replaced(text, "{data}", (folder / "data").string()), "{out}", out.string()),
+                            "{shared}", shared);
         };
-        for (std::string* text : {&line_.run.stdout_file, &line_.run.feed_pipe, &line_.run.feed_file}) *text = fill(*text);
+        for (std::string* text : {&line_.run.stdout_file, &line_.run.feed_pipe, &line_.run.feed_file})
+            *text = fill(*text);
         for (std::string& word : line_.run.words) word = fill(word);
         const Outcome outcome = runProgram(LATHELIER_CLI, line_.run);
         EXPECT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
-        const Evidence evidence{line_, outcome, out.string(), shared, [](const Run& run) { return runProgram(LATHELIER_CLI, run); }};
+        const Evidence evidence{line_, outcome, out.string(), shared,
+                                [](const golden::Run& run) { return runProgram(LATHELIER_CLI, run); }};
         for (const std::string& expectation : line_.expectations) {
             std::string problem;
             try {
@@ -60,7 +63,8 @@ private:
 std::string testName(const std::string& name)
 {
     std::string result = name;
-    std::replace_if(result.begin(), result.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return result;
 }
 

@@ -103,8 +103,10 @@ void gather(Pipe& output, Pipe& errors, Outcome& outcome, pid_t child, const Run
             if (watched[i].fd < 0 || watched[i].revents == 0) continue;
             std::array<char, 65536> buffer{};
             const ssize_t count = ::read(watched[i].fd, buffer.data(), buffer.size());
-            if (count > 0) texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
-            else watched[i].fd = -1;
+            if (count > 0)
+                texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+            else
+                watched[i].fd = -1;
         }
     }
     ::close(output.ends[0]);
@@ -123,26 +125,30 @@ Outcome runProgram(const std::string& program, const Run& run)
 
     Pipe output;
     Pipe errors;
-    const int target = run.stdout_file.empty() ? output.ends[1] : ::open(run.stdout_file.c_str(), O_WRONLY | O_CREAT, 0666);
+    const int target =
+        run.stdout_file.empty() ? output.ends[1] : ::open(run.stdout_file.c_str(), O_WRONLY | O_CREAT, 0666);
     const auto start = Clock::now();
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("no process");
     if (child == 0)
-        becomeProgram(const_cast<char**>(wordPointers.data()), const_cast<char**>(environmentPointers.data()), run, target,
-                      errors.ends[1]);
+        becomeProgram(const_cast<char**>(wordPointers.data()), const_cast<char**>(environmentPointers.data()), run,
+                      target, errors.ends[1]);
     ::close(output.ends[1]);
     ::close(errors.ends[1]);
     if (!run.stdout_file.empty()) ::close(target);
     std::thread feeder;
-    if (!run.feed_pipe.empty()) feeder = std::thread(feed, run.feed_pipe, run.feed_file, start + std::chrono::seconds(10));
+    if (!run.feed_pipe.empty())
+        feeder = std::thread(feed, run.feed_pipe, run.feed_file, start + std::chrono::seconds(10));
 
     Outcome outcome;
     gather(output, errors, outcome, child, run, start);
     int status = 0;
     ::waitpid(child, &status, 0);
     if (feeder.joinable()) feeder.join();
-    if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
-    else if (WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL) outcome.exit_code = 128 + WTERMSIG(status);
+    if (WIFEXITED(status))
+        outcome.exit_code = WEXITSTATUS(status);
+    else if (WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
+        outcome.exit_code = 128 + WTERMSIG(status);
     return outcome;
 }
 

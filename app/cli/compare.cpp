@@ -1,0 +1,63 @@
+// compare REFERENCE COPY: how far the copy is from the original, where, and how
+// sure that is.
+#include "engine/registration/compare.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/scans.h"
+#include "app/cli/verbs.h"
+#include "engine/registration/compare_json.h"
+#include "engine/report/compare_report.h"
+#include "engine/report/deviation_file.h"
+#include "engine/report/plain_text.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr const char* deviationsOption = "--deviations";
+
+void runCompare(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+{
+    const auto deviations = request.outputs.find(deviationsOption);
+    const bool wanted = deviations != request.outputs.end();
+    if (wanted && !isDeviationFile(deviations->second))  // said before the work, not after it
+        throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", deviationsOption},
+                                                    {"found", deviations->second},
+                                                    {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
+    const Text reading = LT_TEXT("Engine", "Reading");
+    const ScanFile reference =
+        readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);
+    const ScanFile copy = readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
+    auto result = std::make_shared<CompareResult>(
+        compare(reference.scan, copy.scan, fromValues<CompareParameters>(request.parameters),
+                progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing"))));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;  // the report shows those of the files as well
+    if (wanted)
+        writeDeviations(deviations->second, copy.scan, *result,
+                        progress.part(0.9, 1, LT_TEXT("Engine", "Writing deviations")));
+
+    answer.json = [result] { return toJson(*result); };
+    answer.report = [result] { return compareReport(*result, {}); };
+    if (result->verdict) answer.pass = *result->verdict == Verdict::Pass;
+    answer.summary = toPlainText(compareSummary(*result));
+}
+
+}  // namespace
+
+Verb compareVerb()
+{
+    return {"compare",
+            "Compare a copy with its original: alignment, signed surface "
+            "deviation, verdict.",
+            {{"REFERENCE", "The original: a point cloud or mesh."}, {"COPY", "The copy: a point cloud or mesh."}},
+            optionsOf<CompareParameters>(),
+            optionsOf<ImportOptions>(),
+            {{deviationsOption,
+              "Write every point of the copy with its "
+              "deviation (FILE.ply or FILE.csv)."}},
+            true,
+            runCompare};
+}
+
+}  // namespace lathelier::cli

@@ -41,7 +41,7 @@ public:
             *text = fill(*text);
         for (std::string& word : line_.run.words) word = fill(word);
         const Outcome outcome = runProgram(LATHELIER_CLI, line_.run);
-        EXPECT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
+        ASSERT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
         const Evidence evidence{line_, outcome, out.string(), shared,
                                 [](const golden::Run& run) { return runProgram(LATHELIER_CLI, run); }};
         for (const std::string& expectation : line_.expectations) {
@@ -51,7 +51,11 @@ public:
             } catch (const std::exception& failure) {
                 problem = failure.what();
             }
-            EXPECT_EQ(problem, "") << line_.source << "\nexpected: " << expectation << "\n" << outcome.standard_error;
+            if (!problem.empty())
+                ADD_FAILURE() << line_.source << "
+expected: " << expectation << "
+" << problem << "
+" << outcome.standard_error;
         }
     }
 

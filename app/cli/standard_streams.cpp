@@ -3,10 +3,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/io/file_system.h"
 
 namespace lathelier::cli {
 
@@ -19,7 +19,7 @@ void print(Stream stream, std::string_view text)
         if (count < 0) {
             if (stream == Stream::Errors) return;
             throw Error(ErrorCode::FileNotWritable,
-                        {{"path", std::string("standard output")}, {"reason", std::string(std::strerror(errno))}});
+                        {{"path", std::string("standard output")}, {"reason", systemReason(errno)}});
         }
         text.remove_prefix(static_cast<std::size_t>(count));
     }

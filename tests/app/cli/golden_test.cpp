@@ -52,10 +52,9 @@ public:
                 problem = failure.what();
             }
             if (!problem.empty())
-                ADD_FAILURE() << line_.source << "
-expected: " << expectation << "
-" << problem << "
-" << outcome.standard_error;
+                ADD_FAILURE() << line_.source << "\nexpected: " << expectation << "\n"
+                              << problem << "\n"
+                              << outcome.standard_error;
         }
     }
 

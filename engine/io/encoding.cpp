@@ -163,6 +163,20 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian)
     return result;
 }
 
+std::string fromUtf32(std::string_view bytes, bool bigEndian)
+{
+    std::string result;
+    for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
+        char32_t c = 0;
+        for (std::size_t k = 0; k < 4; ++k) c = (c << 8) | byteAt(bytes, bigEndian ? i + k : i + 3 - k);
+        appendUtf8(result, c > 0x10FFFF ? 0xFFFD : plainCharacter(c));
+    }
+    return result;
+}
+
+constexpr std::string_view utf32leMark("\xFF\xFE\0\0", 4);
+constexpr std::string_view utf32beMark("\0\0\xFE\xFF", 4);
+
 /// Numbers in UTF-16 have a zero in every other byte.
 Encoding utf16ByZeros(std::string_view bytes)
 {
@@ -212,6 +226,7 @@ DecodedText& DecodedText::operator=(DecodedText&& other) noexcept = default;
 
 bool looksLikeText(std::string_view bytes)
 {
+    if (bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark)) return true;
     std::size_t mark = 0;
     const Encoding found = detect(bytes, mark);
     if (found == Encoding::Utf16le || found == Encoding::Utf16be) return true;
@@ -224,6 +239,12 @@ bool looksLikeText(std::string_view bytes)
 
 DecodedText decodeText(std::string_view bytes, Encoding encoding)
 {
+    if (encoding == Encoding::Auto && (bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark))) {
+        const bool bigEndian = bytes.front() == '\0';
+        std::string text = fromUtf32(bytes.substr(4), bigEndian);
+        cutFilling(text);
+        return {std::move(text), bigEndian ? "utf-32be" : "utf-32le"};
+    }
     std::size_t mark = 0;
     const Encoding found = detect(bytes, mark);
     if (encoding == Encoding::Auto) encoding = found;

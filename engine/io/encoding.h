@@ -19,7 +19,10 @@ public:
     DecodedText& operator=(DecodedText&& other) noexcept;
 
     std::string_view view() const { return isOwned_ ? std::string_view(owned_) : view_; }
-    const std::string& encoding() const { return encoding_; }  ///< "utf-8", "utf-16le", "utf-16be", "latin-1"
+    const std::string& encoding() const
+    {
+        return encoding_;
+    }  ///< "utf-8", "utf-16le", "utf-16be", "utf-32le", "utf-32be", "latin-1"
 
 private:
     std::string owned_;
@@ -31,8 +34,9 @@ private:
 /// True when `bytes` are text in one of the encodings: no NUL and no control characters where text has none.
 bool looksLikeText(std::string_view bytes);
 
-/// Decodes. Auto: byte order mark, else UTF-16 by its zero bytes, else UTF-8 when valid, else Latin-1 (Windows-1252).
-/// A plain ASCII or UTF-8 text is not copied. Error Malformed (`byte`) when the given encoding does not fit.
+/// Decodes. Auto: byte order mark (also of UTF-32), else UTF-16 by its zero bytes, else UTF-8 when valid, else Latin-1
+/// (Windows-1252). A plain ASCII or UTF-8 text is not copied. Error Malformed (`byte`) when the given encoding does not
+/// fit.
 DecodedText decodeText(std::string_view bytes, Encoding encoding);
 
 /// The column (from 1, in characters) of byte `offset` within a line of UTF-8.

@@ -39,7 +39,8 @@ const Magic foreign[] = {
     {"LASF", LT_TEXT("Engine", "a LAS scan")},
     {"ISO-10303-21", LT_TEXT("Engine", "a STEP file")},
     {"# vtk DataFile", LT_TEXT("Engine", "a VTK file")},
-    {"OFF", LT_TEXT("Engine", "an OFF mesh")},
+    {"OFF\n", LT_TEXT("Engine", "an OFF mesh")},
+    {"OFF\r", LT_TEXT("Engine", "an OFF mesh")},
     {"{\\rtf", LT_TEXT("Engine", "an RTF document")},
     {"<?xml", LT_TEXT("Engine", "an XML document")},
     {"<!DOCTYPE", LT_TEXT("Engine", "an HTML document")},
@@ -117,9 +118,11 @@ std::uint64_t binaryStlSize(std::string_view bytes)
     return 84 + std::uint64_t{50} * facets;
 }
 
-/// A binary STL whose size is wrong still shows facets: normals of unit length or zero.
-bool showsStlFacets(std::string_view bytes)
+/// A binary STL whose size does not fit its count still shows facets: normals of unit length or zero.
+bool isDamagedBinaryStl(std::string_view bytes)
 {
+    if (bytes.size() < 134 || binaryStlSize(bytes) <= 84 || bytes.substr(0, 134).find('\0') == std::string_view::npos)
+        return false;
     const std::size_t facets = std::min<std::size_t>((bytes.size() - 84) / 50, 20);
     for (std::size_t i = 0; i < facets; ++i) {
         std::array<float, 12> values{};
@@ -127,10 +130,10 @@ bool showsStlFacets(std::string_view bytes)
         const double length =
             std::hypot(static_cast<double>(values[0]), static_cast<double>(values[1]), static_cast<double>(values[2]));
         if (!(length == 0 || std::abs(length - 1) < 0.01)) return false;
-        for (const float value : values)
-            if (!(std::abs(value) < 1e9F)) return false;
+        if (!std::all_of(values.begin(), values.end(), [](float value) { return std::abs(value) < 1e9F; }))
+            return false;
     }
-    return facets > 0;
+    return true;
 }
 
 using Reader = RawScan (*)(const ScanSource&);
@@ -163,10 +166,8 @@ RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Prog
     if (bytes.empty()) throw Error(ErrorCode::FileEmpty, {});
     refuseForeign(bytes);
     if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
-    if (!looksLikeText(bytes)) {
-        if (bytes.size() >= 84 && showsStlFacets(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
-        throwUnknown(LT_TEXT("Engine", "binary data"));
-    }
+    if (isDamagedBinaryStl(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
+    if (!looksLikeText(bytes)) throwUnknown(LT_TEXT("Engine", "binary data"));
     const DecodedText text = decodeText(bytes, options.encoding);
     if (text.view().empty()) throw Error(ErrorCode::FileEmpty, {});
     refuseForeign(trimmed(text.view().substr(0, headBytes)));

@@ -7,20 +7,11 @@
 namespace lathelier {
 namespace {
 
-/// Cells of a line of names: brackets hold units here, and # may be part of a name. ' ' stands for runs of blanks.
+/// Cells of a line of names.
 std::vector<Cell> splitNames(std::string_view line, char delimiter)
 {
     std::vector<Cell> cells;
-    if (delimiter == ' ') {
-        splitWords(line, cells);
-        return cells;
-    }
-    if (delimiter == '|' && line.starts_with('|')) line.remove_prefix(1);
-    for (std::size_t p = 0; p <= line.size();) {
-        const std::size_t end = std::min(line.find(delimiter, p), line.size());
-        cells.push_back(trimmed(line.substr(p, end - p)));
-        p = end + 1;
-    }
+    splitFields(line, delimiter, cells);
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
     return cells;
 }
@@ -28,9 +19,7 @@ std::vector<Cell> splitNames(std::string_view line, char delimiter)
 std::vector<Heading> splitHeadings(std::string_view line, char delimiter)
 {
     std::vector<Heading> headings;
-    for (Cell cell : splitNames(line, delimiter)) {
-        if (cell.size() > 1 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front())
-            cell = cell.substr(1, cell.size() - 2);
+    for (const Cell cell : splitNames(line, delimiter)) {
         // "X (in) Y (in)": the bracket belongs to the name before it.
         const bool bracketed = !cell.empty() && (cell.front() == '(' || cell.front() == '[');
         if (delimiter == ' ' && bracketed && !headings.empty())
@@ -80,17 +69,15 @@ NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, co
     return best;
 }
 
-/// A line of nothing but units, one for each column.
+/// A line of units, one for each column; angles and the like have others.
 void applyUnitLine(const std::vector<PrefaceLine>& preface, TableLayout& layout)
 {
     for (const PrefaceLine& line : preface)
         for (const char delimiter : {layout.style.delimiter, ' '}) {
             const std::vector<Cell> cells = splitNames(line.text, delimiter);
             const auto isUnit = [](Cell cell) { return lengthUnit(cell).has_value(); };
-            if (cells.size() != layout.columns.size() || std::none_of(cells.begin(), cells.end(), isUnit)) continue;
-            if (!std::all_of(cells.begin(), cells.end(),
-                             [&](Cell cell) { return cell.empty() || cell == "-" || isUnit(cell); }))
-                continue;
+            const auto units = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), isUnit));
+            if (cells.size() != layout.columns.size() || units == 0 || units * 2 < cells.size()) continue;
             for (std::size_t k = 0; k < cells.size(); ++k)
                 if (auto unit = lengthUnit(cells[k])) layout.columns[k].unit = std::move(unit);
             return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/io/encoding.h"
 #include "engine/io/number.h"
 #include "engine/io/table_headings.h"
 #include "engine/io/text_lines.h"
@@ -150,6 +151,7 @@ std::string_view withoutMark(std::string_view line)
     if (expectation.minimumColumns > 1) {
         const StyleFound narrow = findStyle(sample, {}, 1, options);
         std::vector<Cell> cells;
+        std::vector<Cell> firstCells;
         std::size_t rows = 0;
         const SampleLine* first = nullptr;
         for (const SampleLine& line : sample) {
@@ -158,17 +160,40 @@ std::string_view withoutMark(std::string_view line)
             if (narrow.columns == 0 || cells.size() != narrow.columns ||
                 countNumbers(cells, narrow.style) != cells.size())
                 continue;
-            if (!first) first = &line;
+            if (!first) {
+                first = &line;
+                firstCells = cells;
+            }
             ++rows;
         }
-        if (first && rows * 2 >= sample.size()) {
-            throw columnsDiffer(first->number, first->text, narrow.columns, expectation.minimumColumns);
-        }
+        if (first && rows * 2 >= sample.size())
+            throw columnsDiffer(first->number, first->text, firstCells, expectation.minimumColumns);
     }
     throw Error(ErrorCode::FormatUnknown, {{"line", sample.empty() ? std::int64_t{1} : sample.front().number},
                                            {"column", std::int64_t{1}},
                                            {"found", LT_TEXT("Engine", "text without rows of numbers")},
                                            {"expected", LT_TEXT("Engine", "rows of numbers")}});
+}
+
+/// Fewer columns of numbers than needed: the given decimal mark does not fit.
+void requireNumbers(const std::vector<SampleLine>& sample, const TableExpectation& expectation,
+                    const TableLayout& layout)
+{
+    const auto numbers = std::count_if(layout.columns.begin(), layout.columns.end(),
+                                       [](const TableColumn& column) { return column.isNumber; });
+    if (static_cast<std::size_t>(numbers) >= expectation.minimumColumns) return;
+    std::vector<Cell> cells;
+    for (const SampleLine& line : sample) {
+        splitCells(line.text, layout.style, cells);
+        dropEmptyEnd(cells, layout.columns.size());
+        if (cells.size() != layout.columns.size()) continue;
+        for (const Cell cell : cells)
+            if (countNumbers({cell}, layout.style) == 0 && cell.find_first_of("0123456789") != Cell::npos)
+                throw malformed(line.number, line.text, cell,
+                                layout.style.decimal == ',' ? LT_TEXT("Engine", "a number with a decimal comma")
+                                                            : LT_TEXT("Engine", "a number with a decimal point"));
+    }
+    throwNoRows(sample, expectation, {});
 }
 
 /// The lines above the table.
@@ -191,7 +216,7 @@ void studyNumericLine(const SampleLine& line, TableLayout& layout)
     const bool integers =
         std::all_of(cells.begin(), cells.end(), [](Cell cell) { return wholeInteger(cell).has_value(); });
     if (!integers || cells.size() > 2 || cells.size() >= layout.columns.size())
-        throw columnsDiffer(line.number, line.text, cells.size(), layout.columns.size());
+        throw columnsDiffer(line.number, line.text, cells, layout.columns.size());
     if (cells.size() == 1) layout.announcedRows = wholeInteger(cells[0]);
 }
 
@@ -238,12 +263,19 @@ bool findBody(std::string_view text, TableLayout& layout, Above& above)
 
 }  // namespace
 
-Error columnsDiffer(std::int64_t number, std::string_view line, std::size_t found, std::size_t expected)
+Error columnsDiffer(std::int64_t number, std::string_view line, const std::vector<Cell>& cells, std::size_t expected)
 {
-    Error error = malformed(number, line, line, LT_TEXT("Engine", "as many columns as in the other rows"));
-    error.with("found_columns", static_cast<std::int64_t>(found));
-    error.with("expected_columns", static_cast<std::int64_t>(expected));
-    return error;
+    const std::string_view row = trimmed(line);
+    const std::string_view end = row.substr(row.size());
+    const Error place = malformed(number, line, cells.size() > expected ? cells[expected] : end, {});
+    return Error(ErrorCode::Malformed,
+                 {{"line", number},
+                  {"column", *find(place.values(), "column")},
+                  {"found", excerpt(row)},
+                  {"expected", cells.size() > expected ? LT_TEXT("Engine", "fewer columns")
+                                                       : LT_TEXT("Engine", "more columns of numbers")},
+                  {"found_columns", static_cast<std::int64_t>(cells.size())},
+                  {"expected_columns", static_cast<std::int64_t>(expected)}});
 }
 
 TableLayout findLayout(std::string_view text, const TableExpectation& expectation, const ImportOptions& options)
@@ -263,6 +295,7 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
     TableLayout layout;
     layout.style = found.style;
     layout.columns = studyColumns(sample, found);
+    requireNumbers(sample, expectation, layout);
     Above above;
     if (!findBody(text, layout, above)) throwNoRows(sample, expectation, settled);
     settlePairs(sample, settled, countHeadings(above.preface, layout.style.delimiter, expectation), found);

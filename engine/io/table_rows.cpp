@@ -222,7 +222,7 @@ private:
             ++chunk.footers;
             return skip(chunk, lines.number(), LT_TEXT("Engine", "heading"));
         }
-        if (!isText(cells)) throw columnsDiffer(lines.number(), line, cells.size(), slotOf_.size());
+        if (!isText(cells)) throw columnsDiffer(lines.number(), line, cells, slotOf_.size());
         if (!chunk.firstText) chunk.firstText = TextLine{{lines.number(), {}}, lines.offset()};
         ++chunk.footers;
         skip(chunk, lines.number(), LT_TEXT("Engine", "text below the rows"));
@@ -253,8 +253,8 @@ std::vector<Chunk> cutIntoChunks(std::string_view text, const TableLayout& layou
         const std::size_t from = body + begin;
         std::size_t start = from;
         if (begin > 0 && !endsLine(text, from - 1)) {
-            while (start < text.size() && !endsLine(text, start)) ++start;
-            ++start;
+            while (start < body + end && !endsLine(text, start)) ++start;
+            ++start;  // without a line end, it is behind this chunk: no line starts in it
         }
         chunk.begin = start;
         chunk.lines =

@@ -170,6 +170,7 @@ void splitAtDelimiter(std::string_view line, char delimiter, std::vector<Cell>& 
     for (;;) {
         while (p < line.size() && isBlank(line[p]) && line[p] != delimiter) ++p;
         Cell cell;
+        if (line.substr(p, 2) == "=\"") ++p;  // ="1.5" keeps Excel from touching the number
         if (p < line.size() && (line[p] == '"' || line[p] == '\'')) {
             const std::size_t close = std::min(line.find(line[p], p + 1), line.size());
             cell = line.substr(p + 1, close - p - 1);
@@ -286,16 +287,17 @@ void decideDecimal(const std::vector<SampleLine>& rows, std::string_view whole, 
 
 }  // namespace
 
-void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells)
+void splitFields(std::string_view line, char delimiter, std::vector<Cell>& cells)
 {
     cells.clear();
-    line = withoutBrackets(withoutRemark(line, style.delimiter));
-    if (style.delimiter == ' ') {
-        splitAtBlanks(line, cells);
-    } else {
-        if (style.delimiter == '|' && line.starts_with('|')) line.remove_prefix(1);  // | 1 | 2 | 3 |
-        splitAtDelimiter(line, style.delimiter, cells);
-    }
+    if (delimiter == ' ') return splitAtBlanks(line, cells);
+    if (delimiter == '|' && line.starts_with('|')) line.remove_prefix(1);  // | 1 | 2 | 3 |
+    splitAtDelimiter(line, delimiter, cells);
+}
+
+void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells)
+{
+    splitFields(withoutBrackets(withoutRemark(line, style.delimiter)), style.delimiter, cells);
     if (style.paired) joinPairs(cells);
 }
 
@@ -346,11 +348,18 @@ Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell)
 {
     const Error place = malformed(number, line, cell, {});
     const bool comma = cell.find(',') != Cell::npos;
+    const Ungrouped first = ungroup(cell, comma ? ',' : '.');
+    const Ungrouped second = ungroup(cell, comma ? '.' : ',');
+    // "12,45" is no thousand, but two cells may be meant.
+    const std::size_t mark = cell.find(',');
+    const Value two = second.valid
+                          ? Value(second.value)
+                          : Value(std::string(cell.substr(0, mark)) + " | " + std::string(cell.substr(mark + 1)));
     return Error(ErrorCode::NumberAmbiguous, {{"line", number},
                                               {"column", *find(place.values(), "column")},
                                               {"found", std::string(cell)},
-                                              {"first", ungroup(cell, comma ? ',' : '.').value},
-                                              {"second", ungroup(cell, comma ? '.' : ',').value}});
+                                              {"first", first.value},
+                                              {"second", two}});
 }
 
 bool isRemark(std::string_view line, char delimiter)

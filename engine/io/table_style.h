@@ -20,8 +20,12 @@ struct TableStyle {
 /// One cell, trimmed and without quotes; a view into its line.
 using Cell = std::string_view;
 
+/// Splits a line at the separator; quotes protect it. Blank-separated reals that touch ("6.9-16.1", fixed-width output)
+/// are two cells.
+void splitFields(std::string_view line, char delimiter, std::vector<Cell>& cells);
+
 /// Splits a row into cells. Quotes protect separators, brackets around the row and a remark behind it (after #, //, %,
-/// ! or a blank and ;) fall away. Blank-separated reals that touch ("6.9-16.1", fixed-width output) are two cells.
+/// ! or a blank and ;) fall away.
 void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells);
 
 /// Removes empty cells behind the last column: a separator may end the row.

@@ -3,6 +3,11 @@
 #include "engine/io/encoding.h"
 
 namespace lathelier {
+namespace {
+
+constexpr std::size_t longestLine = std::size_t{1} << 20;
+
+}  // namespace
 
 bool isBlank(char c)
 {
@@ -16,6 +21,10 @@ bool Lines::next()
     std::size_t p = begin_;
     while (p < text_.size() && text_[p] != '\n' && text_[p] != '\r') ++p;
     length_ = p - begin_;
+    if (length_ > longestLine) {
+        const std::string_view start = text_.substr(begin_, 100);
+        throw malformed(number_ + 1, start, start, LT_TEXT("Engine", "a line of at most 1 MiB"));
+    }
     if (p < text_.size()) p += text_[p] == '\r' && p + 1 < text_.size() && text_[p + 1] == '\n' ? 2 : 1;
     next_ = p;
     ++number_;

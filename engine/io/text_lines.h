@@ -9,6 +9,7 @@
 namespace lathelier {
 
 /// The lines of a text, one after the other. LF, CRLF and a lone CR end a line.
+/// Error Malformed for a line of more than 1 MiB: splitting it would take many times its size.
 class Lines {
 public:
     explicit Lines(std::string_view text, std::size_t offset = 0, std::int64_t firstNumber = 1)

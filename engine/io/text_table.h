@@ -72,8 +72,9 @@ struct TableRows {
 TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
                    const std::function<double*(std::size_t rows)>& allocate, const Progress& progress);
 
-/// Error Malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`).
-Error columnsDiffer(std::int64_t number, std::string_view line, std::size_t found, std::size_t expected);
+/// Error Malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`), at its end or at
+/// the first cell too many.
+Error columnsDiffer(std::int64_t number, std::string_view line, const std::vector<Cell>& cells, std::size_t expected);
 
 /// For FileFacts: "comma", "space", "tab"…
 std::string delimiterName(const TableStyle& style);

@@ -82,7 +82,7 @@ std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, con
         }
     }
     for (std::size_t k = 0; k < found.columns; ++k) {
-        columns[k].isNumber = numbers[k] * 2 >= rows;
+        columns[k].isNumber = rows > 0 && numbers[k] * 2 >= rows;
         columns[k].isCount = columns[k].isNumber && goesUp[k] && !columns[k].hasMarks && rows >= 3;
     }
     return columns;

@@ -49,9 +49,11 @@ std::size_t countLineEnds(std::string_view text, std::size_t begin, std::size_t 
     std::size_t p = begin;
     while (p + 128 < end) {
         unsigned char block = 0;
-        for (std::size_t i = 0; i < 128; ++i)
-            block = static_cast<unsigned char>(
-                block + ((text[p + i] == '\n') | ((text[p + i] == '\r') & (text[p + i + 1] != '\n'))));
+        for (std::size_t i = 0; i < 128; ++i) {
+            const int lf = text[p + i] == '\n';
+            const int lone = static_cast<int>(text[p + i] == '\r') & static_cast<int>(text[p + i + 1] != '\n');
+            block = static_cast<unsigned char>(block + (lf | lone));
+        }
         count += block;
         p += 128;
     }

@@ -1,0 +1,9 @@
+// OBJ files.
+#include "tests/fuzz/check_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace lathelier;
+    fuzz::checkReader(readObj, fuzz::viewOf(data, size), true);
+    return 0;
+}

@@ -1,0 +1,12 @@
+// PCD files, binary and ascii.
+#include "tests/fuzz/check_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace lathelier;
+    const std::string_view bytes = fuzz::viewOf(data, size);
+    if (bytes.empty()) return 0;
+    fuzz::checkReader(readPcd, bytes, false);
+    fuzz::checkReader(readPcd, bytes, true);
+    return 0;
+}

@@ -163,9 +163,8 @@ void PlotCanvas::fitTexts()
     fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
     fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 2 * height);
     int widest = 1;
-    for (int i = 0; i < plot_->legend->itemCount(); ++i)
-        widest =
-            std::max(widest, plot_->legend->item(i)->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
+    for (QCPLayoutElement* item : plot_->legend->elements(false))
+        if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
     plot_->legend->setWrap(std::max(1, (width() - 20) / widest));
 }
 
@@ -303,14 +302,14 @@ void PlotCanvas::askAndSavePicture()
 {
     const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), accessibleName() + ".svg",
                                                       tr("Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)"));
-    if (!path.isEmpty() && !savePicture(path)) emit failed(tr("%1 could not be written.").arg(path));
+    if (!path.isEmpty() && !savePicture(path)) emit notWritten(path);
 }
 
 void PlotCanvas::askAndSaveData()
 {
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Save data"), accessibleName() + ".csv", tr("Table (*.csv)"));
-    if (!path.isEmpty() && !saveData(path)) emit failed(tr("%1 could not be written.").arg(path));
+    if (!path.isEmpty() && !saveData(path)) emit notWritten(path);
 }
 
 QImage PlotCanvas::picture(double scale)

@@ -40,8 +40,8 @@ public:
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void clicked(double x, double y);     ///< a click that was no drag, in data coordinates
-    void failed(const QString& message);  ///< something could not be written
+    void clicked(double x, double y);      ///< a click that was no drag, in data coordinates
+    void notWritten(const QString& path);  ///< the system refused to write this file
 
 protected:
     explicit PlotCanvas(QWidget* parent);

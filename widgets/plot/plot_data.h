@@ -28,7 +28,7 @@ struct PlotCurve {
     std::optional<QColor> colour;  ///< none: the next one of a colour-blind-safe row
     std::vector<double> readout;   ///< what the crosshair and the CSV say instead of y (a magnified error's true value)
     QString readoutUnit;           ///< unit of `readout`
-    std::vector<QColor> barColours;  ///< Bars only: one for each bar, or empty
+    bool spoken = true;            ///< the crosshair says its value
 };
 
 /// A straight limit across the plot, such as a tolerance. A movable one can be dragged.
@@ -54,7 +54,9 @@ struct PlotData {
     std::vector<PlotCurve> curves;
     std::vector<PlotLimit> limits;
     std::vector<PlotRegion> regions;
-    QString remark;          ///< stands beside the title: "error × 200"
+    QString remark;                                   ///< stands beside the title: "error × 200"
+    std::optional<std::pair<double, double>> xRange;  ///< what is shown at first; none: all
+    std::optional<std::pair<double, double>> yRange;
     bool yFromZero = false;  ///< counts: the y axis starts at 0
 };
 

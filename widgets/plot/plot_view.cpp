@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace lathelier {
 namespace {
@@ -247,6 +248,8 @@ void PlotView::fitRanges()
     }
     if (!(xLow <= xHigh)) xLow = 0, xHigh = 1;
     if (!(yLow <= yHigh)) yLow = 0, yHigh = 1;
+    if (content_->data.xRange) std::tie(xLow, xHigh) = *content_->data.xRange;
+    if (content_->data.yRange) std::tie(yLow, yHigh) = *content_->data.yRange;
     if (content_->data.yFromZero) yLow = 0;
     const double xMargin = xHigh > xLow ? 0.02 * (xHigh - xLow) : 0.5;
     const double yMargin = yHigh > yLow ? 0.06 * (yHigh - yLow) : 0.5;
@@ -266,8 +269,9 @@ QString PlotView::readoutAt(double x, double y) const
     parts << data.x.title + ' ' + withUnit(readable(x, range.width(), locale()), data.x.unit);
     bool any = false;
     for (const PlotCurve& curve : data.curves) {
-        if (curve.x.empty() || x < curve.x.front() || x > curve.x.back()) continue;
+        if (!curve.spoken || curve.x.empty() || x < curve.x.front() || x > curve.x.back()) continue;
         const std::size_t i = nearest(curve.x, x);
+        if (std::isnan(curve.y[i])) continue;
         const QString name = curve.name.isEmpty() ? data.y.title : curve.name;
         any = true;
         if (!curve.readout.empty())

@@ -1,0 +1,146 @@
+#include "widgets/compare/compare_panel.h"
+
+#include <QBoxLayout>
+#include <QToolButton>
+#include <cmath>
+
+#include "engine/report/compare_report.h"
+#include "engine/report/deviation_file.h"
+#include "widgets/compare/compare_views.h"
+#include "widgets/core/language.h"
+
+namespace lathelier {
+namespace {
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
+                    {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
+    inputs.files = LT_TEXT("Engine", "Point clouds and meshes");
+    inputs.patterns = "*.xyz *.asc *.csv *.txt *.pts *.ply *.pcd *.stl *.obj";
+    inputs.fields = infos<CompareParameters>();
+    inputs.defaults = toValues(CompareParameters{});
+    inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
+    return inputs;
+}
+
+Document reportOf(const ComparePicture& picture, const Language& language, std::vector<Picture> pictures)
+{
+    Document document = compareReport(*picture.result, picture.inputs, language, std::move(pictures));
+    document.synthetic = picture.synthetic;
+    return document;
+}
+
+}  // namespace
+
+PanelFacts comparePanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "compare";
+    facts.title = LT_TEXT("Engine", "Compare");
+    facts.icon = "compare";
+    facts.workspaces = {"inspection"};
+    facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
+    facts.report = [](const PanelState& state, ScanStore& scans, const Language& language, const Progress& progress) {
+        return reportOf(LastComparison().find(state, scans, progress), language, {});
+    };
+    return facts;
+}
+
+ComparePanel::ComparePanel(Session& session, QWidget* parent)
+    : Panel(session, comparePanelFacts(), panelInputs(), parent),
+      views_(new CompareViews),
+      last_(std::make_shared<LastComparison>())
+{
+    setViews(views_);
+    addSwapButton();
+    connect(views_, &CompareViews::toleranceDropped, this, [this](double tolerance_mm) {
+        const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
+        Panel::session().edit(tr("Change the tolerance"), [&](Project& project) {
+            lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm);
+        });
+    });
+    connect(views_, &CompareViews::notWritten, this, [this](const QString& path) {
+        const Error error(ErrorCode::FileNotWritable,
+                          {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
+        emit messageRaised({error, this->facts().title});
+    });
+}
+
+void ComparePanel::addSwapButton()
+{
+    auto* copy = findChild<QWidget*>("input_copy");
+    swap_ = new QToolButton;
+    swap_->setObjectName("swap");
+    swap_->setAutoRaise(true);
+    auto* column = qobject_cast<QBoxLayout*>(copy->parentWidget()->layout());
+    column->insertWidget(column->indexOf(copy), swap_, 0, Qt::AlignHCenter);
+    connect(swap_, &QToolButton::clicked, this, &ComparePanel::swapInputs);
+    ComparePanel::retranslate();
+}
+
+void ComparePanel::swapInputs()
+{
+    session().edit(tr("Swap reference and copy"), [](Project& project) {
+        auto& inputs = project.panels["compare"].inputs;
+        std::map<std::string, Source> swapped;
+        for (auto& [role, source] : inputs) swapped[role == "reference" ? "copy" : "reference"] = source;
+        inputs = swapped;
+    });
+}
+
+ComparePanel::Compute ComparePanel::compute(const PanelState& state) const
+{
+    fromValues<CompareParameters>(state.parameters);  // refuses now, not in the worker, what is out of range
+    return [state, last = last_, scans = session().sharedScans()](const Progress& progress) {
+        return last->find(state, *scans, progress);
+    };
+}
+
+void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+Headline ComparePanel::headline(const ComparePicture& picture) const
+{
+    return lathelier::headline(*picture.result, screenLanguage());
+}
+
+Notes ComparePanel::notes(const ComparePicture& picture) const
+{
+    return picture.notes;
+}
+
+Document ComparePanel::document(const ComparePicture& picture) const
+{
+    return reportOf(picture, screenLanguage(), views_->pictures());
+}
+
+std::vector<PanelExport> ComparePanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    const auto write = [picture](const QString& path) {
+        writeDeviations(path.toStdString(), picture->copyScan(), *picture->result);
+    };
+    return {{tr("Deviations of all points (PLY)…"), tr("Point cloud (*.ply)"), "ply", write},
+            {tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", write}};
+}
+
+void ComparePanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void ComparePanel::retranslate()
+{
+    swap_->setText(tr("⇅ Swap"));
+    swap_->setToolTip(tr("Reference and copy change places"));
+    swap_->setAccessibleName(swap_->toolTip());
+    views_->retranslate();
+}
+
+}  // namespace lathelier

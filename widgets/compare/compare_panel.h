@@ -1,0 +1,45 @@
+// The panel of workspace Inspection: how far is the copy from the original, where, and how sure is that?
+#pragma once
+
+#include "widgets/compare/compare_picture.h"
+#include "widgets/core/panel.h"
+
+class QToolButton;
+
+namespace lathelier {
+
+class CompareViews;
+
+/// The panel's line of the panel table.
+PanelFacts comparePanelFacts();
+
+class ComparePanel : public Panel<ComparePicture> {
+    Q_OBJECT
+
+public:
+    explicit ComparePanel(Session& session, QWidget* parent = nullptr);
+
+    CompareViews& views() const { return *views_; }
+    void setPresenting(bool presenting) override;
+
+    /// Reference and copy change places; one undo step.
+    void swapInputs();
+
+protected:
+    Compute compute(const PanelState& state) const override;
+    void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
+    Headline headline(const ComparePicture& picture) const override;
+    Notes notes(const ComparePicture& picture) const override;
+    Document document(const ComparePicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void retranslate() override;
+
+private:
+    void addSwapButton();
+
+    CompareViews* views_;
+    QToolButton* swap_ = nullptr;
+    std::shared_ptr<LastComparison> last_;
+};
+
+}  // namespace lathelier

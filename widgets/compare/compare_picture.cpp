@@ -1,0 +1,138 @@
+#include "widgets/compare/compare_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/verdict.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::size_t grain = 65536;
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+double angleOf(const Eigen::Vector3d& axisPlace)
+{
+    const double angle = std::atan2(axisPlace.y(), axisPlace.x()) * 180 / std::numbers::pi;
+    return angle < 0 ? angle + 360 : angle;
+}
+
+/// Index of the map's cell; nothing outside.
+std::optional<std::size_t> cellOf(const UnrolledMap& map, double z_mm, double angle_deg)
+{
+    const double row = std::floor((z_mm - map.z_start_mm) / map.z_step_mm);
+    if (!(row >= 0 && row < map.z_count)) return std::nullopt;
+    const int column = std::clamp(static_cast<int>(angle_deg / 360 * map.angle_count), 0, map.angle_count - 1);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) + static_cast<std::size_t>(column);
+}
+
+float meanAt(const CompareResult& result, const Eigen::Vector3d& axisPlace)
+{
+    const auto cell = cellOf(*result.unrolled, axisPlace.z(), angleOf(axisPlace));
+    return cell ? result.unrolled->mean_mm[*cell] : none;
+}
+
+std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const CompareResult& result,
+                                                     const Progress& progress)
+{
+    if (!result.unrolled || !result.axis_T_reference) return nullptr;
+    auto means = std::make_shared<std::vector<float>>(copy.points_mm.size());
+    const Eigen::Isometry3d axis_T_copy = *result.axis_T_reference * result.alignment.reference_T_copy;
+    parallelFor(means->size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            (*means)[i] = result.used[i] ? meanAt(result, axis_T_copy * copy.points_mm[i]) : none;
+    });
+    return means;
+}
+
+InputFile inputOf(const LoadedScan& scan)
+{
+    return {scan.file.facts.path, scan.bytes, scan.sha256};
+}
+
+void fillAxisPlace(const CompareResult& result, ComparePlace& place)
+{
+    if (!result.axis_T_reference) return;
+    const Eigen::Vector3d axisPlace = *result.axis_T_reference * place.reference_mm;
+    place.z_mm = axisPlace.z();
+    place.angle_deg = angleOf(axisPlace);
+    if (!result.unrolled) return;
+    const float mean = meanAt(result, axisPlace);
+    if (!std::isnan(mean)) place.local_mean_mm = mean;
+}
+
+}  // namespace
+
+ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, const Progress& progress)
+{
+    const auto parameters = fromValues<CompareParameters>(state.parameters);
+    const Source& referenceSource = state.inputs.at("reference");
+    const Source& copySource = state.inputs.at("copy");
+    ComparePicture picture;
+    picture.reference = scans.load(referenceSource, progress.part(0, 0.2, LT_TEXT("Engine", "Reading the reference")));
+    picture.copy = scans.load(copySource, progress.part(0.2, 0.4, LT_TEXT("Engine", "Reading the copy")));
+    picture.synthetic = referenceSource.synthetic || copySource.synthetic;
+    picture.inputs = {inputOf(*picture.reference), inputOf(*picture.copy)};
+
+    ComparePicture last;
+    {
+        const std::lock_guard lock(mutex_);
+        last = last_;
+    }
+    if (last.result && last.reference == picture.reference && last.copy == picture.copy &&
+        sameButVerdict(last.result->parameters, parameters)) {
+        CompareResult again = *last.result;
+        judge(again, parameters, progress.part(0.4, 1));
+        picture.result = std::make_shared<const CompareResult>(std::move(again));
+        picture.local_mean_mm = last.local_mean_mm;
+    } else {
+        picture.result = std::make_shared<const CompareResult>(
+            compare(picture.reference->file.scan, picture.copyScan(), parameters, progress.part(0.4, 0.97)));
+        picture.local_mean_mm = localMeans(picture.copyScan(), *picture.result, progress);
+    }
+    for (const Notes* notes : {&picture.result->notes, &picture.reference->file.notes, &picture.copy->file.notes})
+        picture.notes.insert(picture.notes.end(), notes->begin(), notes->end());
+    const std::lock_guard lock(mutex_);
+    last_ = picture;
+    return picture;
+}
+
+ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool of_reference)
+{
+    const CompareResult& result = *picture.result;
+    ComparePlace place;
+    if (of_reference) {
+        place.reference_mm = picture.reference->file.scan.points_mm[point];
+    } else {
+        place.reference_mm = result.alignment.reference_T_copy * picture.copyScan().points_mm[point];
+        place.point = point;
+        if (result.used[point]) place.deviation_mm = result.deviation_mm[point];
+    }
+    fillAxisPlace(result, place);
+    return place;
+}
+
+ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg)
+{
+    const CompareResult& result = *picture.result;
+    const Meridian& meridian = *result.meridian;
+    double radius_mm = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    // The profile has no single radius at a shoulder: take the nearest that is known.
+    for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
+        const double away = std::abs(meridian.z_mm[i] - z_mm);
+        if (away >= nearest || std::isnan(meridian.reference_radius_mm[i])) continue;
+        nearest = away;
+        radius_mm = meridian.reference_radius_mm[i];
+    }
+    const double angle = angle_deg * std::numbers::pi / 180;
+    ComparePlace place;
+    place.reference_mm = result.axis_T_reference->inverse() *
+                         Eigen::Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), z_mm);
+    fillAxisPlace(result, place);
+    return place;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,55 @@
+// What the worker of the comparison panel computes: the engine's result with the scans it came from, ready to be drawn.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "engine/registration/compare.h"
+#include "engine/report/document.h"
+#include "widgets/core/scan_store.h"
+
+namespace lathelier {
+
+struct ComparePicture {
+    LoadedScanPtr reference;
+    LoadedScanPtr copy;
+    std::shared_ptr<const CompareResult> result;
+    /// For each point of the copy the mean of its cell of the unrolled map; null where there is no map.
+    std::shared_ptr<const std::vector<float>> local_mean_mm;
+    std::vector<InputFile> inputs;
+    Notes notes;  ///< of both files and of the comparison
+    bool synthetic = false;
+
+    const Scan& copyScan() const { return copy->file.scan; }
+};
+
+/// The last registration. A change of the tolerance alone is judged anew from it, in milliseconds.
+class LastComparison {
+public:
+    /// The picture for this state. Loads, registers and evaluates only what is not there yet; safe from any thread.
+    /// Errors: those of readScan() and compare().
+    ComparePicture find(const PanelState& state, ScanStore& scans, const Progress& progress);
+
+private:
+    std::mutex mutex_;
+    ComparePicture last_;
+};
+
+/// A place of the part in all coordinates that the views speak.
+struct ComparePlace {
+    Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
+    std::optional<double> z_mm;                              ///< along the axis from its first data
+    std::optional<double> angle_deg;
+    std::optional<std::size_t> point;  ///< of the copy
+    std::optional<double> deviation_mm;
+    std::optional<double> local_mean_mm;
+};
+
+/// A point of the copy (or, with `of_reference`, of the reference).
+ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool of_reference = false);
+
+/// The place on the reference's meridian; body of revolution only.
+ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg);
+
+}  // namespace lathelier

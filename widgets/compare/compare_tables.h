@@ -1,0 +1,49 @@
+// The numbers of a comparison as tables that can be copied.
+#pragma once
+
+#include <QTableWidget>
+
+#include "widgets/compare/compare_picture.h"
+
+namespace lathelier {
+
+/// Rows are copied as tab-separated text, by Ctrl+C or the context menu.
+class CopyTable : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit CopyTable(QWidget* parent = nullptr);
+    QString text(bool selectedOnly) const;
+    void copyToClipboard() const;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+};
+
+/// Every quantity of the result: name, value, unit.
+class StatisticsTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit StatisticsTable(QWidget* parent = nullptr);
+    void setPicture(const ComparePicture& picture);
+};
+
+/// Mean deviation of each stretch along the axis; one beyond the tolerance carries a symbol and a word.
+class ZoneTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit ZoneTable(QWidget* parent = nullptr);
+    void setResult(const CompareResult& result);
+    void markZ(std::optional<double> z_mm);  ///< selects the zone at or next to z
+
+signals:
+    void zonePicked(double z_mm);
+
+private:
+    std::vector<Zone> zones_;
+};
+
+}  // namespace lathelier

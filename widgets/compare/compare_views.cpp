@@ -1,0 +1,430 @@
+#include "widgets/compare/compare_views.h"
+
+#include <QBuffer>
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/report/compare_plots.h"
+#include "widgets/compare/compare_charts.h"
+#include "widgets/compare/compare_tables.h"
+#include "widgets/core/language.h"
+#include "widgets/plot/map_view.h"
+#include "widgets/plot/plot_view.h"
+#include "widgets/scene/scene_view.h"
+
+namespace lathelier {
+namespace {
+
+// The paper's Figure 19 shows the original blue and the copy red.
+const QColor originalBlue(31, 119, 180);
+const QColor copyRed(214, 39, 40);
+
+enum View { All, Space, Map, Profile, Distribution, Zones, Numbers, viewCount };
+
+QToolButton* choice(QButtonGroup* group, int id, QHBoxLayout* row, const char* name)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    group->addButton(button, id);
+    row->addWidget(button);
+    return button;
+}
+
+std::string pngOf(const QImage& image)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes.toStdString();
+}
+
+}  // namespace
+
+struct CompareViews::Parts {
+    std::shared_ptr<const ComparePicture> picture;
+    std::optional<ComparePlace> place;
+    std::optional<double> chosenLimit;
+    std::optional<double> chosenFactor;
+
+    SceneView* scene = nullptr;
+    MapView* map = nullptr;
+    PlotView* meridian = nullptr;
+    PlotView* histogram = nullptr;
+    ZoneTable* zones = nullptr;
+    StatisticsTable* numbers = nullptr;
+    QTabWidget* tabs = nullptr;
+    QSplitter* rows = nullptr;
+    QSplitter* upper = nullptr;
+    QSplitter* lower = nullptr;
+
+    std::array<QToolButton*, viewCount> views{};
+    QButtonGroup* viewGroup = nullptr;
+    QToolButton* overlay = nullptr;
+    QToolButton* deviation = nullptr;
+    QCheckBox* smooth = nullptr;
+    QLabel* factorLabel = nullptr;
+    QDoubleSpinBox* factor = nullptr;
+    QLabel* synthetic = nullptr;
+
+    const CompareResult& result() const { return *picture->result; }
+    bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
+    std::optional<double> tolerance() const { return picture ? result().parameters.tolerance_mm : std::nullopt; }
+};
+
+CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>())
+{
+    Parts& p = *parts_;
+    p.scene = new SceneView;
+    p.map = new MapView;
+    p.meridian = new PlotView;
+    p.histogram = new PlotView;
+    p.zones = new ZoneTable;
+    p.numbers = new StatisticsTable;
+    p.tabs = new QTabWidget;
+    p.tabs->setDocumentMode(true);
+    p.map->setObjectName("map");
+    p.meridian->setObjectName("meridian");
+    p.histogram->setObjectName("histogram");
+    p.scene->setObjectName("scene");
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    buildBar();
+    p.rows = new QSplitter(Qt::Vertical);
+    p.upper = new QSplitter;
+    p.lower = new QSplitter;
+    for (QSplitter* row : {p.upper, p.lower}) {
+        row->setChildrenCollapsible(false);
+        p.rows->addWidget(row);
+    }
+    p.rows->setChildrenCollapsible(false);
+    p.upper->addWidget(p.scene);
+    p.upper->addWidget(p.map);
+    p.lower->addWidget(p.meridian);
+    p.lower->addWidget(p.tabs);
+    p.rows->setStretchFactor(0, 11);
+    p.rows->setStretchFactor(1, 10);
+    for (QSplitter* row : {p.upper, p.lower})
+        for (int i = 0; i < 2; ++i) row->setStretchFactor(i, 1);
+    layout->addWidget(p.rows, 1);
+
+    connect(p.scene, &SceneView::pointPicked, this, [this](int object, qint64 point) {
+        setPlace(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
+    });
+    connect(p.map, &PlotCanvas::clicked, this, [this](double z, double angle) {
+        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, std::clamp(angle, 0.0, 359.999)));
+    });
+    const auto pickZ = [this](double z) {
+        const double angle = parts_->place && parts_->place->angle_deg ? *parts_->place->angle_deg : 90;
+        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, angle));
+    };
+    connect(p.meridian, &PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
+    connect(p.zones, &ZoneTable::zonePicked, this, pickZ);
+    connect(p.scene, &SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
+    connect(p.map, &MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
+    connect(p.histogram, &PlotView::limitMoved, this, [this](int, double value) {
+        const double tolerance = std::max(std::abs(value), 1e-4);
+        parts_->histogram->setLimitValues({-tolerance, tolerance});
+        parts_->map->setColours({limit_mm(), tolerance});
+    });
+    connect(p.histogram, &PlotView::limitDropped, this,
+            [this](int, double value) { emit toleranceDropped(std::max(std::abs(value), 1e-4)); });
+    for (PlotCanvas* canvas :
+         {static_cast<PlotCanvas*>(p.map), static_cast<PlotCanvas*>(p.meridian), static_cast<PlotCanvas*>(p.histogram)})
+        connect(canvas, &PlotCanvas::notWritten, this, &CompareViews::notWritten);
+    retranslate();
+    arrange();
+}
+
+CompareViews::~CompareViews() = default;
+
+const std::optional<ComparePlace>& CompareViews::place() const
+{
+    return parts_->place;
+}
+
+double CompareViews::limit_mm() const
+{
+    if (parts_->chosenLimit) return *parts_->chosenLimit;
+    return parts_->picture ? colourLimit_mm(parts_->result()) : 1;
+}
+
+void CompareViews::buildBar()
+{
+    Parts& p = *parts_;
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    p.viewGroup = new QButtonGroup(this);
+    static constexpr std::array<const char*, viewCount> names{
+        "viewAll", "viewSpace", "viewMap", "viewMeridian", "viewDistribution", "viewZones", "viewNumbers"};
+    for (int id = 0; id < viewCount; ++id)
+        p.views[static_cast<std::size_t>(id)] = choice(p.viewGroup, id, row, names[static_cast<std::size_t>(id)]);
+    p.views[All]->setChecked(true);
+    connect(p.viewGroup, &QButtonGroup::idClicked, this, [this] { arrange(); });
+
+    row->addSpacing(12);
+    auto* surface = new QButtonGroup(this);
+    p.overlay = choice(surface, 0, row, "overlay");
+    p.deviation = choice(surface, 1, row, "deviation");
+    p.deviation->setChecked(true);
+    p.smooth = new QCheckBox;
+    p.smooth->setObjectName("localMean");
+    p.smooth->setChecked(true);
+    row->addWidget(p.smooth);
+    connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
+    connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
+
+    row->addSpacing(12);
+    p.factorLabel = new QLabel;
+    p.factor = new QDoubleSpinBox;
+    p.factor->setObjectName("magnification");
+    p.factor->setRange(1, 100'000);
+    p.factor->setDecimals(0);
+    p.factor->setKeyboardTracking(false);
+    p.factor->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    p.factorLabel->setBuddy(p.factor);
+    row->addWidget(p.factorLabel);
+    row->addWidget(p.factor);
+    connect(p.factor, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double factor) {
+        parts_->chosenFactor = factor;
+        if (parts_->hasAxis()) parts_->meridian->setData(compareMeridian(parts_->result(), factor));
+    });
+    row->addStretch(1);
+    p.synthetic = new QLabel;
+    p.synthetic->setObjectName("synthetic");
+    p.synthetic->setFrameShape(QFrame::Box);
+    p.synthetic->setMargin(2);
+    row->addWidget(p.synthetic);
+}
+
+void CompareViews::arrange()
+{
+    Parts& p = *parts_;
+    const bool axis = !p.picture || p.hasAxis();
+    for (const View view : {Map, Profile, Zones}) p.views[view]->setVisible(axis);
+    int shown = p.viewGroup->checkedId();
+    if (!axis && (shown == Map || shown == Profile || shown == Zones)) {
+        p.views[All]->setChecked(true);
+        shown = All;
+    }
+    const bool all = shown == All;
+    p.tabs->clear();
+    p.tabs->addTab(p.histogram, p.views[Distribution]->text());
+    if (axis) p.tabs->addTab(p.zones, p.views[Zones]->text());
+    p.tabs->addTab(p.numbers, p.views[Numbers]->text());
+    if (shown == Zones) p.tabs->setCurrentWidget(p.zones);
+    if (shown == Numbers) p.tabs->setCurrentWidget(p.numbers);
+    p.scene->setVisible(all || shown == Space);
+    p.map->setVisible(axis && (all || shown == Map));
+    p.meridian->setVisible(axis && (all || shown == Profile));
+    p.tabs->setVisible(all || shown >= Distribution);
+    p.tabs->tabBar()->setVisible(all);
+    p.upper->setVisible(all || shown == Space || shown == Map);
+    p.lower->setVisible(all || shown >= Profile);
+    p.factor->setVisible(axis && (all || shown == Profile));
+    p.factorLabel->setVisible(p.factor->isVisibleTo(this));
+    p.smooth->setVisible(axis);
+}
+
+void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& picture)
+{
+    Parts& p = *parts_;
+    const bool sameScans = p.picture && p.picture->reference == picture->reference && p.picture->copy == picture->copy;
+    const bool sameValues = sameScans && p.picture->local_mean_mm == picture->local_mean_mm;
+    p.picture = picture;
+    if (!sameScans) {
+        p.chosenLimit.reset();
+        p.chosenFactor.reset();
+        p.place.reset();
+    }
+    p.synthetic->setVisible(picture->synthetic);
+    arrange();
+    showCharts();
+    if (sameValues)
+        recolour(p.tolerance());  // only the verdict is new: nothing has to be uploaded
+    else
+        showSurface();
+    if (p.place && p.place->point)
+        setPlace(placeOfPoint(*picture, *p.place->point));
+    else
+        setPlace(p.place);
+}
+
+void CompareViews::showCharts()
+{
+    Parts& p = *parts_;
+    const CompareResult& result = p.result();
+    p.numbers->setPicture(*p.picture);
+    p.zones->setResult(result);
+    p.histogram->setData(compareHistogram(result, limit_mm()));
+    if (!p.hasAxis()) return;
+    const double factor = p.chosenFactor.value_or(magnification(result));
+    {
+        const QSignalBlocker quiet(p.factor);
+        p.factor->setValue(factor);
+    }
+    p.meridian->setData(compareMeridian(result, factor));
+    p.map->setData(compareMap(result));
+}
+
+void CompareViews::showSurface()
+{
+    Parts& p = *parts_;
+    if (!p.picture) return;
+    const CompareResult& result = p.result();
+    std::optional<SceneAxis> axis;
+    if (result.alignment.reference_axis)
+        axis = SceneAxis{result.alignment.reference_axis->point_mm, result.alignment.reference_axis->direction};
+    p.scene->setLongAxis(axis);
+    const bool deviation = p.deviation->isChecked();
+    p.smooth->setEnabled(deviation);
+
+    SceneObject reference;
+    reference.name = tr("Reference");
+    reference.scan = ScanPtr(p.picture->reference, &p.picture->reference->file.scan);
+    reference.colour = originalBlue;
+    reference.visible = !deviation;
+    SceneObject copy;
+    copy.name = tr("Copy");
+    copy.scan = ScanPtr(p.picture->copy, &p.picture->copy->file.scan);
+    copy.scene_T_scan = result.alignment.reference_T_copy;
+    copy.colour = copyRed;
+    if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
+    if (deviation && !copy.values)
+        copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
+    recolour(p.tolerance());
+    p.scene->setObjects({reference, copy});
+}
+
+void CompareViews::recolour(std::optional<double> tolerance_mm)
+{
+    const DeviationColours colours{limit_mm(), tolerance_mm};
+    parts_->map->setColours(colours);
+    parts_->scene->setColours(colours);
+}
+
+void CompareViews::setLimit(std::optional<double> limit_mm)
+{
+    parts_->chosenLimit = limit_mm;
+    recolour(parts_->tolerance());
+}
+
+void CompareViews::setPlace(const std::optional<ComparePlace>& place)
+{
+    Parts& p = *parts_;
+    p.place = place;
+    if (!place) {
+        p.scene->setMarker({});
+        p.map->setMarker({});
+        p.meridian->setMarker({});
+        p.histogram->setMarker({});
+        p.zones->markZ({});
+        return;
+    }
+    p.scene->setMarker(place->reference_mm, describe(*place));
+    const bool onMap = place->z_mm && place->angle_deg;
+    p.map->setMarker(onMap ? std::optional(QPointF(*place->z_mm, *place->angle_deg)) : std::nullopt);
+    p.meridian->setMarker(place->z_mm);
+    p.histogram->setMarker(place->deviation_mm ? place->deviation_mm : place->local_mean_mm);
+    p.zones->markZ(place->z_mm);
+}
+
+QString CompareViews::describe(const ComparePlace& place) const
+{
+    const auto signedLength = [](double value) { return (value > 0 ? "+" : "") + screenNumber(value, 3) + " mm"; };
+    QStringList lines;
+    lines << QString("X %1   Y %2   Z %3 mm")
+                 .arg(screenNumber(place.reference_mm.x(), 3), screenNumber(place.reference_mm.y(), 3),
+                      screenNumber(place.reference_mm.z(), 3));
+    if (place.z_mm && place.angle_deg)
+        lines << tr("along the axis %1 mm, angle %2°")
+                     .arg(screenNumber(*place.z_mm, 2), screenNumber(*place.angle_deg, 1));
+    if (place.deviation_mm)
+        lines << tr("deviation %1").arg(signedLength(*place.deviation_mm));
+    else if (place.point)
+        lines << tr("this point was left out");
+    if (place.local_mean_mm) lines << tr("mean around it %1").arg(signedLength(*place.local_mean_mm));
+    return lines.join('\n');
+}
+
+std::vector<Picture> CompareViews::pictures()
+{
+    Parts& p = *parts_;
+    std::vector<Picture> pictures;
+    if (!p.picture || !p.scene->canDraw()) return pictures;
+    const int shown = p.viewGroup->checkedId();
+    QToolButton* before = p.deviation->isChecked() ? p.deviation : p.overlay;
+    if (!p.scene->isVisibleTo(this)) {
+        p.views[All]->setChecked(true);
+        arrange();
+    }
+    const auto take = [&](const Text& title, SceneViewpoint viewpoint) {
+        const QImage image = p.scene->picture(viewpoint);
+        if (!image.isNull()) pictures.push_back({title, pngOf(image)});
+    };
+    p.overlay->setChecked(true);
+    showSurface();
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), oblique"), SceneViewpoint::Oblique);
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), from the side"), SceneViewpoint::Side);
+    p.deviation->setChecked(true);
+    showSurface();
+    take(LT_TEXT("Engine", "Deviation of the copy, oblique"), SceneViewpoint::Oblique);
+    take(LT_TEXT("Engine", "Deviation of the copy, from the side"), SceneViewpoint::Side);
+    before->setChecked(true);
+    showSurface();
+    if (p.viewGroup->checkedId() != shown) {
+        p.viewGroup->button(shown)->setChecked(true);
+        arrange();
+    }
+    return pictures;
+}
+
+void CompareViews::setPresenting(bool presenting)
+{
+    // Every view sizes its type and lines by its font.
+    QFont face = parentWidget() ? parentWidget()->font() : QFont();
+    if (presenting) face.setPointSizeF(1.35 * face.pointSizeF());
+    setFont(face);
+}
+
+void CompareViews::retranslate()
+{
+    Parts& p = *parts_;
+    const std::array<QString, viewCount> names{tr("All"),          tr("3-D"),   tr("Map"),    tr("Meridian"),
+                                               tr("Distribution"), tr("Zones"), tr("Numbers")};
+    for (std::size_t i = 0; i < names.size(); ++i) p.views[i]->setText(names[i]);
+    p.overlay->setText(tr("Overlay"));
+    p.overlay->setToolTip(tr("The original blue, the copy red"));
+    p.deviation->setText(tr("Deviation"));
+    p.deviation->setToolTip(tr("The copy, coloured by its distance from the original's surface"));
+    p.smooth->setText(tr("Local mean"));
+    p.smooth->setToolTip(tr("Each point has the mean of its surroundings, as in the map; off: every point by itself"));
+    p.factorLabel->setText(tr("Error ×"));
+    p.factor->setToolTip(tr("How many times larger the meridian draws the deviation"));
+    p.factor->setAccessibleName(p.factor->toolTip());
+    p.synthetic->setText(tr("Synthetic data"));
+    p.synthetic->setToolTip(tr("These scans were computed, not measured."));
+    p.synthetic->setVisible(p.picture && p.picture->synthetic);
+    p.scene->setScaleTitle(tr("Deviation [mm]"));
+    if (!p.picture) return;
+    arrange();
+    showCharts();
+    setPlace(p.place);
+}
+
+}  // namespace lathelier

@@ -1,0 +1,53 @@
+// The views of a comparison, linked: 3-D, unrolled map, meridian, histogram, tables. A place picked in one is marked in
+// all.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "engine/report/document.h"
+#include "widgets/compare/compare_picture.h"
+
+namespace lathelier {
+
+class CompareViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CompareViews(QWidget* parent = nullptr);
+    ~CompareViews() override;
+
+    void setPicture(const std::shared_ptr<const ComparePicture>& picture);
+
+    /// The place marked in all views.
+    void setPlace(const std::optional<ComparePlace>& place);
+    const std::optional<ComparePlace>& place() const;
+
+    /// Half width of the colour scale; none: chosen from the data.
+    void setLimit(std::optional<double> limit_mm);
+    double limit_mm() const;
+
+    /// 3-D pictures for the report: overlay and deviation, oblique and from the side. Empty without OpenGL.
+    std::vector<Picture> pictures();
+
+    void setPresenting(bool presenting);
+    void retranslate();
+
+signals:
+    void toleranceDropped(double tolerance_mm);  ///< a limit of the histogram was dragged there
+    void notWritten(const QString& path);        ///< the system refused to write this file
+
+private:
+    struct Parts;
+    void buildBar();
+    void showSurface();
+    void showCharts();
+    void arrange();
+    void recolour(std::optional<double> tolerance_mm);
+    QString describe(const ComparePlace& place) const;
+
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace lathelier

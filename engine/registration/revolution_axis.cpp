@@ -240,18 +240,17 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.consistent_share = consistentShare(sample, pose, bins, candidates.noise_mm);
     progress.report(0.5);
 
-    // All points. The step shrinks tenfold or more each time; done when it is far below the statistical floor.
+    // All points. The step shrinks tenfold or more each time; done when it was a tenth of the statistical uncertainty.
     Step step;
     for (int i = 0; i < 12 && !fit.converged; ++i) {
         step = improve(points, pose, bins, progress);
         ++fit.iterations;
         if (!step.determined) return fit;
         const double relative = std::sqrt(step.change.dot(step.hessian * step.change));  // in standard uncertainties
-        fit.converged = relative < 0.02;
-        refineSlopes(bins);
+        fit.converged = relative < 0.1;
+        if (!fit.converged) refineSlopes(bins);
         progress.report(0.5 + 0.1 * std::min(i, 4));
     }
-    step = improve(points, pose, bins, progress);  // the sums at the solution
     fit.axis_T_scan = pose;
     fit.sigma_mm = bins.sigma_mm;
     fit.side_share = step.sums.side_weights / static_cast<double>(points.size());

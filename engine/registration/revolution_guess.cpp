@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
@@ -28,13 +29,28 @@ std::vector<OrientedPoint> estimateNormals(const std::vector<Vector3d>& points, 
     const std::size_t count = std::min(kNormals, points.size());
     const std::size_t neighbours = std::min(kNeighbours, points.size());
     std::vector<OrientedPoint> result(count);
+    // Distances in single precision, coordinate by coordinate, so that the compiler computes several at once.
+    std::vector<float> x, y, z;
+    for (const Vector3d& point : points) {
+        const Eigen::Vector3f p = (point - points.front()).cast<float>();
+        x.push_back(p.x());
+        y.push_back(p.y());
+        z.push_back(p.z());
+    }
     parallelFor(count, 16, progress, [&](std::size_t begin, std::size_t end) {
-        std::array<std::pair<double, std::size_t>, kNeighbours> nearest;
+        std::array<std::pair<float, std::size_t>, kNeighbours> nearest;
+        std::vector<float> distances(points.size());
         for (std::size_t i = begin; i < end; ++i) {
-            const Vector3d centre = points[i * points.size() / count];
-            nearest.fill({1e300, 0});
+            const std::size_t own = i * points.size() / count;
             for (std::size_t k = 0; k < points.size(); ++k) {
-                const double distance = (points[k] - centre).squaredNorm();
+                const float dx = x[k] - x[own];
+                const float dy = y[k] - y[own];
+                const float dz = z[k] - z[own];
+                distances[k] = dx * dx + dy * dy + dz * dz;
+            }
+            nearest.fill({std::numeric_limits<float>::max(), 0});
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const float distance = distances[k];
                 if (distance >= nearest[neighbours - 1].first) continue;
                 std::size_t place = neighbours - 1;
                 for (; place > 0 && nearest[place - 1].first > distance; --place) nearest[place] = nearest[place - 1];

@@ -134,17 +134,17 @@ double leastSurprise(const std::vector<Trial>& trials)
     return least;
 }
 
-constexpr int kCoarse = 11;
-
-/// Trials over a factor of 3 to either side of what the misplaced points suggest.
+/// Trials over a factor of 3 to either side of what the misplaced points suggest, on one ladder of widths for all
+/// groups, so that their likelihoods compare.
 std::vector<Trial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
     for (const Smear* smear : group) guesses.push_back(smear->widthGuess());
     const auto middle = guesses.begin() + static_cast<std::ptrdiff_t>(guesses.size() / 2);
     std::nth_element(guesses.begin(), middle, guesses.end());
-    const double guess = std::log(std::max(*middle, finest));
-    return tryWidths(group, guess - std::log(3), guess + std::log(3), kCoarse, progress);
+    const double rung = std::log(3.0) / 5;
+    const double guess = std::round(std::log(std::max(*middle / finest, 1.0)) / rung) * rung + std::log(finest);
+    return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
 }
 
 /// The shoulders of a group, averaged over the widths that the data allow, each by its likelihood.

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kPlaces = 24;
+constexpr std::size_t kPlaces = 12;
 constexpr std::size_t kNearest = 32;  // samples whose circle gives the area of one
 
 double medianOf(std::vector<double>& values)

@@ -29,6 +29,7 @@ public:
 
     const Edge& edge() const { return edge_.edge; }
     double widthGuess() const { return guess_; }
+    double leanSigma() const { return kLeanShare * edge_.lean_mm; }
     double density() const { return density_; }  ///< rays for each mm of height
 
     struct Place {
@@ -81,6 +82,9 @@ private:
         }
         return total - std::log(product);
     }
+
+    /// Rays are taken to point at the part's axis; one that passes it at 0.2 radii moves 2 % further along it.
+    static constexpr double kLeanShare = 0.02;
 
     EdgeRays edge_;
     std::vector<double> hits_before_;  ///< hits among the first k rays
@@ -178,8 +182,8 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coars
         const double density = group[i]->density();
         const double open = std::max(0.0, squares / weight - mean * mean);  // variance that the width leaves
         const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
-        shoulders.push_back(
-            {(fine.front().heights[i] + mean) * edge.sign, std::sqrt(own + open), edge.before_mm, edge.after_mm});
+        shoulders.push_back({(fine.front().heights[i] + mean) * edge.sign,
+                             std::hypot(std::sqrt(own + open), group[i]->leanSigma()), edge.before_mm, edge.after_mm});
     }
     return shoulders;
 }

@@ -277,6 +277,8 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
         }
         std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
         result[e].edge = edge;
+        const Lean& known = lean ? *lean : shade;
+        result[e].lean_mm = heightOf(edge) * std::hypot(known.a, known.b);
     });
     return result;
 }

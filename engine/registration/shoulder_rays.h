@@ -26,6 +26,7 @@ struct Ray {
 struct EdgeRays {
     Edge edge;
     std::vector<Ray> rays;  ///< in order of height
+    double lean_mm = 0;     ///< how far a leaning ray moves along the axis over the height of the shoulder, at most
 };
 
 /// The place with as many rays below it as there are misses in all; nullopt with too few hits or misses.

@@ -7,6 +7,8 @@
 namespace lathelier {
 namespace {
 
+constexpr std::size_t checkMask = 0xFFFFF;  ///< a look at the progress every million characters
+
 void appendUtf8(std::string& out, char32_t c)
 {
     if (c < 0x80) {
@@ -91,10 +93,12 @@ struct Utf8Check {
     bool needsPlain = false;  ///< holds characters that plainCharacter changes
 };
 
-Utf8Check checkUtf8(std::string_view bytes)
+Utf8Check checkUtf8(std::string_view bytes, const Progress& progress)
 {
     Utf8Check result;
+    std::size_t steps = 0;
     for (std::size_t i = skipAscii(bytes, 0); i < bytes.size(); i = skipAscii(bytes, i)) {
+        if ((++steps & checkMask) == 0) progress.check();
         char32_t c = 0;
         const std::size_t length = sequenceLength(bytes, i, c);
         if (length == 0) {
@@ -107,10 +111,12 @@ Utf8Check checkUtf8(std::string_view bytes)
     return result;
 }
 
-std::string plainUtf8(std::string_view bytes)
+std::string plainUtf8(std::string_view bytes, const Progress& progress)
 {
     std::string result;
+    std::size_t steps = 0;
     for (std::size_t i = 0; i < bytes.size();) {
+        if ((++steps & checkMask) == 0) progress.check();
         char32_t c = 0;
         const std::size_t length = sequenceLength(bytes, i, c);
         appendUtf8(result, plainCharacter(c));
@@ -120,7 +126,7 @@ std::string plainUtf8(std::string_view bytes)
 }
 
 /// Windows-1252, which is what "Latin-1" files are in practice: 0x80…0x9F are printable there.
-std::string fromLatin1(std::string_view bytes)
+std::string fromLatin1(std::string_view bytes, const Progress& progress)
 {
     constexpr std::array<char16_t, 32> windows = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                                   0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
@@ -128,14 +134,15 @@ std::string fromLatin1(std::string_view bytes)
                                                   0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
     std::string result;
     result.reserve(bytes.size() + bytes.size() / 16);
-    for (const char byte : bytes) {
-        const auto c = static_cast<unsigned char>(byte);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if ((i & checkMask) == 0) progress.check();
+        const unsigned char c = byteAt(bytes, i);
         appendUtf8(result, plainCharacter(c >= 0x80 && c < 0xA0 ? windows[c - 0x80] : c));
     }
     return result;
 }
 
-std::string fromUtf16(std::string_view bytes, bool bigEndian)
+std::string fromUtf16(std::string_view bytes, bool bigEndian, const Progress& progress)
 {
     std::string result;
     result.reserve(bytes.size() / 2 + 16);
@@ -146,6 +153,7 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian)
         return bigEndian ? (first << 8) | second : (second << 8) | first;
     };
     for (std::size_t i = 0; i < units; ++i) {
+        if ((i & checkMask) == 0) progress.check();
         char32_t c = unit(i);
         if (c >= 0xD800 && c <= 0xDFFF) {
             const char32_t low = i + 1 < units ? unit(i + 1) : 0;
@@ -163,10 +171,11 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian)
     return result;
 }
 
-std::string fromUtf32(std::string_view bytes, bool bigEndian)
+std::string fromUtf32(std::string_view bytes, bool bigEndian, const Progress& progress)
 {
     std::string result;
     for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
+        if ((i & checkMask) == 0) progress.check();
         char32_t c = 0;
         for (std::size_t k = 0; k < 4; ++k) c = (c << 8) | byteAt(bytes, bigEndian ? i + k : i + 3 - k);
         appendUtf8(result, c > 0x10FFFF ? 0xFFFD : plainCharacter(c));
@@ -237,11 +246,11 @@ bool looksLikeText(std::string_view bytes)
     return std::none_of(head.begin(), head.end(), isControl);
 }
 
-DecodedText decodeText(std::string_view bytes, Encoding encoding)
+DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress& progress)
 {
     if (encoding == Encoding::Auto && (bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark))) {
         const bool bigEndian = bytes.front() == '\0';
-        std::string text = fromUtf32(bytes.substr(4), bigEndian);
+        std::string text = fromUtf32(bytes.substr(4), bigEndian, progress);
         cutFilling(text);
         return {std::move(text), bigEndian ? "utf-32be" : "utf-32le"};
     }
@@ -251,21 +260,21 @@ DecodedText decodeText(std::string_view bytes, Encoding encoding)
     if (encoding == found) bytes.remove_prefix(mark);
     if (encoding == Encoding::Utf16le || encoding == Encoding::Utf16be) {
         const bool bigEndian = encoding == Encoding::Utf16be;
-        std::string text = fromUtf16(bytes, bigEndian);
+        std::string text = fromUtf16(bytes, bigEndian, progress);
         cutFilling(text);
         return {std::move(text), bigEndian ? "utf-16be" : "utf-16le"};
     }
     bytes = withoutFilling(bytes);
-    if (encoding == Encoding::Latin1) return {fromLatin1(bytes), "latin-1"};
-    const Utf8Check check = checkUtf8(bytes);
+    if (encoding == Encoding::Latin1) return {fromLatin1(bytes, progress), "latin-1"};
+    const Utf8Check check = checkUtf8(bytes, progress);
     if (check.badByte != std::string_view::npos) {
         if (encoding == Encoding::Utf8 && mark == 0)
             throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(check.badByte)},
                                                {"found", LT_TEXT("Engine", "a byte that is no UTF-8")},
                                                {"expected", LT_TEXT("Engine", "text in UTF-8")}});
-        return {fromLatin1(bytes), "latin-1"};
+        return {fromLatin1(bytes, progress), "latin-1"};
     }
-    if (check.needsPlain) return {plainUtf8(bytes), "utf-8"};
+    if (check.needsPlain) return {plainUtf8(bytes, progress), "utf-8"};
     return {bytes, "utf-8"};
 }
 

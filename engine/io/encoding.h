@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/progress.h"
 #include "engine/io/import.h"
 
 namespace lathelier {
@@ -37,7 +38,7 @@ bool looksLikeText(std::string_view bytes);
 /// Decodes. Auto: byte order mark (also of UTF-32), else UTF-16 by its zero bytes, else UTF-8 when valid, else Latin-1
 /// (Windows-1252). A plain ASCII or UTF-8 text is not copied. Error Malformed (`byte`) when the given encoding does not
 /// fit.
-DecodedText decodeText(std::string_view bytes, Encoding encoding);
+DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress& progress = {});
 
 /// The column (from 1, in characters) of byte `offset` within a line of UTF-8.
 std::int64_t columnAt(std::string_view line, std::size_t offset);

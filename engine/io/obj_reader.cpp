@@ -10,6 +10,8 @@
 namespace lathelier {
 namespace {
 
+constexpr std::size_t mostWords = 1 << 18;  ///< in one statement, over all its lines
+
 class ObjBody {
 public:
     ObjBody(const ScanSource& source, RawScan& raw)
@@ -72,6 +74,7 @@ private:
                 words_.back().remove_suffix(1);
                 if (words_.back().empty()) words_.pop_back();
                 if (!lines_.next()) break;
+                if (words_.size() > mostWords) throw broken(0, LT_TEXT("Engine", "a shorter statement"));
                 splitWords(lines_.line(), more);
                 words_.insert(words_.end(), more.begin(), more.end());
                 if (more.empty()) break;

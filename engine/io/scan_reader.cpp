@@ -168,7 +168,7 @@ RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Prog
     if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
     if (isDamagedBinaryStl(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
     if (!looksLikeText(bytes)) throwUnknown(LT_TEXT("Engine", "binary data"));
-    const DecodedText text = decodeText(bytes, options.encoding);
+    const DecodedText text = decodeText(bytes, options.encoding, progress);
     if (text.view().empty()) throw Error(ErrorCode::FileEmpty, {});
     refuseForeign(trimmed(text.view().substr(0, headBytes)));
     return textReader(text.view())({bytes, text.view(), text.encoding(), options, progress});

@@ -7,6 +7,10 @@
 namespace lathelier {
 namespace {
 
+// Names stand near the table; a hostile preface must not take long.
+constexpr std::size_t searchedLines = 50;
+constexpr std::size_t longestNames = 8192;
+
 /// Cells of a line of names.
 std::vector<Cell> splitNames(std::string_view line, char delimiter)
 {
@@ -60,7 +64,8 @@ struct NamesFound {
 NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
 {
     NamesFound best;
-    for (std::size_t i = preface.size(); i-- > 0;) {
+    for (std::size_t i = preface.size(); i-- > 0 && preface.size() - i <= searchedLines;) {
+        if (preface[i].text.size() > longestNames) continue;
         std::vector<Heading> headings = readLine(preface[i].text, delimiter, expectation);
         const std::size_t known = countKnown(headings, expectation);
         if (known > best.known || (best.headings.empty() && !preface[i].isRemark && headings.size() > 1))
@@ -72,8 +77,10 @@ NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, co
 /// A line of units, one for each column; angles and the like have others.
 void applyUnitLine(const std::vector<PrefaceLine>& preface, TableLayout& layout)
 {
-    for (const PrefaceLine& line : preface)
+    const std::size_t first = preface.size() - std::min(preface.size(), searchedLines);
+    for (std::size_t i = first; i < preface.size(); ++i)
         for (const char delimiter : {layout.style.delimiter, ' '}) {
+            const PrefaceLine& line = preface[i];
             const std::vector<Cell> cells = splitNames(line.text, delimiter);
             const auto isUnit = [](Cell cell) { return lengthUnit(cell).has_value(); };
             const auto units = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), isUnit));

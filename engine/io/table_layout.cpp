@@ -12,6 +12,7 @@ namespace lathelier {
 namespace {
 
 constexpr std::size_t sampleLines = 500;
+constexpr std::size_t mostHeadings = 100;                    ///< that are recognised when they come again
 constexpr std::size_t longestSearch = std::size_t{1} << 20;  ///< rows of numbers have to begin within this many bytes
 
 bool isBlankLine(std::string_view line)
@@ -254,7 +255,7 @@ bool findBody(std::string_view text, TableLayout& layout, Above& above)
             layout.skipped.push_back({lines.number(), LT_TEXT("Engine", "number of rows")});
         } else {
             above.preface.push_back({trimmed(line), false, layout.skipped.size()});
-            layout.headings.emplace_back(line);
+            if (layout.headings.size() < mostHeadings) layout.headings.emplace_back(line);
             layout.skipped.push_back({lines.number(), LT_TEXT("Engine", "heading")});
         }
     }

@@ -9,6 +9,8 @@
 namespace lathelier {
 namespace {
 
+constexpr std::size_t longestNumber = 1000;  ///< characters; the exact value of a double has 767 digits at most
+
 bool isGroupMark(char c, char decimal)
 {
     return c != decimal && (c == ',' || c == '.' || c == '\'' || c == ' ');
@@ -25,6 +27,7 @@ struct Ungrouped {
 Ungrouped ungroup(std::string_view cell, char decimal)
 {
     Ungrouped result;
+    if (cell.size() > longestNumber) return result;
     std::string plain;
     std::size_t i = 0;
     if (i < cell.size() && (cell[i] == '-' || cell[i] == '+')) plain += cell[i++];
@@ -122,20 +125,30 @@ std::string_view withoutBrackets(std::string_view line)
     return line;
 }
 
-/// Cuts "6.90735-16.07329" before each sign that starts a real number.
+bool isMark(char c)
+{
+    return c == '.' || c == ',';
+}
+
+/// True when a real number (digits with a mark) stands at `at`.
+bool isRealAt(Cell word, std::size_t at)
+{
+    while (at < word.size() && detail::isDigit(word[at])) ++at;
+    return at < word.size() && isMark(word[at]);
+}
+
+/// Cuts "6.90735-16.07329" before each sign that starts a real number behind a real number.
 void addTouchingReals(Cell word, std::vector<Cell>& cells)
 {
-    constexpr std::string_view marks = ".,";
     std::size_t begin = 0;
-    for (std::size_t i = 1; i < word.size(); ++i) {
-        if (word[i] != '-' && word[i] != '+') continue;
-        const bool afterNumber = detail::isDigit(word[i - 1]) || word[i - 1] == '.';
-        const bool real = word.substr(begin, i - begin).find_first_of(marks) != Cell::npos &&
-                          word.find_first_of(marks, i) != Cell::npos && i + 1 < word.size() &&
-                          (detail::isDigit(word[i + 1]) || word[i + 1] == '.');
-        if (!afterNumber || !real) continue;
+    bool real = false;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        real = real || isMark(word[i]);
+        const bool sign = i > begin && (word[i] == '-' || word[i] == '+');
+        if (!sign || !real || !(detail::isDigit(word[i - 1]) || word[i - 1] == '.') || !isRealAt(word, i + 1)) continue;
         cells.push_back(word.substr(begin, i - begin));
         begin = i;
+        real = false;
     }
     cells.push_back(word.substr(begin));
 }
@@ -309,6 +322,7 @@ void dropEmptyEnd(std::vector<Cell>& cells, std::size_t columns)
 CellValue readCell(Cell cell, const TableStyle& style)
 {
     if (cell.empty()) return {CellKind::Empty, 0, {}};
+    if (cell.size() > longestNumber) return {CellKind::Text, 0, {}};
     if (const auto value = wholeNumber(cell, style.decimal)) return {CellKind::Number, *value, {}};
     if (isNotFiniteWord(cell)) return {CellKind::NotFinite, 0, {}};
     const Ungrouped grouped = ungroup(cell, style.decimal);

@@ -87,7 +87,29 @@ TEST(Refusal, otherKindsOfFilesAreNamed)
     EXPECT_EQ(wordOf(errorOf("  <!DOCTYPE html><p>1 2 3</p>"), "found"), "an HTML document");
     EXPECT_EQ(errorOf("1 2\n3 4\n5 6\n").code(), ErrorCode::Malformed);
     EXPECT_EQ(errorOf("nan nan nan\nnan nan nan\n").code(), ErrorCode::NoPoints);
-    EXPECT_EQ(errorOf(std::string(3 << 20, '7')).code(), ErrorCode::Malformed);  // one endless line
+    EXPECT_EQ(errorOf(std::string(3 << 20, '7')).code(), ErrorCode::FormatUnknown);  // one endless line
+}
+
+TEST(Refusal, linesOfMoreThanAMebibyte)
+{
+    std::string line;
+    while (line.size() <= (1u << 20)) line += "1.5 ";
+    expectAt(errorOf(good + line + "\n" + good), ErrorCode::Malformed, 3, 1);
+}
+
+TEST(Refusal, hostileTextsAreJudgedInLinearTime)  // a quadratic step would take minutes here
+{
+    const auto repeated = [](const std::string& piece, std::size_t bytes) {
+        std::string text;
+        while (text.size() < bytes) text += piece;
+        return text;
+    };
+    const std::size_t size = 1000000;
+    for (const char* piece : {"1-", "1.5-", "1,", "\"", "(", "[1,", "1 \"", "=\"", "#", "a ", "1.#"})
+        errorOf(repeated(piece, size));
+    readText(good + repeated("\n", 20 * size));
+    errorOf(repeated("x y z\n", size / 2) + good + repeated("footer\n", size) + "1 2\n");
+    errorOf("v 1 2 3\nv 4 5 6\nf" + repeated(" 1 \\\n", size) + "x\n");
 }
 
 TEST(Refusal, namesThatAreNoCartesianCoordinates)

@@ -5,6 +5,7 @@
 LATHELIER_NOTE(UnitGuessed, "unit_guessed", Warning, LT_TEXT("Engine", "{path}: no unit is stated; read as {unit} because of its extent of {extent}."))
 LATHELIER_NOTE(RowsSkipped, "rows_skipped", Info, LT_TEXT("Engine", "{path}: {count} rows were skipped."))
 LATHELIER_NOTE(PointsNotFinite, "points_not_finite", Warning, LT_TEXT("Engine", "{path}: {count} points without finite coordinates were left out."))
+LATHELIER_NOTE(SyntheticData, "synthetic_data", Warning, LT_TEXT("Engine", "{path}: synthetic data, made by a program, not measured."))
 LATHELIER_NOTE(CountDiffers, "count_differs", Warning, LT_TEXT("Engine", "{path}: {announced} rows are announced, {found} are there; all were read."))
 LATHELIER_NOTE(NormalsUnusable, "normals_unusable", Warning, LT_TEXT("Engine", "{path}: {count} normals have no direction; the normals are not used."))
 LATHELIER_NOTE(UnitNotUsed, "unit_not_used", Warning, LT_TEXT("Engine", "{path}: the file states {unit}; the given unit {given} is not used."))

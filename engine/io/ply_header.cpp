@@ -146,6 +146,7 @@ PlyHeader readPlyHeader(std::string_view bytes)
         if (word == "comment" || word == "obj_info") {
             if (!header.unit) header.unit = statedUnit(lines.line().substr(word.size()));
             header.commentLines.push_back(lines.number());
+            header.synthetic = header.synthetic || (words.size() > 1 && words[1].starts_with("synthetic"));
         } else if (word == "format") {
             header.format = readFormat(lines, words);
             hasFormat = true;

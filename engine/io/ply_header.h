@@ -36,6 +36,7 @@ struct PlyHeader {
     std::size_t bodyOffset = 0;
     std::int64_t bodyLine = 1;
     std::vector<std::int64_t> commentLines;
+    bool synthetic = false;  ///< a comment begins with "synthetic", as in the files that Lathelier makes
 };
 
 std::size_t sizeOf(PlyType type);

@@ -373,6 +373,7 @@ RawScan readPly(const ScanSource& source)
                                            {"expected", LT_TEXT("Engine", "an element vertex")}});
     RawScan raw;
     raw.statedUnit = header.unit;
+    if (header.synthetic) raw.notes.push_back({NoteCode::SyntheticData, {}});
     raw.facts.columns = static_cast<std::int64_t>(vertex->properties.size());
     if (header.format == PlyFormat::Ascii) {
         AsciiBody body(source, header, raw);

@@ -45,20 +45,22 @@ std::vector<double> toleranceMarks(const CompareResult& result)
 
 }  // namespace
 
-double colourLimit_mm(const CompareResult& result)
+double colourLimit_mm(const CompareResult& result, bool with_tolerance)
 {
     double wanted =
         result.unrolled ? quantileOfSize(result.unrolled->mean_mm, ordinaryShare) : result.statistics.p95_abs_mm;
     // With a tolerance the band takes at most half of the scale.
-    if (result.parameters.tolerance_mm) wanted = std::max(wanted, 2 * *result.parameters.tolerance_mm);
+    if (with_tolerance && result.parameters.tolerance_mm)
+        wanted = std::max(wanted, 2 * *result.parameters.tolerance_mm);
     return niceLimit(std::isfinite(wanted) && wanted > 0 ? wanted : 0.01);
 }
 
-ColourMap unrolledMap(const CompareResult& result)
+ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
 {
     const UnrolledMap& source = *result.unrolled;
     ColourMap map;
-    map.title = LT_TEXT("Engine", "Unrolled surface");
+    map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
+                               : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
     map.x_title = zTitle;
     map.y_title = LT_TEXT("Engine", "Angle about the axis (°)");
     map.value_title = deviationTitle;
@@ -73,8 +75,8 @@ ColourMap unrolledMap(const CompareResult& result)
     for (std::size_t z = 0; z < columns; ++z)
         for (std::size_t angle = 0; angle < rows; ++angle)
             map.values[angle * columns + z] = source.mean_mm[z * rows + angle];
-    map.limit = colourLimit_mm(result);
-    map.tolerance = result.parameters.tolerance_mm;
+    map.limit = colourLimit_mm(result, with_tolerance);
+    if (with_tolerance) map.tolerance = result.parameters.tolerance_mm;
     return map;
 }
 
@@ -139,10 +141,17 @@ Plot magnifiedMeridian(const CompareResult& result, const Language& language)
     const std::string name =
         fill(text(LT_TEXT("Engine", "copy, deviation × {factor}"), language), {{"factor", factor}}, language);
     Curve copy{name, meridian.z_mm, {}, Curve::Style::Line, {}, 1};
+    Interval shown{HUGE_VAL, -HUGE_VAL};
     for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
-        const double deviation_mm = std::clamp(meridian.deviation_mm[i], -ordinary_mm, ordinary_mm);
-        copy.y.push_back(meridian.reference_radius_mm[i] + factor * deviation_mm);
+        const double radius_mm = meridian.reference_radius_mm[i];
+        copy.y.push_back(radius_mm + factor * meridian.deviation_mm[i]);
+        if (!std::isfinite(radius_mm)) continue;
+        shown.from = std::min(shown.from, radius_mm);
+        shown.to = std::max(shown.to, radius_mm);
     }
+    // Single bins at shoulders may run over the edge.
+    const double air_mm = 1.5 * factor * ordinary_mm + 0.05 * (shown.to - shown.from);
+    if (shown.from <= shown.to) plot.y_range = Interval{shown.from - air_mm, shown.to + air_mm};
     plot.curves = {original, copy};
     return plot;
 }

@@ -6,8 +6,9 @@
 
 namespace lathelier {
 
-/// Deviations over length and angle. result.unrolled has to be there.
-ColourMap unrolledMap(const CompareResult& result);
+/// Deviations over length and angle: with the tolerance band in green, or plain, which shows the form of the error also
+/// within the band. result.unrolled has to be there.
+ColourMap unrolledMap(const CompareResult& result, bool with_tolerance);
 
 /// Mean deviation along the axis with its scatter and the tolerance. result.meridian has to be there.
 Plot deviationAlongAxis(const CompareResult& result);
@@ -20,7 +21,7 @@ double magnification(const CompareResult& result);
 
 Plot histogramPlot(const CompareResult& result);
 
-/// The limit of the colour scale: readable, and most deviations within it.
-double colourLimit_mm(const CompareResult& result);
+/// The limit of the colour scale: readable, most deviations of the map within it, and room beyond the tolerance band.
+double colourLimit_mm(const CompareResult& result, bool with_tolerance);
 
 }  // namespace lathelier

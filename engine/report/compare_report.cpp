@@ -185,7 +185,8 @@ Section whereSection(const CompareResult& result, const Language& language, std:
             : Paragraph{LT_TEXT("Engine", "Deviations are distances from the original's surface, without a sign."),
                         {}});
     for (Picture& picture : pictures) section.blocks.push_back(std::move(picture));
-    if (result.unrolled) section.blocks.push_back(unrolledMap(result));
+    if (result.unrolled && result.parameters.tolerance_mm) section.blocks.push_back(unrolledMap(result, true));
+    if (result.unrolled) section.blocks.push_back(unrolledMap(result, false));
     if (result.meridian) {
         section.blocks.push_back(deviationAlongAxis(result));
         section.blocks.push_back(magnifiedMeridian(result, language));
@@ -244,6 +245,7 @@ Document compareReport(const CompareResult& result, const std::vector<InputFile>
     Document document;
     document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
     document.inputs = inputs;
+    document.synthetic = contains(result.notes, NoteCode::SyntheticData);
     document.sections = {compareSummary(result, language),
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),

@@ -22,6 +22,6 @@ double magnification(const CompareResult& result);
 Plot histogramPlot(const CompareResult& result);
 
 /// The limit of the colour scale: readable, most deviations of the map within it, and room beyond the tolerance band.
-double colourLimit_mm(const CompareResult& result, bool with_tolerance);
+double colourLimit_mm(const CompareResult& result, bool with_tolerance = true);
 
 }  // namespace lathelier

@@ -1,4 +1,4 @@
-// How the cells of a text table are written: separator, decimal mark, grouped digits, quotes.
+// Finding out how a text table is written: its separator and its decimal mark.
 #pragma once
 
 #include <string>
@@ -6,47 +6,9 @@
 #include <vector>
 
 #include "engine/io/import.h"
+#include "engine/io/table_cell.h"
 
 namespace lathelier {
-
-/// The way a table's rows are written.
-struct TableStyle {
-    char delimiter = ' ';  ///< ' ' stands for runs of blanks and tabs
-    char decimal = '.';
-    bool grouped = false;  ///< the other mark is known to group thousands, so that a lone "1,234" is a thousand
-    bool paired = false;   ///< commas separate cells and mark decimals: "1,5,2,5" is 1.5 and 2.5
-};
-
-/// One cell, trimmed and without quotes; a view into its line.
-using Cell = std::string_view;
-
-/// Splits a line at the separator; quotes protect it. Blank-separated reals that touch ("6.9-16.1", fixed-width output)
-/// are two cells.
-void splitFields(std::string_view line, char delimiter, std::vector<Cell>& cells);
-
-/// Splits a row into cells. Quotes protect separators, brackets around the row and a remark behind it (after #, //, %,
-/// ! or a blank and ;) fall away.
-void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells);
-
-/// Removes empty cells behind the last column: a separator may end the row.
-void dropEmptyEnd(std::vector<Cell>& cells, std::size_t columns);
-
-enum class CellKind {
-    Number,
-    NotFinite,  ///< nan, inf, n/a…
-    Empty,
-    Ambiguous,  ///< "1,234" where nothing tells whether that is one or a thousand
-    Text
-};
-
-struct CellValue {
-    CellKind kind = CellKind::Text;
-    double value = 0;
-    std::string_view suffix;  ///< what follows the number, when it is a unit of length: "mm"
-};
-
-/// What a cell says under a style.
-CellValue readCell(Cell cell, const TableStyle& style);
 
 /// A line worth looking at while the style is being found out.
 struct SampleLine {
@@ -70,11 +32,5 @@ enum class CommaMeaning { Decimal, Grouping, Unknown };
 
 /// Looks at every comma between digits in `text`; the first one that can only be one thing decides.
 CommaMeaning meaningOfCommas(std::string_view text);
-
-/// Error NumberAmbiguous for a cell such as "1,234" within its line.
-Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell);
-
-/// True when the line is a remark: it starts with #, //, %, !, * or, unless that separates cells, a semicolon.
-bool isRemark(std::string_view line, char delimiter);
 
 }  // namespace lathelier

@@ -133,6 +133,7 @@ TEST(Disguise, decimalCommas)
     for (const char* delimiter : {" ", ";", "\t", "|", "; ", "   "}) expectBase(replaced(plain(delimiter), ".", ","));
     expectBase(replaced(fixed("\"{}\",\"{}\",\"{}\""), ".", ","));
     expectBase("X,Y,Z\n" + replaced(fixed("\"{}\",\"{}\",\"{}\""), ".", ","));
+    expectBase(replaced(fixed("{}mm;{}mm;{}mm"), ".", ","));
     // A comma for everything: the zeros in front of fractions, or the names, tell.
     expectBase(replaced(fixed("{:.5f},{:.5f},{:.5f}"), ".", ","));
     expectBase("X,Y,Z\n" + replaced(fixed("{:.5f},{:.5f},{:.5f}"), ".", ","));

@@ -193,6 +193,31 @@ Trial tryCandidate(const std::vector<Vector3d>& sample, const Eigen::Isometry3d&
     return trial;
 }
 
+/// A scanner with rows further apart than the bins leaves many short runs of empty bins; a real gap is one long run.
+bool isFinerThanRows(const MeridianBins& bins)
+{
+    int runs = 0;
+    int filled = 0;
+    bool previous = false;
+    for (int i = 0; i < bins.side_count; ++i) {
+        const auto bin = static_cast<std::size_t>(i);
+        const bool here = bins.bins[bin].points > 0 || bins.face_of[bin] >= 0;
+        if (here) ++filled;
+        if (here && !previous) ++runs;
+        previous = here;
+    }
+    return runs > std::max(3, filled / 20);
+}
+
+/// The finest bins, up to 1000 along the part, that the rows of the scan fill.
+MeridianBins makeFinestBins(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& pose)
+{
+    MeridianBins bins = makeBins(sample, pose, 1000);
+    for (int count = 700; count >= 80 && isFinerThanRows(bins); count = count * 7 / 10)
+        bins = makeBins(sample, pose, count);
+    return bins;
+}
+
 RadiusProfile profileOf(const MeridianBins& bins, const std::vector<Sums::Bin>& sums)
 {
     RadiusProfile profile;
@@ -236,7 +261,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
         if (!improve(sample, pose, bins, progress).determined) return fit;
         ++fit.iterations;
     }
-    bins = makeBins(sample, pose, 1000);
+    bins = makeFinestBins(sample, pose);
     fit.consistent_share = consistentShare(sample, pose, bins, candidates.noise_mm);
     progress.report(0.5);
 

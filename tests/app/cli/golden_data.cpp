@@ -75,6 +75,10 @@ void makeData(const std::string& folder)
 
     write("shaft.xyz", rows(thinScan(nominalShaft(), 1, 0.3)));
     write("copy.xyz", rows(thinScan(copiedShaft(), 2, 4)));
+    ScannerModel coarse;
+    coarse.row_pitch_mm = 0.5;
+    coarse.angle_step_deg = 2;
+    write("coarse.xyz", rows(scanShaft(nominalShaft(), coarse)));
     write("bracket.xyz", rows(scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
 }
 

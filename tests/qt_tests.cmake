@@ -29,3 +29,25 @@ foreach(source ${widget_tests})
         add_widget_test(view_${name} ${source} screen widgets)
     endif()
 endforeach()
+
+# One Qt only: the window on Qt 5, the command line on none. A mixed program builds without a word and dies at start.
+function(add_links_test target pattern)
+    add_test(NAME links_${target} COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${target}> -D "FORBIDDEN=${pattern}"
+                                          -P ${CMAKE_CURRENT_SOURCE_DIR}/links.cmake)
+endfunction()
+add_links_test(lathelier "libQt6")
+if(TARGET lathelier-cli)
+    add_links_test(lathelier-cli "libQt|libvtk|libX11|libGL")
+endif()
+
+# What a desktop reads of the program.
+set(desktop_files ${CMAKE_SOURCE_DIR}/resources/desktop)
+find_program(LATHELIER_DESKTOP_FILE_VALIDATE desktop-file-validate)
+if(LATHELIER_DESKTOP_FILE_VALIDATE)
+    add_test(NAME desktop_entry COMMAND ${LATHELIER_DESKTOP_FILE_VALIDATE} ${desktop_files}/lathelier.desktop)
+    set_tests_properties(desktop_entry PROPERTIES FAIL_REGULAR_EXPRESSION "error|warning")
+endif()
+find_program(LATHELIER_APPSTREAMCLI appstreamcli)
+if(LATHELIER_APPSTREAMCLI)
+    add_test(NAME desktop_metainfo COMMAND ${LATHELIER_APPSTREAMCLI} validate --no-net ${desktop_files}/lathelier.metainfo.xml)
+endif()

@@ -132,7 +132,7 @@ void ProjectFiles::setAutosave(int minutes)
     if (minutes == 0)
         autosave_.stop();
     else
-        autosave_.start(minutes * 60'000);
+        autosave_.start(minutes * 60 * 1000);
 }
 
 void ProjectFiles::keepAside()

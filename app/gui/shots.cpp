@@ -11,7 +11,7 @@
 namespace lathelier {
 namespace {
 
-constexpr int patience_ms = 180'000;
+constexpr int patience_ms = 180 * 1000;
 constexpr int settling_ms = 600;  // the 3-D view draws its full set at rest
 
 void pause(int time_ms)

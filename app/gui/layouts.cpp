@@ -57,7 +57,9 @@ void Layouts::save() const
 bool Layouts::restore()
 {
     const QByteArray state = QSettings().value(settingsKey(workspace_)).toByteArray();
-    return !state.isEmpty() && window_.restoreState(state, layoutVersion);
+    if (state.isEmpty()) return false;
+    hideAll();
+    return window_.restoreState(state, layoutVersion);
 }
 
 void Layouts::reset(PanelDock* active)
@@ -67,17 +69,32 @@ void Layouts::reset(PanelDock* active)
     ensureSeen(active);
 }
 
+/// Before docks are moved: some that are seen side by side for a moment would widen the window.
+void Layouts::hideAll()
+{
+    for (PanelDock* dock : docks_) dock->hide();
+    log_.hide();
+}
+
 void Layouts::arrangeAsAtFirst()
 {
-    PanelDock* first = nullptr;
+    hideAll();
     for (PanelDock* dock : docks_) {
         dock->setFloating(false);
         window_.removeDockWidget(dock);
+    }
+    PanelDock* first = nullptr;
+    for (PanelDock* dock : docks_) {
         window_.addDockWidget(Qt::TopDockWidgetArea, dock);
-        const bool here = isIn(dock->facts(), workspace_);
-        if (here && first) window_.tabifyDockWidget(first, dock);
-        dock->setVisible(here);
-        if (here && !first) first = dock;
+        if (!isIn(dock->facts(), workspace_)) {
+            dock->hide();
+        } else if (first) {
+            window_.tabifyDockWidget(first, dock);
+            dock->show();
+        } else {
+            first = dock;
+            dock->show();
+        }
     }
     log_.setFloating(false);
     window_.removeDockWidget(&log_);

@@ -28,6 +28,7 @@ public:
     void ensureSeen(PanelDock* active);
 
 private:
+    void hideAll();
     void arrangeAsAtFirst();
     bool restore();
 

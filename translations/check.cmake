@@ -7,6 +7,12 @@ execute_process(COMMAND ${LUPDATE} ${OPTIONS} -ts ${copy} OUTPUT_VARIABLE output
 if(problem)
     message(FATAL_ERROR "lupdate failed:\n${output}")
 endif()
+# What lupdate does not understand puts texts into a wrong context, where the program never finds them.
+string(REGEX MATCHALL "[^\n]*(Unterminated|Qualifying with unknown|lacks Q_OBJECT)[^\n]*" complaints "${output}")
+if(complaints)
+    list(JOIN complaints "\n  " complaints)
+    message(FATAL_ERROR "lupdate does not understand (digit separators such as 10'000 are one reason):\n  ${complaints}")
+endif()
 file(READ ${copy} text)
 string(REGEX MATCHALL "<message" messages "${text}")
 list(LENGTH messages count)

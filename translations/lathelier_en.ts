@@ -36,10 +36,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The kind of this file is not known; expected {expected}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Found “{found}”, expected {expected}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -267,6 +263,1313 @@
         <source>Saved {path}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The kind of this file is not known: found {found}, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {announced} rows are announced, {found} are there; all were read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} normals have no direction; the normals are not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the file states {unit}; the given unit {given} is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a byte that is no UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text in UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How text files write decimals; automatic asks when 1,234 could be a thousand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tabulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands between the columns of a text file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How a text file stores its characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of a file that states none. A stated unit always rules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the index of a vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an OBJ keyword such as v or f</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three corners or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one value for each of the FIELDS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ascii, binary or binary_compressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points of at most 1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FIELDS with x, y and z before this line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>POINTS or WIDTH and HEIGHT before this line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1, 2, 4 or 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F, I or U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line of a PCD header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>real numbers of 4 or 8 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>damaged compressed data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data in LZF compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PLY type such as float or uchar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ascii, binary_little_endian or binary_big_endian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole-number PLY type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line that states the format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line of a PLY header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end_header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices with the properties x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an element vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a ZIP archive or an Office document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a 7z archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a zstd archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an xz archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an E57 scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a LAS scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a STEP file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a VTK file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an OFF mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an RTF document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an XML document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an HTML document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points as text, PLY, PCD, STL or OBJ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>binary data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>facet or endsolid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>endsolid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outer loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>endloop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>endfacet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text without rows of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number with a decimal comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blank line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewer columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more columns of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text below the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line of at most 1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns named x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one unit for x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most 32 levels of nesting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a project of at most 64 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number, a text, true, false, null or ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Lathelier project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a format version from 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning the original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in one place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances from cloud to cloud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis of the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis of the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point to plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point to point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the copy is aligned; automatic takes the axis of a body of revolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the part is a body of revolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Initial pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic finds any pose; as scanned searches near the given one only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest deviation allowed to either side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of points that must lie within the tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanner accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One standard deviation of the scanner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points further from the reference are left out; by default 1 mm or 10 standard deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excluded zones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamping areas along the axis, counted from the reference&apos;s first data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>translation along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the axis, from the first data (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrolled surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle about the axis (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± one standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy, deviation × {factor}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Histogram of the deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point to plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point to point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation of the copy from the original&apos;s surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robust standard deviation (MAD)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of the points lie between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… and</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of the sizes lie below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance, plus and minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share within tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share needed to pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: no tolerance was given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanner&apos;s accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference told from the scanner&apos;s accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlap (points of the copy that were used)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zones along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>std. dev. (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty along the axis (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty, largest direction (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty across the axis (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty across it (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the axis&apos;s direction (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the rotation (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest-point figure, as in the source paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cloud-to-cloud RMSE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its floor: what sampling alone gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motions the geometry does not determine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>through x (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the copy&apos;s coordinates to the original&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shift (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations are measured along the normal of the original&apos;s surface; plus means material in excess.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations are distances from the original&apos;s surface, without a sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring points: even identical parts reach its floor. The deviation from the surface does not depend on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean {mean} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % within ±{tolerance} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparison of a copy with its original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method and parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a name in .ply or .csv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data: made by a program, not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest x, y, z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest x, y, z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skipped line {line}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was understood of the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no result to report yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project has nothing to report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or mesh of the original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan of the part to be judged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop two scans here, first the original, then the copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system refused it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Original (blue) and copy (red), oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Original (blue) and copy (red), from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation of the copy, oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation of the copy, from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier</name>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this point was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean around it %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The original blue, the copy red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy, coloured by its distance from the original&apos;s surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times larger the meridian draws the deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These scans were computed, not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CompareCharts</name>
+    <message>
+        <source>Along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrolled surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error drawn × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>material in excess</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>material missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance ± %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution of the deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ComparePanel</name>
+    <message>
+        <source>Change the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap reference and copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations of all points (PLY)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point cloud (*.ply)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations of all points (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⇅ Swap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference and copy change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CopyTable</name>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::EmptyState</name>
@@ -305,6 +1608,87 @@
     </message>
     <message>
         <source>✗ out of tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::HelpWindow</name>
+    <message>
+        <source>Lathelier help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare a copy with its original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop two scans on the window – the original (reference) and the copy – or open them at the left. Point clouds and meshes are read: XYZ, ASC, CSV, TXT, PTS, PLY, PCD, STL, OBJ. The answer stands in large type above the views, with its notes under it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A positive deviation is material in excess, a negative one is missing material. State a tolerance at the left to get a verdict. Whatever you change is computed again at once; Undo takes back any step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When a file is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The message names the file, the line and column or byte, and what was expected. If the file leaves its unit or its decimal mark open, state it under the file&apos;s name at the left; the project remembers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“Report…” writes the result on screen as HTML or PDF, with method, parameters, notes and the digests of the input files. “In the report” makes it part of the project&apos;s report (File menu).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open a project or scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compute again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop the computation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>presenter mode: larger type, thicker lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all commands, found by typing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Lathelier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A desktop workbench for turning shops: scan, predict, cut without chatter, measure, prove.
+
+Free software under the GNU General Public License, version 3 or later. It works offline; your files stay with you.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -356,6 +1740,33 @@
     </message>
 </context>
 <context>
+    <name>lathelier::InputColumn</name>
+    <message>
+        <source>Change: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take away: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change how to read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>lathelier::IntervalsEdit</name>
     <message>
         <source>Add a range</source>
@@ -371,6 +1782,214 @@
     </message>
     <message>
         <source>Remove this range</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LimitEdit</name>
+    <message>
+        <source>The colour scale runs from minus to plus this many mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit of the colour scale in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MainWindow</name>
+    <message>
+        <source>Open a project or scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unnamed project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the sa&amp;mple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project report as &amp;HTML…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project report as &amp;PDF…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compute again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop the computation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Presenter mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All &amp;commands…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Lathelier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Workspaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing what belongs in the report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MapView</name>
+    <message>
+        <source>no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MessageLog</name>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected messages, or all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the log</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -399,23 +2018,7 @@
 <context>
     <name>lathelier::PanelBase</name>
     <message>
-        <source>Open: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (%2);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take away: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change how to read: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -438,8 +2041,39 @@
         <source>Open</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>lathelier::PlotCanvas</name>
     <message>
-        <source>Change: %1</source>
+        <source>Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save data as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -478,11 +2112,257 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Report…</source>
+        <source>Report</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Write a report of this result as HTML or PDF</source>
+        <source>HTML report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a report of this result</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ProjectFiles</name>
+    <message>
+        <source>Lathelier projects (*.lathelier)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save them before going on?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a project without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lathelier ended unexpectedly. Unsaved work on %1 was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the sample scans…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneBar</name>
+    <message>
+        <source>Oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel projection: equal lengths look equal at any distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut away one side of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneRuler</name>
+    <message>
+        <source>Directions and length scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneView</name>
+    <message>
+        <source>The 3-D view needs OpenGL, which is not available here.
+All other views work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often unsaved work is kept aside, in case the program ends unexpectedly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type size in presenter mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Autosave every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presenter type size</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::StatisticsTable</name>
+    <message>
+        <source>Statistics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ZoneTable</name>
+    <message>
+        <source>Zones along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the single points in the zone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▼ below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ within</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -36,10 +36,6 @@
         <translation>Nie można zapisać pliku: {reason}.</translation>
     </message>
     <message>
-        <source>The kind of this file is not known; expected {expected}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Found “{found}”, expected {expected}.</source>
         <translation>Jest „{found}”, oczekiwano: {expected}.</translation>
     </message>
@@ -267,6 +263,1313 @@
         <source>Saved {path}.</source>
         <translation>Zapisano {path}.</translation>
     </message>
+    <message>
+        <source>The kind of this file is not known: found {found}, expected {expected}.</source>
+        <translation>Nieznany rodzaj pliku: jest {found}, oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>{path}: {announced} rows are announced, {found} are there; all were read.</source>
+        <translation>{path}: liczba wierszy zapowiedzianych: {announced}, obecnych: {found}; odczytano wszystkie.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} normals have no direction; the normals are not used.</source>
+        <translation>{path}: liczba normalnych bez kierunku: {count}; normalnych nie użyto.</translation>
+    </message>
+    <message>
+        <source>{path}: the file states {unit}; the given unit {given} is not used.</source>
+        <translation>{path}: plik podaje jednostkę {unit}; wskazanej jednostki {given} nie użyto.</translation>
+    </message>
+    <message>
+        <source>a byte that is no UTF-8</source>
+        <translation>bajt niezgodny z UTF-8</translation>
+    </message>
+    <message>
+        <source>text in UTF-8</source>
+        <translation>tekst w UTF-8</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatycznie</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>kropka</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>przecinek</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Znak dziesiętny</translation>
+    </message>
+    <message>
+        <source>How text files write decimals; automatic asks when 1,234 could be a thousand.</source>
+        <translation>Jak pliki tekstowe zapisują ułamki; tryb automatyczny pyta, gdy 1,234 może oznaczać tysiąc.</translation>
+    </message>
+    <message>
+        <source>blank</source>
+        <translation>odstęp</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>średnik</translation>
+    </message>
+    <message>
+        <source>tabulator</source>
+        <translation>tabulator</translation>
+    </message>
+    <message>
+        <source>vertical bar</source>
+        <translation>kreska pionowa</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Separator</translation>
+    </message>
+    <message>
+        <source>What stands between the columns of a text file.</source>
+        <translation>Co rozdziela kolumny pliku tekstowego.</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Kodowanie</translation>
+    </message>
+    <message>
+        <source>How a text file stores its characters.</source>
+        <translation>Jak plik tekstowy zapisuje znaki.</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Jednostka długości</translation>
+    </message>
+    <message>
+        <source>Unit of a file that states none. A stated unit always rules.</source>
+        <translation>Jednostka pliku, który jej nie podaje. Jednostka podana w pliku ma zawsze pierwszeństwo.</translation>
+    </message>
+    <message>
+        <source>the index of a vertex</source>
+        <translation>numer wierzchołka</translation>
+    </message>
+    <message>
+        <source>an OBJ keyword such as v or f</source>
+        <translation>słowo kluczowe OBJ, np. v lub f</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>koniec wiersza</translation>
+    </message>
+    <message>
+        <source>three corners or more</source>
+        <translation>co najmniej trzy wierzchołki</translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation>liczebność</translation>
+    </message>
+    <message>
+        <source>one value for each of the FIELDS</source>
+        <translation>po jednej wartości na każde z pól FIELDS</translation>
+    </message>
+    <message>
+        <source>ascii, binary or binary_compressed</source>
+        <translation>ascii, binary albo binary_compressed</translation>
+    </message>
+    <message>
+        <source>points of at most 1 MiB</source>
+        <translation>punkty o wielkości najwyżej 1 MiB</translation>
+    </message>
+    <message>
+        <source>FIELDS with x, y and z before this line</source>
+        <translation>FIELDS z x, y i z przed tym wierszem</translation>
+    </message>
+    <message>
+        <source>POINTS or WIDTH and HEIGHT before this line</source>
+        <translation>POINTS albo WIDTH i HEIGHT przed tym wierszem</translation>
+    </message>
+    <message>
+        <source>1, 2, 4 or 8</source>
+        <translation>1, 2, 4 albo 8</translation>
+    </message>
+    <message>
+        <source>F, I or U</source>
+        <translation>F, I albo U</translation>
+    </message>
+    <message>
+        <source>a line of a PCD header</source>
+        <translation>wiersz nagłówka PCD</translation>
+    </message>
+    <message>
+        <source>a line DATA</source>
+        <translation>wiersz DATA</translation>
+    </message>
+    <message>
+        <source>real numbers of 4 or 8 bytes</source>
+        <translation>liczby rzeczywiste 4- lub 8-bajtowe</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkty</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>bajty</translation>
+    </message>
+    <message>
+        <source>damaged compressed data</source>
+        <translation>uszkodzone dane skompresowane</translation>
+    </message>
+    <message>
+        <source>data in LZF compression</source>
+        <translation>dane w kompresji LZF</translation>
+    </message>
+    <message>
+        <source>a PLY type such as float or uchar</source>
+        <translation>typ PLY, np. float lub uchar</translation>
+    </message>
+    <message>
+        <source>ascii, binary_little_endian or binary_big_endian</source>
+        <translation>ascii, binary_little_endian albo binary_big_endian</translation>
+    </message>
+    <message>
+        <source>the number of elements</source>
+        <translation>liczba elementów</translation>
+    </message>
+    <message>
+        <source>a whole-number PLY type</source>
+        <translation>całkowity typ PLY</translation>
+    </message>
+    <message>
+        <source>the name of the property</source>
+        <translation>nazwa właściwości</translation>
+    </message>
+    <message>
+        <source>a line that states the format</source>
+        <translation>wiersz podający format</translation>
+    </message>
+    <message>
+        <source>a line of a PLY header</source>
+        <translation>wiersz nagłówka PLY</translation>
+    </message>
+    <message>
+        <source>end_header</source>
+        <translation>end_header</translation>
+    </message>
+    <message>
+        <source>vertices with the properties x, y and z</source>
+        <translation>wierzchołki z właściwościami x, y i z</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>wierzchołki</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>ściany</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>elementy</translation>
+    </message>
+    <message>
+        <source>the length of a list</source>
+        <translation>długość listy</translation>
+    </message>
+    <message>
+        <source>an element vertex</source>
+        <translation>element vertex</translation>
+    </message>
+    <message>
+        <source>not a finite number</source>
+        <translation>to nie jest liczba skończona</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>obraz PNG</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>obraz JPEG</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>obraz GIF</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>dokument PDF</translation>
+    </message>
+    <message>
+        <source>a ZIP archive or an Office document</source>
+        <translation>archiwum ZIP lub dokument pakietu Office</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>archiwum gzip</translation>
+    </message>
+    <message>
+        <source>a 7z archive</source>
+        <translation>archiwum 7z</translation>
+    </message>
+    <message>
+        <source>a zstd archive</source>
+        <translation>archiwum zstd</translation>
+    </message>
+    <message>
+        <source>an xz archive</source>
+        <translation>archiwum xz</translation>
+    </message>
+    <message>
+        <source>an E57 scan</source>
+        <translation>skan E57</translation>
+    </message>
+    <message>
+        <source>a LAS scan</source>
+        <translation>skan LAS</translation>
+    </message>
+    <message>
+        <source>a STEP file</source>
+        <translation>plik STEP</translation>
+    </message>
+    <message>
+        <source>a VTK file</source>
+        <translation>plik VTK</translation>
+    </message>
+    <message>
+        <source>an OFF mesh</source>
+        <translation>siatka OFF</translation>
+    </message>
+    <message>
+        <source>an RTF document</source>
+        <translation>dokument RTF</translation>
+    </message>
+    <message>
+        <source>an XML document</source>
+        <translation>dokument XML</translation>
+    </message>
+    <message>
+        <source>an HTML document</source>
+        <translation>dokument HTML</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>program</translation>
+    </message>
+    <message>
+        <source>a database</source>
+        <translation>baza danych</translation>
+    </message>
+    <message>
+        <source>points as text, PLY, PCD, STL or OBJ</source>
+        <translation>punkty w pliku tekstowym, PLY, PCD, STL albo OBJ</translation>
+    </message>
+    <message>
+        <source>binary data</source>
+        <translation>dane binarne</translation>
+    </message>
+    <message>
+        <source>facet or endsolid</source>
+        <translation>facet albo endsolid</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>solid</translation>
+    </message>
+    <message>
+        <source>endsolid</source>
+        <translation>endsolid</translation>
+    </message>
+    <message>
+        <source>outer loop</source>
+        <translation>outer loop</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>vertex</translation>
+    </message>
+    <message>
+        <source>endloop</source>
+        <translation>endloop</translation>
+    </message>
+    <message>
+        <source>endfacet</source>
+        <translation>endfacet</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>trójkąty</translation>
+    </message>
+    <message>
+        <source>column names</source>
+        <translation>nazwy kolumn</translation>
+    </message>
+    <message>
+        <source>text without rows of numbers</source>
+        <translation>tekst bez wierszy liczb</translation>
+    </message>
+    <message>
+        <source>rows of numbers</source>
+        <translation>wiersze liczb</translation>
+    </message>
+    <message>
+        <source>a number with a decimal comma</source>
+        <translation>liczba z przecinkiem dziesiętnym</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>liczba z kropką dziesiętną</translation>
+    </message>
+    <message>
+        <source>blank line</source>
+        <translation>pusty wiersz</translation>
+    </message>
+    <message>
+        <source>number of rows</source>
+        <translation>liczba wierszy</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>nagłówek</translation>
+    </message>
+    <message>
+        <source>fewer columns</source>
+        <translation>mniej kolumn</translation>
+    </message>
+    <message>
+        <source>more columns of numbers</source>
+        <translation>więcej kolumn liczb</translation>
+    </message>
+    <message>
+        <source>text below the rows</source>
+        <translation>tekst pod wierszami</translation>
+    </message>
+    <message>
+        <source>a row of numbers</source>
+        <translation>wiersz liczb</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>wiersze</translation>
+    </message>
+    <message>
+        <source>a line of at most 1 MiB</source>
+        <translation>wiersz o długości najwyżej 1 MiB</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>koniec pliku</translation>
+    </message>
+    <message>
+        <source>columns named x, y and z</source>
+        <translation>kolumny o nazwach x, y i z</translation>
+    </message>
+    <message>
+        <source>one unit for x, y and z</source>
+        <translation>jedna jednostka dla x, y i z</translation>
+    </message>
+    <message>
+        <source>at most 32 levels of nesting</source>
+        <translation>najwyżej 32 poziomy zagnieżdżenia</translation>
+    </message>
+    <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>więcej</translation>
+    </message>
+    <message>
+        <source>a project of at most 64 MB</source>
+        <translation>projekt o wielkości najwyżej 64 MB</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true albo false</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>obiekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>lista</translation>
+    </message>
+    <message>
+        <source>a number, a text, true, false, null or ranges</source>
+        <translation>liczba, tekst, true, false, null albo przedziały</translation>
+    </message>
+    <message>
+        <source>a Lathelier project</source>
+        <translation>projekt Lathelier</translation>
+    </message>
+    <message>
+        <source>a format version from 1</source>
+        <translation>wersja formatu od 1</translation>
+    </message>
+    <message>
+        <source>Scanning the original</source>
+        <translation>Skanowanie oryginału</translation>
+    </message>
+    <message>
+        <source>Scanning the copy</source>
+        <translation>Skanowanie kopii</translation>
+    </message>
+    <message>
+        <source>in one place</source>
+        <translation>w jednym miejscu</translation>
+    </message>
+    <message>
+        <source>on a line</source>
+        <translation>na prostej</translation>
+    </message>
+    <message>
+        <source>in a plane</source>
+        <translation>na płaszczyźnie</translation>
+    </message>
+    <message>
+        <source>Distances from cloud to cloud</source>
+        <translation>Odległości między chmurami</translation>
+    </message>
+    <message>
+        <source>Axis of the reference</source>
+        <translation>Oś oryginału</translation>
+    </message>
+    <message>
+        <source>Axis of the copy</source>
+        <translation>Oś kopii</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Odchyłki</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatycznie</translation>
+    </message>
+    <message>
+        <source>Body of revolution</source>
+        <translation>Bryła obrotowa</translation>
+    </message>
+    <message>
+        <source>Point to plane</source>
+        <translation>Punkt do płaszczyzny</translation>
+    </message>
+    <message>
+        <source>Point to point</source>
+        <translation>Punkt do punktu</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>How the copy is aligned; automatic takes the axis of a body of revolution.</source>
+        <translation>Jak dopasować kopię; tryb automatyczny używa osi bryły obrotowej.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Brak</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symetria</translation>
+    </message>
+    <message>
+        <source>Whether the part is a body of revolution.</source>
+        <translation>Czy część jest bryłą obrotową.</translation>
+    </message>
+    <message>
+        <source>As scanned</source>
+        <translation>Jak zeskanowano</translation>
+    </message>
+    <message>
+        <source>Initial pose</source>
+        <translation>Położenie początkowe</translation>
+    </message>
+    <message>
+        <source>Automatic finds any pose; as scanned searches near the given one only.</source>
+        <translation>Tryb automatyczny znajduje dowolne położenie; „jak zeskanowano” szuka tylko w pobliżu podanego.</translation>
+    </message>
+    <message>
+        <source>Tolerance ±</source>
+        <translation>Tolerancja ±</translation>
+    </message>
+    <message>
+        <source>Largest deviation allowed to either side.</source>
+        <translation>Największa dopuszczalna odchyłka w każdą stronę.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Pass from</source>
+        <translation>Zgodność od</translation>
+    </message>
+    <message>
+        <source>Share of points that must lie within the tolerance.</source>
+        <translation>Udział punktów, które muszą leżeć w tolerancji.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Scanner accuracy</source>
+        <translation>Dokładność skanera</translation>
+    </message>
+    <message>
+        <source>One standard deviation of the scanner.</source>
+        <translation>Jedno odchylenie standardowe skanera.</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Największa odległość</translation>
+    </message>
+    <message>
+        <source>Points further from the reference are left out; by default 1 mm or 10 standard deviations.</source>
+        <translation>Punkty dalsze od oryginału są pomijane; domyślnie 1 mm lub 10 odchyleń standardowych.</translation>
+    </message>
+    <message>
+        <source>Excluded zones</source>
+        <translation>Strefy wyłączone</translation>
+    </message>
+    <message>
+        <source>Clamping areas along the axis, counted from the reference&apos;s first data.</source>
+        <translation>Miejsca zamocowania wzdłuż osi, liczone od początku danych oryginału.</translation>
+    </message>
+    <message>
+        <source>translation along the axis</source>
+        <translation>przesunięcie wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation>w tolerancji</translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation>poza tolerancją</translation>
+    </message>
+    <message>
+        <source>Along the axis, from the first data (mm)</source>
+        <translation>Wzdłuż osi, od początku danych (mm)</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerancja</translation>
+    </message>
+    <message>
+        <source>Deviation (mm)</source>
+        <translation>Odchyłka (mm)</translation>
+    </message>
+    <message>
+        <source>Unrolled surface</source>
+        <translation>Rozwinięcie powierzchni</translation>
+    </message>
+    <message>
+        <source>Angle about the axis (°)</source>
+        <translation>Kąt wokół osi (°)</translation>
+    </message>
+    <message>
+        <source>Deviation along the axis</source>
+        <translation>Odchyłka wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>± one standard deviation</source>
+        <translation>± jedno odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Promień (mm)</translation>
+    </message>
+    <message>
+        <source>original</source>
+        <translation>oryginał</translation>
+    </message>
+    <message>
+        <source>copy, deviation × {factor}</source>
+        <translation>kopia, odchyłka × {factor}</translation>
+    </message>
+    <message>
+        <source>Histogram of the deviations</source>
+        <translation>Histogram odchyłek</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>body of revolution</source>
+        <translation>bryła obrotowa</translation>
+    </message>
+    <message>
+        <source>point to plane</source>
+        <translation>punkt do płaszczyzny</translation>
+    </message>
+    <message>
+        <source>point to point</source>
+        <translation>punkt do punktu</translation>
+    </message>
+    <message>
+        <source>Deviation of the copy from the original&apos;s surface</source>
+        <translation>Odchyłka kopii od powierzchni oryginału</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Średnia kwadratowa (RMS)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Średnia</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>Robust standard deviation (MAD)</source>
+        <translation>Odporne odchylenie standardowe (MAD)</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Najmniejsza</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Największa</translation>
+    </message>
+    <message>
+        <source>95 % of the points lie between</source>
+        <translation>95 % punktów leży między</translation>
+    </message>
+    <message>
+        <source>… and</source>
+        <translation>… a</translation>
+    </message>
+    <message>
+        <source>95 % of the sizes lie below</source>
+        <translation>95 % wartości bezwzględnych leży poniżej</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Tolerance, plus and minus</source>
+        <translation>Tolerancja, w plus i w minus</translation>
+    </message>
+    <message>
+        <source>Share within tolerance</source>
+        <translation>Udział w tolerancji</translation>
+    </message>
+    <message>
+        <source>Share needed to pass</source>
+        <translation>Udział wymagany</translation>
+    </message>
+    <message>
+        <source>none: no tolerance was given</source>
+        <translation>brak: nie podano tolerancji</translation>
+    </message>
+    <message>
+        <source>Scanner&apos;s accuracy</source>
+        <translation>Dokładność skanera</translation>
+    </message>
+    <message>
+        <source>Difference told from the scanner&apos;s accuracy</source>
+        <translation>Różnica odróżnialna od dokładności skanera</translation>
+    </message>
+    <message>
+        <source>Overlap (points of the copy that were used)</source>
+        <translation>Pokrycie (użyte punkty kopii)</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Punkty użyte</translation>
+    </message>
+    <message>
+        <source>Points left out</source>
+        <translation>Punkty pominięte</translation>
+    </message>
+    <message>
+        <source>Zones along the axis</source>
+        <translation>Strefy wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>from (mm)</source>
+        <translation>od (mm)</translation>
+    </message>
+    <message>
+        <source>to (mm)</source>
+        <translation>do (mm)</translation>
+    </message>
+    <message>
+        <source>mean (mm)</source>
+        <translation>średnia (mm)</translation>
+    </message>
+    <message>
+        <source>std. dev. (mm)</source>
+        <translation>odch. std. (mm)</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Dopasowanie</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>Zbieżne</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iteracje</translation>
+    </message>
+    <message>
+        <source>Uncertainty along the axis (k = 2)</source>
+        <translation>Niepewność wzdłuż osi (k = 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty, largest direction (k = 2)</source>
+        <translation>Niepewność w kierunku największej (k = 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty across the axis (k = 2)</source>
+        <translation>Niepewność w poprzek osi (k = 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty across it (k = 2)</source>
+        <translation>Niepewność w poprzek niego (k = 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the axis&apos;s direction (k = 2)</source>
+        <translation>Niepewność kierunku osi (k = 2)</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the rotation (k = 2)</source>
+        <translation>Niepewność obrotu (k = 2)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Nearest-point figure, as in the source paper</source>
+        <translation>Wynik najbliższego punktu, jak w artykule źródłowym</translation>
+    </message>
+    <message>
+        <source>Cloud-to-cloud RMSE</source>
+        <translation>RMSE chmura–chmura</translation>
+    </message>
+    <message>
+        <source>Its floor: what sampling alone gives</source>
+        <translation>Jego dolna granica: samo próbkowanie</translation>
+    </message>
+    <message>
+        <source>Motions the geometry does not determine</source>
+        <translation>Ruchy, których geometria nie wyznacza</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>ruch</translation>
+    </message>
+    <message>
+        <source>direction x</source>
+        <translation>kierunek x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>through x (mm)</source>
+        <translation>przez x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>obrót</translation>
+    </message>
+    <message>
+        <source>translation</source>
+        <translation>przesunięcie</translation>
+    </message>
+    <message>
+        <source>From the copy&apos;s coordinates to the original&apos;s</source>
+        <translation>Ze współrzędnych kopii do współrzędnych oryginału</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>shift (mm)</source>
+        <translation>przesunięcie (mm)</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametry</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Gdzie</translation>
+    </message>
+    <message>
+        <source>Deviations are measured along the normal of the original&apos;s surface; plus means material in excess.</source>
+        <translation>Odchyłki mierzy się wzdłuż normalnej do powierzchni oryginału; plus oznacza naddatek materiału.</translation>
+    </message>
+    <message>
+        <source>Deviations are distances from the original&apos;s surface, without a sign.</source>
+        <translation>Odchyłki są odległościami od powierzchni oryginału, bez znaku.</translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation>Z jaką pewnością</translation>
+    </message>
+    <message>
+        <source>The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring points: even identical parts reach its floor. The deviation from the surface does not depend on it.</source>
+        <translation>Wynik chmura–chmura miesza różnicę części z odległością sąsiednich punktów: nawet identyczne części osiągają jego dolną granicę. Odchyłka od powierzchni od tego nie zależy.</translation>
+    </message>
+    <message>
+        <source>mean {mean} mm</source>
+        <translation>średnia {mean} mm</translation>
+    </message>
+    <message>
+        <source>{share} % within ±{tolerance} mm</source>
+        <translation>{share} % w granicach ±{tolerance} mm</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Wynik</translation>
+    </message>
+    <message>
+        <source>Comparison of a copy with its original</source>
+        <translation>Porównanie kopii z oryginałem</translation>
+    </message>
+    <message>
+        <source>Method and parameters</source>
+        <translation>Metoda i parametry</translation>
+    </message>
+    <message>
+        <source>a name in .ply or .csv</source>
+        <translation>nazwa z rozszerzeniem .ply lub .csv</translation>
+    </message>
+    <message>
+        <source>Input files</source>
+        <translation>Pliki wejściowe</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Plik</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bajty</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>pl</translation>
+    </message>
+    <message>
+        <source>Synthetic data: made by a program, not measured</source>
+        <translation>Dane syntetyczne: wytworzone programem, nie zmierzone</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>Porównywanie</translation>
+    </message>
+    <message>
+        <source>Writing deviations</source>
+        <translation>Zapis odchyłek</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>Separator</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Wiersze</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolumny</translation>
+    </message>
+    <message>
+        <source>Smallest x, y, z (mm)</source>
+        <translation>Najmniejsze x, y, z (mm)</translation>
+    </message>
+    <message>
+        <source>Largest x, y, z (mm)</source>
+        <translation>Największe x, y, z (mm)</translation>
+    </message>
+    <message>
+        <source>Skipped line {line}</source>
+        <translation>Pominięto wiersz {line}</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Pliki</translation>
+    </message>
+    <message>
+        <source>What was understood of the files</source>
+        <translation>Co zrozumiano z plików</translation>
+    </message>
+    <message>
+        <source>There is no result to report yet.</source>
+        <translation>Nie ma jeszcze wyniku do raportu.</translation>
+    </message>
+    <message>
+        <source>The project has nothing to report.</source>
+        <translation>Projekt nie ma nic do raportu.</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation>Okrągłość</translation>
+    </message>
+    <message>
+        <source>Chatter</source>
+        <translation>Drgania</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Ugięcie</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Oryginał</translation>
+    </message>
+    <message>
+        <source>Scan or mesh of the original</source>
+        <translation>Skan lub siatka oryginału</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopia</translation>
+    </message>
+    <message>
+        <source>Scan of the part to be judged</source>
+        <translation>Skan ocenianej części</translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes</source>
+        <translation>Chmury punktów i siatki</translation>
+    </message>
+    <message>
+        <source>Drop two scans here, first the original, then the copy.</source>
+        <translation>Upuść tu dwa skany: najpierw oryginał, potem kopię.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porównanie</translation>
+    </message>
+    <message>
+        <source>the system refused it</source>
+        <translation>odmowa systemu</translation>
+    </message>
+    <message>
+        <source>Reading the reference</source>
+        <translation>Odczyt oryginału</translation>
+    </message>
+    <message>
+        <source>Reading the copy</source>
+        <translation>Odczyt kopii</translation>
+    </message>
+    <message>
+        <source>Original (blue) and copy (red), oblique</source>
+        <translation>Oryginał (niebieski) i kopia (czerwona), ukośnie</translation>
+    </message>
+    <message>
+        <source>Original (blue) and copy (red), from the side</source>
+        <translation>Oryginał (niebieski) i kopia (czerwona), z boku</translation>
+    </message>
+    <message>
+        <source>Deviation of the copy, oblique</source>
+        <translation>Odchyłka kopii, ukośnie</translation>
+    </message>
+    <message>
+        <source>Deviation of the copy, from the side</source>
+        <translation>Odchyłka kopii, z boku</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier</name>
+    <message>
+        <source>Reference</source>
+        <translation>Oryginał</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopia</translation>
+    </message>
+    <message>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>odchyłka %1</translation>
+    </message>
+    <message>
+        <source>this point was left out</source>
+        <translation>ten punkt pominięto</translation>
+    </message>
+    <message>
+        <source>mean around it %1</source>
+        <translation>średnia wokół %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Wszystko</translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Rozkład</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Strefy</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Nałożenie</translation>
+    </message>
+    <message>
+        <source>The original blue, the copy red</source>
+        <translation>Oryginał niebieski, kopia czerwona</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>The copy, coloured by its distance from the original&apos;s surface</source>
+        <translation>Kopia w barwach odległości od powierzchni oryginału</translation>
+    </message>
+    <message>
+        <source>Local mean</source>
+        <translation>Średnia lokalna</translation>
+    </message>
+    <message>
+        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
+        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation>Błąd ×</translation>
+    </message>
+    <message>
+        <source>How many times larger the meridian draws the deviation</source>
+        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>These scans were computed, not measured.</source>
+        <translation>Te skany obliczono, nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
+        <translation>Odchyłka [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>Polecenia</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Wpisz, co chcesz zrobić</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CompareCharts</name>
+    <message>
+        <source>Along the axis</source>
+        <translation>Wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>Unrolled surface</source>
+        <translation>Rozwinięcie powierzchni</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Kąt</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>error drawn × %1</source>
+        <translation>błąd powiększony × %1</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Promień</translation>
+    </message>
+    <message>
+        <source>material in excess</source>
+        <translation>naddatek materiału</translation>
+    </message>
+    <message>
+        <source>material missing</source>
+        <translation>brak materiału</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>oryginał</translation>
+    </message>
+    <message>
+        <source>copy</source>
+        <translation>kopia</translation>
+    </message>
+    <message>
+        <source>tolerance ± %1 mm</source>
+        <translation>tolerancja ± %1 mm</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>pominięte</translation>
+    </message>
+    <message>
+        <source>Distribution of the deviations</source>
+        <translation>Rozkład odchyłek</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>below the tolerance</source>
+        <translation>poniżej tolerancji</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>w tolerancji</translation>
+    </message>
+    <message>
+        <source>above the tolerance</source>
+        <translation>powyżej tolerancji</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkty</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>rozkład normalny</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ComparePanel</name>
+    <message>
+        <source>Change the tolerance</source>
+        <translation>Zmień tolerancję</translation>
+    </message>
+    <message>
+        <source>Swap reference and copy</source>
+        <translation>Zamień oryginał z kopią</translation>
+    </message>
+    <message>
+        <source>Deviations of all points (PLY)…</source>
+        <translation>Odchyłki wszystkich punktów (PLY)…</translation>
+    </message>
+    <message>
+        <source>Point cloud (*.ply)</source>
+        <translation>Chmura punktów (*.ply)</translation>
+    </message>
+    <message>
+        <source>Deviations of all points (CSV)…</source>
+        <translation>Odchyłki wszystkich punktów (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>⇅ Swap</source>
+        <translation>⇅ Zamień</translation>
+    </message>
+    <message>
+        <source>Reference and copy change places</source>
+        <translation>Oryginał i kopia zamieniają się miejscami</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CopyTable</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiuj</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Kopiuj wszystko</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::EmptyState</name>
@@ -306,6 +1609,89 @@
     <message>
         <source>✗ out of tolerance</source>
         <translation>✗ poza tolerancją</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::HelpWindow</name>
+    <message>
+        <source>Lathelier help</source>
+        <translation>Pomoc programu Lathelier</translation>
+    </message>
+    <message>
+        <source>Compare a copy with its original</source>
+        <translation>Porównanie kopii z oryginałem</translation>
+    </message>
+    <message>
+        <source>Drop two scans on the window – the original (reference) and the copy – or open them at the left. Point clouds and meshes are read: XYZ, ASC, CSV, TXT, PTS, PLY, PCD, STL, OBJ. The answer stands in large type above the views, with its notes under it.</source>
+        <translation>Upuść na okno dwa skany – oryginał i kopię – albo otwórz je po lewej stronie. Program czyta chmury punktów i siatki: XYZ, ASC, CSV, TXT, PTS, PLY, PCD, STL, OBJ. Wynik stoi dużym pismem nad widokami, a pod nim uwagi.</translation>
+    </message>
+    <message>
+        <source>A positive deviation is material in excess, a negative one is missing material. State a tolerance at the left to get a verdict. Whatever you change is computed again at once; Undo takes back any step.</source>
+        <translation>Odchyłka dodatnia to naddatek materiału, ujemna – jego brak. Podaj po lewej tolerancję, aby otrzymać ocenę. Każda zmiana jest natychmiast przeliczana; każdy krok można cofnąć.</translation>
+    </message>
+    <message>
+        <source>When a file is refused</source>
+        <translation>Gdy plik zostanie odrzucony</translation>
+    </message>
+    <message>
+        <source>The message names the file, the line and column or byte, and what was expected. If the file leaves its unit or its decimal mark open, state it under the file&apos;s name at the left; the project remembers it.</source>
+        <translation>Komunikat podaje plik, wiersz i kolumnę albo bajt oraz to, czego oczekiwano. Jeżeli plik nie rozstrzyga jednostki lub znaku dziesiętnego, wskaż je po lewej pod nazwą pliku; projekt to zapamięta.</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Raporty</translation>
+    </message>
+    <message>
+        <source>“Report…” writes the result on screen as HTML or PDF, with method, parameters, notes and the digests of the input files. “In the report” makes it part of the project&apos;s report (File menu).</source>
+        <translation>„Raport” zapisuje wynik z ekranu jako HTML lub PDF: z metodą, parametrami, uwagami i skrótami SHA-256 plików wejściowych. „W raporcie” włącza go do raportu projektu (menu Plik).</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klawisze</translation>
+    </message>
+    <message>
+        <source>open a project or scans</source>
+        <translation>otwórz projekt lub skany</translation>
+    </message>
+    <message>
+        <source>save the project</source>
+        <translation>zapisz projekt</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>cofnij, ponów</translation>
+    </message>
+    <message>
+        <source>compute again</source>
+        <translation>przelicz ponownie</translation>
+    </message>
+    <message>
+        <source>stop the computation</source>
+        <translation>przerwij obliczenia</translation>
+    </message>
+    <message>
+        <source>presenter mode: larger type, thicker lines</source>
+        <translation>tryb prezentacji: większe pismo, grubsze linie</translation>
+    </message>
+    <message>
+        <source>full screen</source>
+        <translation>pełny ekran</translation>
+    </message>
+    <message>
+        <source>all commands, found by typing</source>
+        <translation>wszystkie polecenia, znajdowane przez wpisywanie</translation>
+    </message>
+    <message>
+        <source>About Lathelier</source>
+        <translation>O programie Lathelier</translation>
+    </message>
+    <message>
+        <source>A desktop workbench for turning shops: scan, predict, cut without chatter, measure, prove.
+
+Free software under the GNU General Public License, version 3 or later. It works offline; your files stay with you.</source>
+        <translation>Warsztat dla tokarni: skanuj, przewiduj, tocz bez drgań, mierz, dowodź.
+
+Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza. Działa bez sieci; Twoje pliki zostają u Ciebie.</translation>
     </message>
 </context>
 <context>
@@ -356,6 +1742,33 @@
     </message>
 </context>
 <context>
+    <name>lathelier::InputColumn</name>
+    <message>
+        <source>Change: %1</source>
+        <translation>Zmień: %1</translation>
+    </message>
+    <message>
+        <source>Take away: %1</source>
+        <translation>Usuń: %1</translation>
+    </message>
+    <message>
+        <source>Change how to read: %1</source>
+        <translation>Zmień sposób odczytu: %1</translation>
+    </message>
+    <message>
+        <source>Open: %1</source>
+        <translation>Otwórz: %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Otwórz %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2);;All files (*)</source>
+        <translation>%1 (%2);;Wszystkie pliki (*)</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::IntervalsEdit</name>
     <message>
         <source>Add a range</source>
@@ -372,6 +1785,214 @@
     <message>
         <source>Remove this range</source>
         <translation>Usuń ten przedział</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LimitEdit</name>
+    <message>
+        <source>The colour scale runs from minus to plus this many mm.</source>
+        <translation>Skala barw sięga od minus do plus tylu mm.</translation>
+    </message>
+    <message>
+        <source>Limit of the colour scale in mm</source>
+        <translation>Granica skali barw w mm</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MainWindow</name>
+    <message>
+        <source>Open a project or scans</source>
+        <translation>Otwórz projekt lub skany</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Unnamed project</source>
+        <translation>Projekt bez nazwy</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Cofnij: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Cofnij</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Ponów: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Ponów</translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation>&amp;Nowy projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Otwórz…</translation>
+    </message>
+    <message>
+        <source>Open the sa&amp;mple</source>
+        <translation>Otwórz prz&amp;ykład</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Zapisz</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Z&amp;apisz jako…</translation>
+    </message>
+    <message>
+        <source>Project report as &amp;HTML…</source>
+        <translation>Raport projektu &amp;HTML…</translation>
+    </message>
+    <message>
+        <source>Project report as &amp;PDF…</source>
+        <translation>Raport projektu &amp;PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Za&amp;kończ</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Ustawienia…</translation>
+    </message>
+    <message>
+        <source>&amp;Compute again</source>
+        <translation>P&amp;rzelicz ponownie</translation>
+    </message>
+    <message>
+        <source>&amp;Stop the computation</source>
+        <translation>Przer&amp;wij obliczenia</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Przywróć układ &amp;okien</translation>
+    </message>
+    <message>
+        <source>&amp;Presenter mode</source>
+        <translation>Tryb &amp;prezentacji</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>Pełny &amp;ekran</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Po&amp;moc</translation>
+    </message>
+    <message>
+        <source>All &amp;commands…</source>
+        <translation>Wszystkie po&amp;lecenia…</translation>
+    </message>
+    <message>
+        <source>&amp;About Lathelier</source>
+        <translation>&amp;O programie Lathelier</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Plik</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ostatnio &amp;używane</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edycja</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Widok</translation>
+    </message>
+    <message>
+        <source>&amp;Workspaces</source>
+        <translation>Prze&amp;strzenie robocze</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>Przestrzenie robocze</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Komunikaty</translation>
+    </message>
+    <message>
+        <source>Computing what belongs in the report…</source>
+        <translation>Obliczanie wyników do raportu…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Raport</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MapView</name>
+    <message>
+        <source>no data</source>
+        <translation>brak danych</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::MessageLog</name>
+    <message>
+        <source>Note</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Ostrzeżenie</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Błąd</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Komunikat</translation>
+    </message>
+    <message>
+        <source>Message log</source>
+        <translation>Dziennik komunikatów</translation>
+    </message>
+    <message>
+        <source>Copy the selected messages, or all</source>
+        <translation>Kopiuj zaznaczone komunikaty albo wszystkie</translation>
+    </message>
+    <message>
+        <source>Clear the log</source>
+        <translation>Wyczyść dziennik</translation>
     </message>
 </context>
 <context>
@@ -399,24 +2020,8 @@
 <context>
     <name>lathelier::PanelBase</name>
     <message>
-        <source>Open: %1</source>
-        <translation>Otwórz: %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2);;All files (*)</source>
-        <translation>%1 (%2);;Wszystkie pliki (*)</translation>
-    </message>
-    <message>
         <source>Open %1</source>
         <translation>Otwórz %1</translation>
-    </message>
-    <message>
-        <source>Take away: %1</source>
-        <translation>Usuń: %1</translation>
-    </message>
-    <message>
-        <source>Change how to read: %1</source>
-        <translation>Zmień sposób odczytu: %1</translation>
     </message>
     <message>
         <source>Add to the report</source>
@@ -438,9 +2043,40 @@
         <source>Open</source>
         <translation>Otwórz</translation>
     </message>
+</context>
+<context>
+    <name>lathelier::PlotCanvas</name>
     <message>
-        <source>Change: %1</source>
-        <translation>Zmień: %1</translation>
+        <source>Copy picture</source>
+        <translation>Kopiuj obraz</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Zapisz obraz…</translation>
+    </message>
+    <message>
+        <source>Save data as CSV…</source>
+        <translation>Zapisz dane jako CSV…</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Pokaż wszystko</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Zapisz obraz</translation>
+    </message>
+    <message>
+        <source>Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)</source>
+        <translation>Obraz wektorowy (*.svg);;PDF (*.pdf);;Obraz (*.png)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Zapisz dane</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -478,12 +2114,259 @@
         <translation>Włącz ten wynik do raportu projektu</translation>
     </message>
     <message>
-        <source>Report…</source>
-        <translation type="unfinished"></translation>
+        <source>Report</source>
+        <translation>Raport</translation>
     </message>
     <message>
-        <source>Write a report of this result as HTML or PDF</source>
-        <translation type="unfinished"></translation>
+        <source>HTML report…</source>
+        <translation>Raport HTML…</translation>
+    </message>
+    <message>
+        <source>PDF report…</source>
+        <translation>Raport PDF…</translation>
+    </message>
+    <message>
+        <source>Write a report of this result</source>
+        <translation>Zapisz raport z tego wyniku</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ProjectFiles</name>
+    <message>
+        <source>Lathelier projects (*.lathelier)</source>
+        <translation>Projekty Lathelier (*.lathelier)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Zapisz projekt</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Niezapisane zmiany</translation>
+    </message>
+    <message>
+        <source>The project has unsaved changes.</source>
+        <translation>Projekt ma niezapisane zmiany.</translation>
+    </message>
+    <message>
+        <source>Save them before going on?</source>
+        <translation>Zapisać je przed dalszą pracą?</translation>
+    </message>
+    <message>
+        <source>a project without a name</source>
+        <translation>projekt bez nazwy</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Odzyskaj niezapisaną pracę</translation>
+    </message>
+    <message>
+        <source>Lathelier ended unexpectedly. Unsaved work on %1 was kept.</source>
+        <translation>Lathelier zakończył się nieoczekiwanie. Zachowano niezapisaną pracę: %1.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Odzyskaj</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Odrzuć</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Później</translation>
+    </message>
+    <message>
+        <source>Making the sample scans…</source>
+        <translation>Tworzenie przykładowych skanów…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneBar</name>
+    <message>
+        <source>Oblique</source>
+        <translation>Ukośnie</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Z boku</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Od czoła</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Równolegle</translation>
+    </message>
+    <message>
+        <source>Parallel projection: equal lengths look equal at any distance</source>
+        <translation>Rzut równoległy: równe długości wyglądają tak samo z każdej odległości</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Całość</translation>
+    </message>
+    <message>
+        <source>Cut along X</source>
+        <translation>Przekrój wzdłuż X</translation>
+    </message>
+    <message>
+        <source>Cut along Y</source>
+        <translation>Przekrój wzdłuż Y</translation>
+    </message>
+    <message>
+        <source>Cut along Z</source>
+        <translation>Przekrój wzdłuż Z</translation>
+    </message>
+    <message>
+        <source>Cut away one side of the part</source>
+        <translation>Odetnij jedną stronę części</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Miejsce przekroju</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneRuler</name>
+    <message>
+        <source>Directions and length scale</source>
+        <translation>Kierunki i podziałka długości</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SceneView</name>
+    <message>
+        <source>The 3-D view needs OpenGL, which is not available here.
+All other views work.</source>
+        <translation>Widok 3D wymaga OpenGL, który nie jest tu dostępny.
+Wszystkie inne widoki działają.</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>Widok 3D</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Jak w systemie</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nigdy</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>How often unsaved work is kept aside, in case the program ends unexpectedly</source>
+        <translation>Jak często odkładać niezapisaną pracę na wypadek nieoczekiwanego zakończenia programu</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Type size in presenter mode</source>
+        <translation>Wielkość pisma w trybie prezentacji</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Język</translation>
+    </message>
+    <message>
+        <source>Autosave every</source>
+        <translation>Autozapis co</translation>
+    </message>
+    <message>
+        <source>Presenter type size</source>
+        <translation>Pismo prezentacji</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::StatisticsTable</name>
+    <message>
+        <source>Statistics</source>
+        <translation>Statystyka</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ZoneTable</name>
+    <message>
+        <source>Zones along the axis</source>
+        <translation>Strefy wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>From [mm]</source>
+        <translation>Od [mm]</translation>
+    </message>
+    <message>
+        <source>To [mm]</source>
+        <translation>Do [mm]</translation>
+    </message>
+    <message>
+        <source>Mean [mm]</source>
+        <translation>Średnia [mm]</translation>
+    </message>
+    <message>
+        <source>Scatter [mm]</source>
+        <translation>Rozrzut [mm]</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Mean is</source>
+        <translation>Średnia jest</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the single points in the zone</source>
+        <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
+    </message>
+    <message>
+        <source>▲ above</source>
+        <translation>▲ powyżej</translation>
+    </message>
+    <message>
+        <source>▼ below</source>
+        <translation>▼ poniżej</translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ w tolerancji</translation>
     </message>
 </context>
 </TS>

@@ -70,7 +70,7 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     useResources();
     QApplication::setWindowIcon(QIcon(":/icons/lathelier.svg"));
-    applyTheme(application);
+    const Theme theme(application);
 
     // Screenshots and reports neither use nor change the user's own settings.
     QTemporaryDir fresh;

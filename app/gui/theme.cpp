@@ -1,8 +1,11 @@
 #include "app/gui/theme.h"
 
 #include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
 #include <QPalette>
 #include <QStyleFactory>
+#include <optional>
 
 namespace lathelier {
 namespace {
@@ -54,12 +57,52 @@ void withDisabled(QPalette& palette)
     }
 }
 
+// The desktop's colour scheme: 0 no preference, 1 dark, 2 light (XDG desktop portal, org.freedesktop.appearance).
+constexpr const char* service = "org.freedesktop.portal.Desktop";
+constexpr const char* path = "/org/freedesktop/portal/desktop";
+constexpr const char* settings = "org.freedesktop.portal.Settings";
+constexpr const char* appearance = "org.freedesktop.appearance";
+constexpr const char* colourScheme = "color-scheme";
+constexpr int answerTime_ms = 300;
+
+/// Nothing when there is no portal or the user has no preference.
+std::optional<bool> isDark(QVariant value)
+{
+    while (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
+    const uint scheme = value.toUInt();
+    if (scheme != 1 && scheme != 2) return std::nullopt;
+    return scheme == 1;
+}
+
+std::optional<bool> desktopIsDark(QDBusConnection& bus)
+{
+    if (!bus.isConnected()) return std::nullopt;
+    QDBusMessage question = QDBusMessage::createMethodCall(service, path, settings, "Read");
+    question << appearance << colourScheme;
+    const QDBusMessage answer = bus.call(question, QDBus::Block, answerTime_ms);
+    if (answer.type() != QDBusMessage::ReplyMessage || answer.arguments().isEmpty()) return std::nullopt;
+    return isDark(answer.arguments().constFirst());
+}
+
 }  // namespace
 
-void applyTheme(QApplication& application)
+Theme::Theme(QApplication& application) : QObject(&application)
 {
-    const bool dark = application.palette().color(QPalette::Window).lightness() < 128;
+    QDBusConnection bus = QDBusConnection::sessionBus();
+    const bool platformIsDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
     QApplication::setStyle(QStyleFactory::create("Fusion"));
+    apply(desktopIsDark(bus).value_or(platformIsDark));
+    bus.connect(service, path, settings, "SettingChanged", this, SLOT(desktopChanged(QString, QString, QDBusVariant)));
+}
+
+void Theme::desktopChanged(const QString& group, const QString& key, const QDBusVariant& value)
+{
+    if (group != appearance || key != colourScheme) return;
+    apply(isDark(value.variant()).value_or(false));
+}
+
+void Theme::apply(bool dark)
+{
     QPalette palette = dark ? darkPalette() : lightPalette();
     withDisabled(palette);
     QApplication::setPalette(palette);

@@ -1,11 +1,25 @@
 // The look of the program: one style and two palettes, light and dark, following the system.
 #pragma once
 
+#include <QDBusVariant>
+#include <QObject>
+
 class QApplication;
 
 namespace lathelier {
 
-/// Takes Fusion with our palette; dark when the system's palette or the desktop's colour scheme is dark.
-void applyTheme(QApplication& application);
+/// Sets Fusion with our palette: dark when the desktop asks for dark (freedesktop's colour-scheme, else the palette
+/// the platform started with), and changes with the desktop while the program runs.
+class Theme : public QObject {
+    Q_OBJECT
+public:
+    explicit Theme(QApplication& application);
+
+private slots:
+    void desktopChanged(const QString& group, const QString& key, const QDBusVariant& value);
+
+private:
+    void apply(bool dark);
+};
 
 }  // namespace lathelier

@@ -1333,105 +1333,6 @@
     </message>
 </context>
 <context>
-    <name>lathelier</name>
-    <message>
-        <source>Reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>deviation %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>this point was left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mean around it %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>3-D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Meridian</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zones</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Overlay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The original blue, the copy red</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The copy, coloured by its distance from the original&apos;s surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Local mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error ×</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How many times larger the meridian draws the deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Synthetic data</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>These scans were computed, not measured.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Deviation [mm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>lathelier::CommandPalette</name>
     <message>
         <source>Commands</source>
@@ -1557,6 +1458,105 @@
     </message>
     <message>
         <source>Reference and copy change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CompareViews</name>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this point was left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean around it %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The original blue, the copy red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy, coloured by its distance from the original&apos;s surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times larger the meridian draws the deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These scans were computed, not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1736,6 +1736,14 @@ Free software under the GNU General Public License, version 3 or later. It works
     </message>
     <message>
         <source>How to read this file: unit, decimal mark, columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>text</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1333,105 +1333,6 @@
     </message>
 </context>
 <context>
-    <name>lathelier</name>
-    <message>
-        <source>Reference</source>
-        <translation>Oryginał</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopia</translation>
-    </message>
-    <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
-        <source>deviation %1</source>
-        <translation>odchyłka %1</translation>
-    </message>
-    <message>
-        <source>this point was left out</source>
-        <translation>ten punkt pominięto</translation>
-    </message>
-    <message>
-        <source>mean around it %1</source>
-        <translation>średnia wokół %1</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Wszystko</translation>
-    </message>
-    <message>
-        <source>3-D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Mapa</translation>
-    </message>
-    <message>
-        <source>Meridian</source>
-        <translation>Zarys osiowy</translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation>Rozkład</translation>
-    </message>
-    <message>
-        <source>Zones</source>
-        <translation>Strefy</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Liczby</translation>
-    </message>
-    <message>
-        <source>Overlay</source>
-        <translation>Nałożenie</translation>
-    </message>
-    <message>
-        <source>The original blue, the copy red</source>
-        <translation>Oryginał niebieski, kopia czerwona</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Odchyłka</translation>
-    </message>
-    <message>
-        <source>The copy, coloured by its distance from the original&apos;s surface</source>
-        <translation>Kopia w barwach odległości od powierzchni oryginału</translation>
-    </message>
-    <message>
-        <source>Local mean</source>
-        <translation>Średnia lokalna</translation>
-    </message>
-    <message>
-        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
-        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
-    </message>
-    <message>
-        <source>Error ×</source>
-        <translation>Błąd ×</translation>
-    </message>
-    <message>
-        <source>How many times larger the meridian draws the deviation</source>
-        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
-    </message>
-    <message>
-        <source>Synthetic data</source>
-        <translation>Dane syntetyczne</translation>
-    </message>
-    <message>
-        <source>These scans were computed, not measured.</source>
-        <translation>Te skany obliczono, nie zmierzono.</translation>
-    </message>
-    <message>
-        <source>Deviation [mm]</source>
-        <translation>Odchyłka [mm]</translation>
-    </message>
-</context>
-<context>
     <name>lathelier::CommandPalette</name>
     <message>
         <source>Commands</source>
@@ -1558,6 +1459,105 @@
     <message>
         <source>Reference and copy change places</source>
         <translation>Oryginał i kopia zamieniają się miejscami</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::CompareViews</name>
+    <message>
+        <source>Reference</source>
+        <translation>Oryginał</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopia</translation>
+    </message>
+    <message>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>odchyłka %1</translation>
+    </message>
+    <message>
+        <source>this point was left out</source>
+        <translation>ten punkt pominięto</translation>
+    </message>
+    <message>
+        <source>mean around it %1</source>
+        <translation>średnia wokół %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Wszystko</translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Rozkład</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Strefy</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Nałożenie</translation>
+    </message>
+    <message>
+        <source>The original blue, the copy red</source>
+        <translation>Oryginał niebieski, kopia czerwona</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>The copy, coloured by its distance from the original&apos;s surface</source>
+        <translation>Kopia w barwach odległości od powierzchni oryginału</translation>
+    </message>
+    <message>
+        <source>Local mean</source>
+        <translation>Średnia lokalna</translation>
+    </message>
+    <message>
+        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
+        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation>Błąd ×</translation>
+    </message>
+    <message>
+        <source>How many times larger the meridian draws the deviation</source>
+        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>These scans were computed, not measured.</source>
+        <translation>Te skany obliczono, nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
+        <translation>Odchyłka [mm]</translation>
     </message>
 </context>
 <context>
@@ -1739,6 +1739,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>How to read this file: unit, decimal mark, columns</source>
         <translation>Jak czytać ten plik: jednostka, znak dziesiętny, kolumny</translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation>binarny</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>tekstowy</translation>
     </message>
 </context>
 <context>

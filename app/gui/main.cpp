@@ -61,7 +61,10 @@ int main(int argc, char** argv)
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+    // Screenshots come out in the size that was asked for.
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(arguments.shots.isEmpty()
+                                                             ? Qt::HighDpiScaleFactorRoundingPolicy::PassThrough
+                                                             : Qt::HighDpiScaleFactorRoundingPolicy::Round);
 #endif
     QCoreApplication::setOrganizationName("Lathelier");
     QCoreApplication::setApplicationName("Lathelier");

@@ -24,7 +24,7 @@ double detail::parseNumberSlowly(const char* at, const char* end, char decimal)
     std::int64_t order = 0;
     if (mark != std::string::npos) {
         const auto [rest, failed] = std::from_chars(plain.data() + mark + 1, plain.data() + plain.size(), order);
-        if (failed != std::errc()) order = plain[mark + 1] == '-' ? -1'000'000'000'000 : 1'000'000'000'000;
+        if (failed != std::errc()) order = plain[mark + 1] == '-' ? -1000000000000 : 1000000000000;
     }
     const std::string_view digits = std::string_view(plain).substr(0, mark);
     const std::size_t point = std::min(digits.find('.'), digits.size());

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t grain = 1 << 16;
 constexpr std::size_t listedRows = 100;
 constexpr double smallestGuess = 1;
-constexpr double largestGuess = 10'000;
+constexpr double largestGuess = 10000;
 
 struct Box {
     Eigen::Array3d min = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());

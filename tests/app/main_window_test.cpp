@@ -191,6 +191,10 @@ private slots:
         const double before = QApplication::font().pointSizeF();
         window_->action("presenter")->trigger();
         QVERIFY(QApplication::font().pointSizeF() > before * 1.4);
+        for (const QWidget* widget : window_->findChildren<QWidget*>())
+            if (widget->isVisible())
+                QVERIFY2(widget->font().pointSizeF() > before * 1.2,
+                         qPrintable(widget->objectName() + widget->metaObject()->className()));
         QVERIFY(window_->activeDock()->isVisible());
         QVERIFY(!window_->findChild<QToolBar*>("workspaceBar")->isVisible());
         window_->action("presenter")->trigger();
@@ -234,7 +238,8 @@ private slots:
             crashed.keep(*session_);
             // What a crash leaves behind: the files without their owner.
             for (const QString& name : QDir(recovery.path()).entryList({"*.lathelier", "*.path"}, QDir::Files))
-                QVERIFY(QFile::copy(recovery.filePath(name), recovery.filePath("crashed" + name.mid(name.indexOf('.')))));
+                QVERIFY(
+                    QFile::copy(recovery.filePath(name), recovery.filePath("crashed" + name.mid(name.indexOf('.')))));
             const Recovery other(recovery.path());
             QCOMPARE(other.lostWork().size(), std::size_t{1});  // the living one is not lost
         }

@@ -129,12 +129,6 @@ std::vector<PanelExport> ComparePanel::exports() const
             {tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", write}};
 }
 
-void ComparePanel::setPresenting(bool presenting)
-{
-    Panel::setPresenting(presenting);
-    views_->setPresenting(presenting);
-}
-
 void ComparePanel::retranslate()
 {
     swap_->setText(tr("⇅ Swap"));

@@ -20,7 +20,6 @@ public:
     explicit ComparePanel(Session& session, QWidget* parent = nullptr);
 
     CompareViews& views() const { return *views_; }
-    void setPresenting(bool presenting) override;
 
     /// Reference and copy change places; one undo step.
     void swapInputs();

@@ -193,7 +193,7 @@ void CompareViews::buildBar()
     p.factorLabel = new QLabel;
     p.factor = new QDoubleSpinBox;
     p.factor->setObjectName("magnification");
-    p.factor->setRange(1, 100'000);
+    p.factor->setRange(1, 100000);
     p.factor->setDecimals(0);
     p.factor->setKeyboardTracking(false);
     p.factor->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -392,14 +392,6 @@ std::vector<Picture> CompareViews::pictures()
         arrange();
     }
     return pictures;
-}
-
-void CompareViews::setPresenting(bool presenting)
-{
-    // Every view sizes its type and lines by its font.
-    QFont face = parentWidget() ? parentWidget()->font() : QFont();
-    if (presenting) face.setPointSizeF(1.35 * face.pointSizeF());
-    setFont(face);
 }
 
 void CompareViews::retranslate()

@@ -31,7 +31,6 @@ public:
     /// 3-D pictures for the report: overlay and deviation, oblique and from the side. Empty without OpenGL.
     std::vector<Picture> pictures();
 
-    void setPresenting(bool presenting);
     void retranslate();
 
 signals:

@@ -98,6 +98,7 @@ public:
     ChoiceEditor(const FieldInfo& info, QWidget* parent) : FieldEditor(parent), box_(new CalmComboBox)
     {
         box_->setFocusPolicy(Qt::StrongFocus);
+        box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box_->setMinimumContentsLength(8);
         for (const FieldChoice& choice : info.choices) box_->addItem(QString(), QString::fromStdString(choice.key));

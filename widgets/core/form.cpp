@@ -17,7 +17,7 @@ Form::Form(std::vector<FieldInfo> fields, QWidget* parent) : QWidget(parent)
     const auto makeLayout = [](QWidget* owner) {
         auto* layout = new QFormLayout(owner);
         layout->setContentsMargins(0, 0, 0, 0);
-        layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
+        layout->setRowWrapPolicy(QFormLayout::WrapAllRows);
         layout->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
         return layout;
     };
@@ -52,6 +52,7 @@ Form::~Form() = default;
 void Form::addRow(const FieldInfo& info, QFormLayout* layout)
 {
     auto* label = new QLabel(this);
+    label->setWordWrap(true);
     FieldEditor* editor = makeFieldEditor(info, this);
     editor->input()->setObjectName(QString::fromStdString(info.key));
     label->setBuddy(editor->input());

@@ -19,6 +19,16 @@ bool settledByImport(ErrorCode code)
     return code == ErrorCode::UnitUnknown || code == ErrorCode::NumberAmbiguous || code == ErrorCode::Malformed;
 }
 
+/// "ply_binary_little_endian": what a person wants to know of it, "PLY binary".
+QString formatText(const std::string& format)
+{
+    const QStringList words = QString::fromStdString(format).split('_');
+    const QString kind = words.value(1) == "binary" ? InputBox::tr("binary")
+                         : words.value(1) == "text" ? InputBox::tr("text")
+                                                    : words.value(1).toUpper();
+    return (words.front().toUpper() + " " + kind).trimmed();
+}
+
 QToolButton* button(const char* name, const QString& picture)
 {
     auto* result = new QToolButton;
@@ -96,7 +106,7 @@ QString InputBox::understoodText() const
     const FileFacts& facts = scan_->file.facts;
     const Scan& scan = scan_->file.scan;
     QStringList parts;
-    parts << QString::fromStdString(facts.format).replace('_', ' ');
+    parts << formatText(facts.format);
     parts << (scan.isMesh() ? tr("%L1 triangles").arg(scan.triangles.size())
                             : tr("%L1 points").arg(scan.points_mm.size()));
     const QString unit = QString::fromStdString(facts.unit);

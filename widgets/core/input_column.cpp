@@ -1,7 +1,9 @@
 #include "widgets/core/input_column.h"
 
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -29,13 +31,21 @@ InputColumn::InputColumn(const PanelInputs& inputs, QWidget* parent)
     form_->setValues(inputs.defaults);
     layout->addWidget(form_);
     layout->addStretch();
-    setWidget(column);
-    setMinimumWidth(fontMetrics().averageCharWidth() * 30);
+    setWidget(column);  // whose layout requests come to eventFilter() from now on
     connect(form_, &Form::valueChanged, this, [this](const std::string& key, const Value& value, int gesture) {
         const auto info = std::find_if(inputs_.fields.begin(), inputs_.fields.end(),
                                        [&](const FieldInfo& field) { return field.key == key; });
         emit parameterEdited(key, value, gesture, tr("Change: %1").arg(screenText(info->label)));
     });
+}
+
+bool InputColumn::eventFilter(QObject* watched, QEvent* event)
+{
+    // There is no horizontal scroll bar: the column is never narrower than what it holds, in any language and type
+    // size.
+    if (watched == widget() && (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize))
+        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    return QScrollArea::eventFilter(watched, event);
 }
 
 InputBox* InputColumn::makeBox(const InputRole& role)

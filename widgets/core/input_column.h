@@ -30,6 +30,9 @@ signals:
     void sourceChosen(const std::string& role, const std::optional<lathelier::Source>& source, const QString& step);
     void parameterEdited(const std::string& key, const lathelier::Value& value, int gesture, const QString& step);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     InputBox* makeBox(const InputRole& role);
     void ask(const InputRole& role);

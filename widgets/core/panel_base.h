@@ -45,7 +45,8 @@ public:
     /// The panel's part of a report, of the result on screen; nullopt without a result.
     std::optional<Document> reportDocument() const;
 
-    /// Larger type and thicker lines for the last row. Overriders call this one too.
+    /// For the last row: the window enlarges the application's font, which type and lines of all views follow; here
+    /// only the headline grows further. Overriders call this one too.
     virtual void setPresenting(bool presenting);
 
 signals:

@@ -17,8 +17,8 @@
 namespace lathelier {
 namespace {
 
-constexpr std::size_t mostThinned = 200'000;
-constexpr std::size_t mostTrianglesMoving = 200'000;
+constexpr std::size_t mostThinned = 200000;
+constexpr std::size_t mostTrianglesMoving = 200000;
 constexpr std::size_t grain = 65536;
 
 vtkSmartPointer<vtkPoints> upload(std::size_t count, const std::function<Eigen::Vector3d(std::size_t)>& place)
@@ -78,7 +78,7 @@ SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const E
         setVertices(full_.data, scan.points_mm.size());
     prepare(full_, 2);
 
-    thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20'000;
+    thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20000;
     if (!thinned_) return;
     order_ = thinnedOrder(scan.points_mm.size(), mostThinned);
     thin_.data->SetPoints(upload(order_.size(), [&](std::size_t i) { return local * scan.points_mm[order_[i]]; }));

@@ -35,8 +35,8 @@ namespace {
 constexpr int restAfter_ms = 250;
 constexpr double slowFrame_s = 0.050;
 constexpr double quickFrame_s = 0.025;
-constexpr std::size_t fewestMoving = 10'000;
-constexpr std::size_t mostMoving = 400'000;
+constexpr std::size_t fewestMoving = 10000;
+constexpr std::size_t mostMoving = 400000;
 
 bool openGlIsThere()
 {
@@ -106,7 +106,7 @@ struct SceneView::Parts {
     bool moving = false;
     bool aimed = false;
     std::optional<QPoint> pressedAt;
-    std::size_t budget = 80'000;
+    std::size_t budget = 80000;
     Speed speed;
 
     Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : Eigen::Vector3d::UnitX()); }

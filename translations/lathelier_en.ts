@@ -868,10 +868,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unrolled surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Angle about the axis (°)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1329,6 +1325,22 @@
     </message>
     <message>
         <source>Deviation of the copy, from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: synthetic data, made by a program, not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a shorter statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrolled surface: tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrolled surface: form of the deviation</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -868,10 +868,6 @@
         <translation>Odchyłka (mm)</translation>
     </message>
     <message>
-        <source>Unrolled surface</source>
-        <translation>Rozwinięcie powierzchni</translation>
-    </message>
-    <message>
         <source>Angle about the axis (°)</source>
         <translation>Kąt wokół osi (°)</translation>
     </message>
@@ -1330,6 +1326,22 @@
     <message>
         <source>Deviation of the copy, from the side</source>
         <translation>Odchyłka kopii, z boku</translation>
+    </message>
+    <message>
+        <source>{path}: synthetic data, made by a program, not measured.</source>
+        <translation>{path}: dane syntetyczne, wytworzone programem, nie zmierzone.</translation>
+    </message>
+    <message>
+        <source>a shorter statement</source>
+        <translation>krótszy zapis</translation>
+    </message>
+    <message>
+        <source>Unrolled surface: tolerance</source>
+        <translation>Rozwinięcie powierzchni: tolerancja</translation>
+    </message>
+    <message>
+        <source>Unrolled surface: form of the deviation</source>
+        <translation>Rozwinięcie powierzchni: kształt odchyłki</translation>
     </message>
 </context>
 <context>

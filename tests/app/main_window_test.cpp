@@ -109,6 +109,23 @@ private slots:
         QVERIFY(!window_->isWindowModified());
     }
 
+    void undoKeyWorksInsideAField()
+    {
+        window_->openPaths({makeFile("a.txt")});
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        auto* field = window_->activeDock()->panel().findChild<QLineEdit*>("factor_mm");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "7");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(field->text(), QString("7"));
+        QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(field->text(), QString("2"));
+        QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(field->text(), QString("7"));
+    }
+
     void arrangementSurvivesARestart()
     {
         window_->resize(780, 790);

@@ -28,6 +28,7 @@ signals:
     void finished();       ///< Enter or focus lost: the gesture is over
 
 protected:
+    bool event(QEvent* event) override;  ///< Undo and Redo are the program's, except while something is being typed
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void changeEvent(QEvent* event) override;

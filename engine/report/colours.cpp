@@ -16,6 +16,9 @@ constexpr Oklab blueEnd{0.43, -0.020, -0.170};
 constexpr Oklab middle{0.905, 0, 0};
 constexpr Oklab redEnd{0.46, 0.165, 0.080};
 
+constexpr Oklab insideMiddle{0.83, -0.095, 0.040};
+constexpr double insideBlueYellow = 0.060;  ///< from the middle to either end
+
 /// Where the scale starts just outside a tolerance band (share of the plain scale).
 constexpr double outsideStart = 0.6;
 
@@ -47,11 +50,17 @@ Rgb divergingColour(double share)
                   middle.b + w * (end.b - middle.b)});
 }
 
+Rgb insideColour(double share)
+{
+    const double t = std::isnan(share) ? 0 : std::clamp(share, -1.0, 1.0);
+    return toRgb({insideMiddle.lightness, insideMiddle.a, insideMiddle.b + t * insideBlueYellow});
+}
+
 Rgb DeviationColours::operator()(double deviation_mm) const
 {
     if (!tolerance_mm) return divergingColour(deviation_mm / limit_mm);
     const double beyond = std::abs(deviation_mm) - *tolerance_mm;
-    if (!(beyond > 0)) return insideToleranceColour;
+    if (!(beyond > 0)) return insideColour(*tolerance_mm > 0 ? deviation_mm / *tolerance_mm : 0);
     const double room = limit_mm - *tolerance_mm;
     const double share = room > 0 ? outsideStart + (1 - outsideStart) * std::min(1.0, beyond / room) : 1.0;
     return divergingColour(std::copysign(share, deviation_mm));

@@ -1,7 +1,7 @@
 // The colours of signed deviations: one rule for the 3-D view, the unrolled map and the report.
 // Blue - light grey - red, evenly spaced in Oklab (B. Ottosson, "A perceptual color space for image processing", 2020),
 // so that equal steps of the value look equally large, also to most colour-blind people. Inside a tolerance band the
-// colour is one light bluish green that is told from blue and red by lightness as well as by hue.
+// colours are light greens that are told from blue and red by lightness as well as by hue.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,9 @@ struct Rgb {
 /// are drawn as the ends. NaN is not drawn by callers; here it gives the colour of 0.
 Rgb divergingColour(double share);
 
-inline constexpr Rgb insideToleranceColour{126, 211, 170};
+/// Inside the tolerance: green of one lightness, from bluish (share -1) to yellowish (+1), so that the form of the
+/// error stays visible where all is well.
+Rgb insideColour(double share);
 
 /// What is drawn from -limit to +limit, and green where |value| <= tolerance, if there is one.
 /// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
@@ -29,6 +31,7 @@ struct DeviationColours {
     std::optional<double> tolerance_mm;  ///< >= 0
 
     Rgb operator()(double deviation_mm) const;
+    friend bool operator==(const DeviationColours&, const DeviationColours&) = default;
 };
 
 /// A readable limit for data whose largest interesting |value| is `largest_mm`: 1, 1.5, 2, 3, 4, 5, 6 or 8 × 10^n, not

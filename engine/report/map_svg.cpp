@@ -14,9 +14,8 @@ constexpr double bottomRoom = 52;
 constexpr int mostColumns = 900;
 constexpr int mostRows = 450;
 
-constexpr int levels = 253;  ///< of the scale; with "inside" and "nothing there" the palette is full
-constexpr std::uint8_t insideIndex = levels;
-constexpr std::uint8_t nothingIndex = levels + 1;
+constexpr int levels = 255;  ///< of the scale, an odd number so that 0 is one; with "nothing there" the palette is full
+constexpr std::uint8_t nothingIndex = levels;
 
 double levelValue(const ColourMap& map, int level)
 {
@@ -26,12 +25,13 @@ double levelValue(const ColourMap& map, int level)
 std::uint8_t indexOf(const ColourMap& map, double value)
 {
     if (!std::isfinite(value)) return nothingIndex;
-    if (map.tolerance && std::abs(value) <= *map.tolerance) return insideIndex;
     const double share = std::clamp(0.5 * (value / map.limit + 1), 0.0, 1.0);
     int level = static_cast<int>(std::lround(share * (levels - 1)));
-    // Rounding to a level must not turn "just outside" into the colour of "inside".
-    while (map.tolerance && std::abs(levelValue(map, level)) <= *map.tolerance && level > 0 && level < levels - 1)
-        level += value > 0 ? 1 : -1;
+    // Rounding to a level must turn neither "just outside" into the colour of "inside" nor the other way round.
+    const auto isInside = [&](double v) { return map.tolerance && std::abs(v) <= *map.tolerance; };
+    const int outward = value > 0 ? 1 : -1;
+    while (!isInside(value) && isInside(levelValue(map, level)) && level > 0 && level < levels - 1) level += outward;
+    while (isInside(value) && !isInside(levelValue(map, level))) level -= outward;
     return static_cast<std::uint8_t>(level);
 }
 
@@ -40,7 +40,6 @@ std::vector<Rgb> paletteOf(const ColourMap& map)
     const DeviationColours colour{map.limit, map.tolerance};
     std::vector<Rgb> result;
     for (int level = 0; level < levels; ++level) result.push_back(colour(levelValue(map, level)));
-    result.push_back(insideToleranceColour);
     result.push_back({255, 255, 255});
     return result;
 }

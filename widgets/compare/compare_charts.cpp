@@ -64,7 +64,7 @@ MapData compareMap(const CompareResult& result)
     MapData map;
     if (!result.unrolled) return map;
     const UnrolledMap& source = *result.unrolled;
-    map.title = CompareCharts::tr("Unrolled surface");
+    map.title = CompareCharts::tr("Unrolled surface, local means");
     map.x = lengthAxis();
     map.y = {CompareCharts::tr("Angle"), "°"};
     map.value = {CompareCharts::tr("Deviation"), "mm"};
@@ -105,12 +105,13 @@ PlotData compareMeridian(const CompareResult& result, double magnification)
         curve.spoken = false;
         return curve;
     };
-    plot.curves.push_back(band(CompareCharts::tr("material in excess"), red, 1));
-    plot.curves.push_back(band(CompareCharts::tr("material missing"), blue, -1));
+    plot.curves.push_back(band(CompareCharts::tr("excess"), red, 1));
+    plot.curves.push_back(band(CompareCharts::tr("missing"), blue, -1));
     PlotCurve reference;
     reference.name = CompareCharts::tr("reference");
     reference.x = meridian.z_mm;
     reference.y = meridian.reference_radius_mm;
+    reference.colour = QColor(31, 119, 180);  // as in the 3-D overlay
     PlotCurve copy;
     copy.name = CompareCharts::tr("copy");
     copy.x = meridian.z_mm;
@@ -123,7 +124,7 @@ PlotData compareMeridian(const CompareResult& result, double magnification)
     if (const auto& tolerance_mm = result.parameters.tolerance_mm)
         for (const double sign : {1.0, -1.0}) {
             PlotCurve limit;
-            if (sign > 0) limit.name = CompareCharts::tr("tolerance ± %1 mm").arg(decimals(*tolerance_mm));
+            if (sign > 0) limit.name = CompareCharts::tr("± %1 mm").arg(decimals(*tolerance_mm));
             limit.style = PlotCurve::Style::Dashed;
             limit.x = meridian.z_mm;
             limit.y = shifted(meridian, [&](std::size_t) { return magnification * sign * *tolerance_mm; });
@@ -171,9 +172,9 @@ PlotData compareHistogram(const CompareResult& result, double limit_mm)
     };
     if (tolerance_mm) {
         const double t = *tolerance_mm;
-        bars(CompareCharts::tr("below the tolerance"), blue, [t](double v) { return v < -t; });
-        bars(CompareCharts::tr("within"), toQt(insideToleranceColour), [t](double v) { return std::abs(v) <= t; });
-        bars(CompareCharts::tr("above the tolerance"), red, [t](double v) { return v > t; });
+        bars(CompareCharts::tr("too small"), blue, [t](double v) { return v < -t; });
+        bars(CompareCharts::tr("within"), toQt(insideColour(0)), [t](double v) { return std::abs(v) <= t; });
+        bars(CompareCharts::tr("too large"), red, [t](double v) { return v > t; });
         plot.limits.push_back({Qt::Vertical, -t, QStringLiteral("−%1").arg(decimals(t)), true});
         plot.limits.push_back({Qt::Vertical, t, QStringLiteral("+%1").arg(decimals(t)), true});
     } else {

@@ -184,7 +184,6 @@ void CompareViews::buildBar()
     p.deviation->setChecked(true);
     p.smooth = new QCheckBox;
     p.smooth->setObjectName("localMean");
-    p.smooth->setChecked(true);
     row->addWidget(p.smooth);
     connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
     connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
@@ -307,6 +306,7 @@ void CompareViews::showSurface()
     if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
+    copy.onSurface = copy.values != nullptr;
     recolour(p.tolerance());
     p.scene->setObjects({reference, copy});
 }

@@ -47,9 +47,10 @@ private:
     QRectF place_;
 };
 
-class LegendElement : public QCPLayoutElement {
+/// The colour scale, drawn into the right margin of the axes.
+class LegendInMargin : public QCPLayerable {
 public:
-    explicit LegendElement(QCustomPlot* plot) : QCPLayoutElement(plot) {}
+    explicit LegendInMargin(QCustomPlot* plot) : QCPLayerable(plot, "axes") {}
     DeviationColours colours;
     QString title;
     QFont font;
@@ -57,17 +58,19 @@ public:
     QLocale locale;
     int narrowest = 0;  ///< the field of the limit stands above
 
-    QSize minimumOuterSizeHint() const override
-    {
-        return {std::max(narrowest, colourLegendWidth(colours, title, font, locale) + 10), 0};
-    }
-    QSize maximumOuterSizeHint() const override { return {minimumOuterSizeHint().width(), QWIDGETSIZE_MAX}; }
+    int width() const { return std::max(narrowest, colourLegendWidth(colours, title, font, locale) + gap); }
 
 protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
     void draw(QCPPainter* painter) override
     {
-        paintColourLegend(*painter, QRectF(rect()).adjusted(6, 0, 0, 0), colours, title, font, text, locale);
+        const QRectF axes = parentPlot()->axisRect()->rect();
+        paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8),
+                          colours, title, font, text, locale);
     }
+
+private:
+    static constexpr int gap = 12;
 };
 
 }  // namespace
@@ -76,7 +79,7 @@ struct MapView::Content {
     MapData data;
     DeviationColours colours;
     GridPicture* picture = nullptr;
-    LegendElement* legend = nullptr;
+    LegendInMargin* legend = nullptr;
     LimitEdit* edit = nullptr;
     QCPItemTracer* marker = nullptr;
     std::optional<QPointF> marked;
@@ -86,9 +89,8 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
 {
     Content& c = *content_;
     c.picture = new GridPicture(plot().xAxis, plot().yAxis);
-    c.legend = new LegendElement(&plot());
-    plot().plotLayout()->addElement(2, 1, c.legend);
-    plot().plotLayout()->setColumnStretchFactor(1, 1e-6);  // no wider than its numbers
+    c.legend = new LegendInMargin(&plot());
+    plot().axisRect()->setAutoMargins(QCP::msLeft | QCP::msTop | QCP::msBottom);
     plot().axisRect()->axis(QCPAxis::atBottom)->grid()->setVisible(false);
     plot().axisRect()->axis(QCPAxis::atLeft)->grid()->setVisible(false);
     c.marker = new QCPItemTracer(&plot());
@@ -173,11 +175,12 @@ void MapView::setMarker(std::optional<QPointF> place)
 
 void MapView::applyStyle()
 {
-    LegendElement& legend = *content_->legend;
+    LegendInMargin& legend = *content_->legend;
     legend.font = font();
     legend.text = style().text;
     legend.locale = locale();
     content_->marker->setPen(QPen(style().marker, 1.2 * style().lineWidth));
+    placeEdit();
 }
 
 QString MapView::readoutAt(double x, double y) const
@@ -200,7 +203,7 @@ void MapView::fitRanges()
 
 int MapView::besideAxes() const
 {
-    return content_ ? content_->legend->minimumOuterSizeHint().width() : 0;
+    return content_ ? content_->legend->width() : 0;
 }
 
 void MapView::placeEdit()
@@ -211,6 +214,8 @@ void MapView::placeEdit()
     edit->adjustSize();
     content_->legend->narrowest = edit->width();
     edit->move(width() - edit->width(), 0);
+    leaveRoomInTitle(edit->width());
+    plot().axisRect()->setMargins(QMargins(0, 0, content_->legend->width(), 0));
 }
 
 void MapView::resizeEvent(QResizeEvent* event)

@@ -46,16 +46,18 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     QCPLayoutGrid* grid = plot_->plotLayout();
     grid->setRowSpacing(0);
     grid->insertRow(0);
-    grid->insertRow(1);
     grid->addElement(0, 0, parts_->title = new TextLine(plot_));
-    grid->addElement(1, 0, parts_->readout = new TextLine(plot_));
+    parts_->readout = new TextLine(plot_);
     parts_->readout->setLayer("overlay");
+    parts_->readout->coverTitle(parts_->title);
     plot_->axisRect()->insetLayout()->take(plot_->legend);
     plot_->axisRect()->setupFullAxesBox();
-    grid->addElement(3, 0, plot_->legend);
-    grid->setRowStretchFactor(3, 0.001);
     plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
     plot_->legend->setBorderPen(Qt::NoPen);
+    plot_->legend->setIconSize(22, 12);
+    plot_->legend->setIconTextPadding(4);
+    plot_->legend->setColumnSpacing(6);
+    plot_->legend->setMargins(QMargins(6, 0, 6, 2));
     plot_->legend->setVisible(false);
 
     for (QCPItemStraightLine** line : {&parts_->vertical, &parts_->horizontal}) {
@@ -79,6 +81,26 @@ void PlotCanvas::setTitles(const QString& title, const QString& remark, const QS
     parts_->xTitle = x;
     parts_->yTitle = y;
     setAccessibleName(title);
+}
+
+void PlotCanvas::showLegend(bool shown)
+{
+    // Below the axes, so that it never covers a curve; out of the layout when empty, where it would narrow the column.
+    QCPLayoutGrid* grid = plot_->plotLayout();
+    const bool there = grid->hasElement(2, 0);
+    if (shown && !there) {
+        grid->addElement(2, 0, plot_->legend);
+        grid->setRowStretchFactor(2, 0.001);
+    } else if (!shown && there) {
+        grid->take(plot_->legend);
+        grid->simplify();
+    }
+    plot_->legend->setVisible(shown);
+}
+
+void PlotCanvas::leaveRoomInTitle(int pixels)
+{
+    parts_->title->leaveRoom(pixels);
 }
 
 void PlotCanvas::refresh(bool keepView)
@@ -127,6 +149,7 @@ void PlotCanvas::restyle(const QPalette& palette)
     bold.setBold(true);
     parts_->title->setLook(bold, style_.text, Qt::AlignLeft);
     parts_->readout->setLook(font(), style_.text, Qt::AlignLeft);
+    parts_->readout->setBackground(style_.background);
     plot_->setBackground(style_.background);
     QLocale spoken = locale();
     spoken.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -166,6 +189,7 @@ void PlotCanvas::fitTexts()
     for (QCPLayoutElement* item : plot_->legend->elements(false))
         if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
     plot_->legend->setWrap(std::max(1, (width() - 20) / widest));
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst, true);  // puts what is there already into the new columns
 }
 
 void PlotCanvas::changeEvent(QEvent* event)

@@ -1,5 +1,5 @@
-// What every plot can do: title and readout line, crosshair, wheel zoom, drag to pan, double click to reset, keyboard,
-// context menu with copy and save. PlotView and MapView put their content into it.
+// What every plot can do: title, crosshair with the values in the title's place, wheel zoom, drag to pan, double click
+// to reset, keyboard, context menu with copy and save. PlotView and MapView put their content into it.
 #pragma once
 
 #include <QWidget>
@@ -33,7 +33,7 @@ public:
     QRectF visibleRange() const;
     /// The place of a data point in this widget, for tests and for callouts.
     QPointF pixelAt(double x, double y) const;
-    /// What the line above the axes says at the moment.
+    /// What stands in the title's place while the pointer is over the axes.
     QString readout() const;
 
     QSize sizeHint() const override { return {480, 320}; }
@@ -49,6 +49,8 @@ protected:
     QCustomPlot& plot() const { return *plot_; }
     const PlotStyle& style() const { return style_; }
     void setTitles(const QString& title, const QString& remark, const QString& x, const QString& y);
+    void showLegend(bool shown);
+    void leaveRoomInTitle(int pixels);  ///< at its right end
     /// Redraws; `keepView` leaves the ranges when the user has chosen them.
     void refresh(bool keepView);
     void drawOverlay();

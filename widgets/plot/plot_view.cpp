@@ -122,7 +122,7 @@ void PlotView::build()
         if (curve.name.isEmpty()) c.drawn.back()->removeFromLegend();
         named = named || !curve.name.isEmpty();
     }
-    plot().legend->setVisible(named);
+    showLegend(named);
     for (std::size_t i = 0; i < c.data.limits.size(); ++i) {
         c.limits.push_back({new QCPItemStraightLine(&plot()), new QCPItemText(&plot())});
         c.limits.back().line->setSelectable(false);

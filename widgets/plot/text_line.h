@@ -15,6 +15,11 @@ public:
         aside_ = aside;
     }
     QString text() const { return text_; }
+    void leaveRoom(int atRight) { room_ = atRight; }
+
+    /// Stands in the place of `title` while it has a text; not part of the layout itself.
+    void coverTitle(const TextLine* title) { title_ = title; }
+    void setBackground(const QColor& colour) { background_ = colour; }
     void setLook(const QFont& font, const QColor& colour, Qt::Alignment alignment)
     {
         font_ = font;
@@ -27,8 +32,12 @@ public:
 protected:
     void draw(QCPPainter* painter) override
     {
+        if (text_.isEmpty()) return;
         const QFontMetrics metrics(font_);
-        const QRect room = rect().adjusted(6, 0, -6, 0);
+        const QRect place =
+            title_ ? title_->rect().adjusted(0, 0, -title_->room_, 0) : rect().adjusted(0, 0, -room_, 0);
+        const QRect room = place.adjusted(6, 0, -6, 0);
+        if (title_) painter->fillRect(place, background_);
         painter->setFont(font_);
         painter->setPen(colour_);
         const QString shown = metrics.elidedText(text_, Qt::ElideRight, room.width());
@@ -45,6 +54,9 @@ protected:
 private:
     QString text_;
     QString aside_;
+    int room_ = 0;
+    const TextLine* title_ = nullptr;
+    QColor background_;
     QFont font_;
     QColor colour_;
     Qt::Alignment alignment_ = Qt::AlignLeft;

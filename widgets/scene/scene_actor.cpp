@@ -61,17 +61,34 @@ void setTriangles(vtkPolyData* data, const std::vector<std::array<std::uint32_t,
 double shade(const Eigen::Vector3d& normal)
 {
     static const Eigen::Vector3d light = Eigen::Vector3d(0.3, 0.45, 0.84).normalized();
-    return 0.72 + 0.28 * normal.dot(light);
+    return normal.dot(light);
+}
+
+/// Outward direction at a point in the scene: the scan's normal, else away from the axis, else none (zero).
+Eigen::Vector3d outward(const SceneObject& object, const std::optional<SceneAxis>& axis, std::size_t i)
+{
+    const Scan& scan = *object.scan;
+    if (scan.hasNormals()) return object.scene_T_scan.linear() * scan.normals[i].cast<double>();
+    if (!axis) return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d arm = object.scene_T_scan * scan.points_mm[i] - axis->point_mm;
+    const Eigen::Vector3d radial = arm - arm.dot(axis->direction) * axis->direction;
+    return radial.normalized();
 }
 
 }  // namespace
 
-SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin)
+SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin,
+                       const std::optional<SceneAxis>& axis)
     : renderer_(renderer), object_(object)
 {
     const Scan& scan = *object.scan;
     const Eigen::Isometry3d local = Eigen::Translation3d(-origin) * object.scene_T_scan;
-    full_.data->SetPoints(upload(scan.points_mm.size(), [&](std::size_t i) { return local * scan.points_mm[i]; }));
+    const bool lowered = object.onSurface && object.values && object.values->size() == scan.points_mm.size();
+    const auto place = [&](std::size_t i) -> Eigen::Vector3d {
+        if (!lowered || std::isnan((*object.values)[i])) return local * scan.points_mm[i];
+        return local * scan.points_mm[i] - static_cast<double>((*object.values)[i]) * outward(object, axis, i);
+    };
+    full_.data->SetPoints(upload(scan.points_mm.size(), place));
     if (scan.isMesh())
         setTriangles(full_.data, scan.triangles);
     else
@@ -81,7 +98,7 @@ SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const E
     thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20000;
     if (!thinned_) return;
     order_ = thinnedOrder(scan.points_mm.size(), mostThinned);
-    thin_.data->SetPoints(upload(order_.size(), [&](std::size_t i) { return local * scan.points_mm[order_[i]]; }));
+    thin_.data->SetPoints(upload(order_.size(), [&](std::size_t i) { return place(order_[i]); }));
     prepare(thin_, 3);
 }
 
@@ -110,7 +127,8 @@ void SceneActor::prepare(Layer& layer, double pointSize)
 
 bool SceneActor::sameGeometry(const SceneObject& other) const
 {
-    return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix();
+    return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix() &&
+           other.onSurface == object_.onSurface && (!other.onSurface || other.values == object_.values);
 }
 
 void SceneActor::update(const SceneObject& object, const DeviationColours& colours,
@@ -126,17 +144,19 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
         out[3 * i + 1] = c.green;
         out[3 * i + 2] = c.blue;
     };
-    // Clouds are not lit: values keep the colours of the legend, plain clouds are shaded by what is known of their
-    // normals.
+    // Clouds are not lit by VTK: what is known of their normals shades them here, and values only slightly, so that
+    // they keep the colours of the legend.
     const auto brightness = [&](std::size_t i) {
         if (scan.isMesh()) return 1.0;
-        if (scan.hasNormals()) return shade(object.scene_T_scan.linear() * scan.normals[i].cast<double>());
-        if (!axis) return 0.9;
-        const Eigen::Vector3d arm = object.scene_T_scan * scan.points_mm[i] - axis->point_mm;
-        const Eigen::Vector3d radial = arm - arm.dot(axis->direction) * axis->direction;
-        const double radius = radial.norm();
-        return radius > 0 ? shade(radial / radius) : 0.9;
+        const double facing = shade(outward(object, axis, i));
+        return valued ? 0.9 + 0.1 * facing : 0.72 + 0.28 * facing;
     };
+    const auto shaded = [&](Rgb c, double b) {
+        const auto part = [&](int v) { return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L)); };
+        return Rgb{part(c.red), part(c.green), part(c.blue)};
+    };
+    const Rgb plain{static_cast<std::uint8_t>(object.colour.red()), static_cast<std::uint8_t>(object.colour.green()),
+                    static_cast<std::uint8_t>(object.colour.blue())};
     // A table spares evaluating the colour rule (powers and roots) a million times.
     constexpr int steps = 4096;
     std::vector<Rgb> table(steps + 1);
@@ -144,18 +164,13 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
         table[static_cast<std::size_t>(i)] = colours(colours.limit_mm * (2.0 * i / steps - 1));
     parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            Rgb c = plain;
             if (valued) {
                 const double value = static_cast<double>((*object.values)[i]);
-                const double place = std::clamp((value / colours.limit_mm + 1) / 2, 0.0, 1.0);
-                store(i, std::isnan(value) ? Rgb{150, 150, 150}
-                                           : table[static_cast<std::size_t>(std::lround(place * steps))]);
-            } else {
-                const double b = brightness(i);
-                const auto part = [&](int v) {
-                    return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L));
-                };
-                store(i, {part(object.colour.red()), part(object.colour.green()), part(object.colour.blue())});
+                const double at = std::clamp((value / colours.limit_mm + 1) / 2, 0.0, 1.0);
+                c = std::isnan(value) ? Rgb{150, 150, 150} : table[static_cast<std::size_t>(std::lround(at * steps))];
             }
+            store(i, shaded(c, brightness(i)));
         }
     });
     full_.colours->Modified();

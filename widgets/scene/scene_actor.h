@@ -11,6 +11,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
+#include <optional>
+#include <vector>
 
 #include "engine/report/colours.h"
 #include "widgets/scene/scene_data.h"
@@ -20,7 +22,8 @@ namespace lathelier {
 class SceneActor {
 public:
     /// Uploads geometry relative to `origin`, so that single precision on the graphics side costs nothing.
-    SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin);
+    SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin,
+               const std::optional<SceneAxis>& axis);
     ~SceneActor();
     SceneActor(const SceneActor&) = delete;
     SceneActor& operator=(const SceneActor&) = delete;

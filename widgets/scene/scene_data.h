@@ -18,6 +18,9 @@ struct SceneObject {
     Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();
     QColor colour;                                     ///< where there are no values
     std::shared_ptr<const std::vector<float>> values;  ///< one for each point, in mm; NaN is drawn grey; null: plain
+    /// Draw each point where it would lie without its value. Else points in excess stick out, hide their neighbours and
+    /// make the part look larger than it is.
+    bool onSurface = false;
     bool visible = true;
 };
 

@@ -277,7 +277,7 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
                 actor = std::move(old);
                 break;
             }
-        if (!actor) actor = std::make_unique<SceneActor>(p.renderer, object, p.origin);
+        if (!actor) actor = std::make_unique<SceneActor>(p.renderer, object, p.origin, p.axis);
         actor->setMoving(p.moving);
         p.actors.push_back(std::move(actor));
     }
@@ -307,6 +307,7 @@ void SceneView::setLongAxis(const std::optional<SceneAxis>& axis)
 void SceneView::setColours(const DeviationColours& colours)
 {
     Parts& p = *parts_;
+    if (p.colours == colours && canDraw()) return p.legend->setColours(colours);
     p.colours = colours;
     if (!canDraw()) return;
     p.legend->setColours(colours);

@@ -117,6 +117,7 @@ struct Witness {
     double shift;
     double variance;
     bool slope;
+    int facing;  ///< of a shoulder, in the reference
 };
 
 void askShoulders(const TurnedPart& reference, const TurnedPart& copy, double shift, std::vector<Witness>& witnesses)
@@ -132,20 +133,45 @@ void askShoulders(const TurnedPart& reference, const TurnedPart& copy, double sh
         }
         if (!found) continue;
         const double floor = 1e-9 * lengthOf(reference.fit.profile);
-        witnesses.push_back(
-            {found->z_mm - c.z_mm, found->sigma_mm * found->sigma_mm + c.sigma_mm * c.sigma_mm + floor * floor, false});
+        witnesses.push_back({found->z_mm - c.z_mm,
+                             found->sigma_mm * found->sigma_mm + c.sigma_mm * c.sigma_mm + floor * floor, false,
+                             found->facing()});
     }
 }
 
-/// Slopes: in every run of bins that slope the same way, the shift that brings the radii together.
+constexpr double kLeastSlope = 0.03;
+
+/// How much the radii of the two parts differ where they are cylinders, beyond the scatter: mean square, mm².
+double differenceOfForm(const RadiusProfile& reference, const RadiusProfile& copy, double shift)
+{
+    double sum = 0, count = 0;
+    for (std::size_t i = 1; i + 1 < copy.size(); ++i) {
+        const auto level = [](double slope) { return std::abs(slope) < kLeastSlope; };
+        if (std::isnan(copy.radius_mm[i]) || !level(copy.slope[i - 1]) || !level(copy.slope[i]) ||
+            !level(copy.slope[i + 1]))
+            continue;
+        const auto there = read(reference, copy.middle_mm(i) + shift);
+        if (!there || !level(there->slope)) continue;
+        const double off = copy.radius_mm[i] - there->radius;
+        sum += off * off - there->sigma * there->sigma - copy.sigma_mm[i] * copy.sigma_mm[i];
+        count += 1;
+    }
+    return count > 0 ? std::max(0.0, sum / count) : 0;
+}
+
+/// Slopes: in every run of bins that slope the same way, the shift that brings the radii together. A slope tells the
+/// place only as well as the copy has the radii of the reference: their difference elsewhere is taken as its bias.
 void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double shift, std::vector<Witness>& witnesses)
 {
-    constexpr double kLeast = 0.03;
-    double weight = 0, sum = 0;
+    const double difference = differenceOfForm(reference, copy, shift);
+    double weight = 0, sum = 0, lever = 0;
     int sign = 0;
     const auto finish = [&] {
-        if (weight > 0) witnesses.push_back({shift + sum / weight, 1 / weight, true});
-        weight = sum = 0;
+        if (weight > 0) {
+            const double bias = lever / weight;
+            witnesses.push_back({shift + sum / weight, 1 / weight + difference * bias * bias, true, 0});
+        }
+        weight = sum = lever = 0;
         sign = 0;
     };
     const auto smooth = [](const RadiusProfile& p, std::size_t i) {  // no kink and no edge next to it
@@ -157,7 +183,7 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
     };
     for (std::size_t i = 0; i < copy.size(); ++i) {
         const double q = copy.slope[i];
-        const bool sloped = !std::isnan(copy.radius_mm[i]) && std::abs(q) > kLeast && smooth(copy, i);
+        const bool sloped = !std::isnan(copy.radius_mm[i]) && std::abs(q) > kLeastSlope && smooth(copy, i);
         if (!sloped || (sign != 0 && (q > 0) != (sign > 0))) finish();
         if (!sloped) continue;
         const double place = copy.middle_mm(i) + shift;
@@ -170,6 +196,7 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
             there->sigma * there->sigma + copy.sigma_mm[i] * copy.sigma_mm[i] + 1e-18 * there->radius * there->radius;
         // reference(z + shift + d) = copy(z): slope · d = copy - reference
         weight += slope * slope / variance;
+        lever += slope / variance;
         sum += slope * (copy.radius_mm[i] - there->radius) / variance;
     }
     finish();
@@ -180,46 +207,67 @@ struct Shift {
     double variance;
 };
 
-Shift mean(const std::vector<Witness>& witnesses, double extra_slope, double extra_all)
+Shift mean(const std::vector<Witness>& witnesses)
 {
     double weight = 0, sum = 0;
     for (const Witness& w : witnesses) {
-        const double v = w.variance + extra_all + (w.slope ? extra_slope : 0);
-        weight += 1 / v;
-        sum += w.shift / v;
+        weight += 1 / w.variance;
+        sum += w.shift / w.variance;
     }
     return {sum / weight, 1 / weight};
 }
 
-/// Inverse-variance mean. What the witnesses differ beyond their own uncertainty is added to their variances (the
-/// moment estimator of DerSimonian and Laird, 1986): for slopes against the shoulders first, then for all.
+/// Two scans may see every shoulder moved outward by a different amount (another spot, another handling of mixed
+/// pixels). Shoulders that face both ways tell: half of what the two kinds differ beyond their uncertainty is taken out
+/// as a displacement that all share, with its own prior variance; shoulders that all face one way stay as they are.
+void removeFacingBias(std::vector<Witness>& shoulders)
+{
+    std::vector<Witness> up, down;
+    for (const Witness& w : shoulders) (w.facing > 0 ? up : down).push_back(w);
+    if (up.empty() || down.empty()) return;
+    const Shift a = mean(up);
+    const Shift b = mean(down);
+    const double half = (a.shift - b.shift) / 2;
+    const double noise = (a.variance + b.variance) / 4;
+    const double prior = half * half - 2 * noise;
+    if (prior <= 0) return;
+    const double bias = half * prior / (prior + noise);
+    for (Witness& w : shoulders) w.shift -= w.facing > 0 ? bias : -bias;
+}
+
+/// Adds to the variances of a group what its members differ beyond their own uncertainty (the moment estimator of
+/// DerSimonian and Laird, 1986).
+void settleAmong(std::vector<Witness>& group)
+{
+    if (group.size() < 2) return;
+    const Shift centre = mean(group);
+    double q = 0, w1 = 0, w2 = 0;
+    for (const Witness& w : group) {
+        q += (w.shift - centre.shift) * (w.shift - centre.shift) / w.variance;
+        w1 += 1 / w.variance;
+        w2 += 1 / (w.variance * w.variance);
+    }
+    const double excess = (q - 2 * (static_cast<double>(group.size()) - 1)) / (w1 - w2 / w1);
+    for (Witness& w : group) w.variance += std::max(0.0, excess);
+}
+
+/// Inverse-variance mean of shoulders and slopes, each kind settled among itself first. Where the two kinds contradict
+/// each other, the one that is less sure gives way.
 Shift weigh(const std::vector<Witness>& witnesses)
 {
-    const auto excess = [](const std::vector<Witness>& group) {
-        if (group.size() < 2) return 0.0;
-        const Shift centre = mean(group, 0, 0);
-        double q = 0, w1 = 0, w2 = 0;
-        for (const Witness& w : group) {
-            q += (w.shift - centre.shift) * (w.shift - centre.shift) / w.variance;
-            w1 += 1 / w.variance;
-            w2 += 1 / (w.variance * w.variance);
-        }
-        const double freedom = static_cast<double>(group.size()) - 1;
-        return std::max(0.0, (q - 2 * freedom) / (w1 - w2 / w1));
-    };
     std::vector<Witness> shoulders, slopes;
     for (const Witness& w : witnesses) (w.slope ? slopes : shoulders).push_back(w);
-    double extra_slope = 0;
-    if (!shoulders.empty() && !slopes.empty()) {
-        const Shift a = mean(shoulders, 0, excess(shoulders));
-        const Shift b = mean(slopes, 0, 0);
-        const double difference = (a.shift - b.shift) * (a.shift - b.shift);
-        extra_slope = std::max(0.0, difference - 6 * (a.variance + b.variance));
-    }
-    std::vector<Witness> all = witnesses;
-    for (Witness& w : all)
-        if (w.slope) w.variance += extra_slope;
-    return mean(all, 0, excess(all));
+    removeFacingBias(shoulders);
+    settleAmong(shoulders);
+    settleAmong(slopes);
+    if (shoulders.empty()) return mean(slopes);
+    if (slopes.empty()) return mean(shoulders);
+    Shift a = mean(shoulders);
+    Shift b = mean(slopes);
+    const double contradiction = (a.shift - b.shift) * (a.shift - b.shift) - 6 * (a.variance + b.variance);
+    (a.variance < b.variance ? b : a).variance += std::max(0.0, contradiction);
+    const double share = b.variance / (a.variance + b.variance);
+    return {share * a.shift + (1 - share) * b.shift, share * a.variance};
 }
 
 /// The smallest rotation that the free roll about z allows between reference and copy axis frames.

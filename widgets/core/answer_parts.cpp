@@ -1,6 +1,7 @@
 #include "widgets/core/answer_parts.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -29,6 +30,15 @@ QLabel* wrappingLabel(const char* name)
 }
 
 constexpr std::size_t alwaysSeen = 2;
+
+/// Files by their names: the folders stand in the tooltips of the inputs and in the report.
+QString shortText(Note note)
+{
+    if (const Value* path = find(note.values, "path"))
+        if (const auto* whole = std::get_if<std::string>(path))
+            set(note.values, "path", QFileInfo(QString::fromStdString(*whole)).fileName().toStdString());
+    return screenText(note);
+}
 
 }  // namespace
 
@@ -120,7 +130,7 @@ void NotesLabel::refresh()
     QStringList lines;
     for (std::size_t i = 0; i < seen; ++i) {
         const bool warning = severity(notes_[i].code) == Severity::Warning;
-        lines << (warning ? QStringLiteral("⚠ ") : QStringLiteral("· ")) + screenText(notes_[i]);
+        lines << (warning ? QStringLiteral("⚠ ") : QStringLiteral("· ")) + shortText(notes_[i]);
     }
     text_->setText(lines.join('\n'));
     fold_->setVisible(foldable);

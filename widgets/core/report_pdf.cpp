@@ -22,6 +22,7 @@ constexpr double gap_px = 12;
 constexpr double columnGap_px = 24;
 constexpr double footer_px = 24;
 constexpr int text_px = 12;
+constexpr std::size_t shortTable = 12;  // rows; not cut when it can be helped
 
 /// Places pieces from top to bottom on pages. Without a painter it only counts the pages.
 class Sheet {
@@ -129,6 +130,11 @@ private:
     /// A table: as many rows as fit, the header again on the next page.
     void rows(const Piece& piece)
     {
+        if (piece.rows.size() <= shortTable) {
+            QString html = piece.html;
+            for (const QString& row : piece.rows) html += row;
+            makeRoom(laidOut(html + tableEnd, width_)->size().height());
+        }
         std::size_t next = 0;
         do {
             const auto upTo = [&](std::size_t end) {

@@ -37,7 +37,7 @@ public:
         const QString back = !headline.verdict ? "#f0f4f8" : *headline.verdict ? "#e6f6ef" : "#fdecea";
         return text(QString("<table width='100%' cellpadding='10' bgcolor='%1'><tr><td style='font-size:19px; "
                             "font-weight:600;'>%2</td></tr></table>")
-                        .arg(back, escaped(headline.text)));
+                        .arg(back, escaped(headline.text + "  " + verdictText(headline, language_))));
     }
     Piece operator()(const Paragraph& paragraph) const
     {

@@ -61,10 +61,8 @@ int main(int argc, char** argv)
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-    // Screenshots come out in the size that was asked for.
-    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(arguments.shots.isEmpty()
-                                                             ? Qt::HighDpiScaleFactorRoundingPolicy::PassThrough
-                                                             : Qt::HighDpiScaleFactorRoundingPolicy::Round);
+    // Whole factors: at fractions Qt 5 leaves lines of dirt. Type follows the resolution exactly all the same.
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::RoundPreferFloor);
 #endif
     QCoreApplication::setOrganizationName("Lathelier");
     QCoreApplication::setApplicationName("Lathelier");

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
@@ -53,7 +54,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
     files_.setAutosave(settings_.autosave_min);
 
-    resize(1280, 800);
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreGeometry(QSettings().value("geometry").toByteArray());
     enterWorkspace(session_.project().workspace);
     updateTitle();

@@ -52,7 +52,6 @@ Form::~Form() = default;
 void Form::addRow(const FieldInfo& info, QFormLayout* layout)
 {
     auto* label = new QLabel(this);
-    label->setWordWrap(true);
     FieldEditor* editor = makeFieldEditor(info, this);
     editor->input()->setObjectName(QString::fromStdString(info.key));
     label->setBuddy(editor->input());

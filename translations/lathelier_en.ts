@@ -1362,10 +1362,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unrolled surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1386,23 +1382,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>material in excess</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>material missing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>reference</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>copy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>tolerance ± %1 mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1418,15 +1402,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>below the tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>within</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>above the tolerance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1435,6 +1411,30 @@
     </message>
     <message>
         <source>normal distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrolled surface, local means</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>excess</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

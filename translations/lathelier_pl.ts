@@ -1362,10 +1362,6 @@
         <translation>Wzdłuż osi</translation>
     </message>
     <message>
-        <source>Unrolled surface</source>
-        <translation>Rozwinięcie powierzchni</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Kąt</translation>
     </message>
@@ -1386,24 +1382,12 @@
         <translation>Promień</translation>
     </message>
     <message>
-        <source>material in excess</source>
-        <translation>naddatek materiału</translation>
-    </message>
-    <message>
-        <source>material missing</source>
-        <translation>brak materiału</translation>
-    </message>
-    <message>
         <source>reference</source>
         <translation>oryginał</translation>
     </message>
     <message>
         <source>copy</source>
         <translation>kopia</translation>
-    </message>
-    <message>
-        <source>tolerance ± %1 mm</source>
-        <translation>tolerancja ± %1 mm</translation>
     </message>
     <message>
         <source>left out</source>
@@ -1418,16 +1402,8 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <source>below the tolerance</source>
-        <translation>poniżej tolerancji</translation>
-    </message>
-    <message>
         <source>within</source>
         <translation>w tolerancji</translation>
-    </message>
-    <message>
-        <source>above the tolerance</source>
-        <translation>powyżej tolerancji</translation>
     </message>
     <message>
         <source>points</source>
@@ -1436,6 +1412,30 @@
     <message>
         <source>normal distribution</source>
         <translation>rozkład normalny</translation>
+    </message>
+    <message>
+        <source>Unrolled surface, local means</source>
+        <translation>Rozwinięcie powierzchni, średnie lokalne</translation>
+    </message>
+    <message>
+        <source>excess</source>
+        <translation>naddatek</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>± %1 mm</source>
+        <translation>± %1 mm</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>poniżej</translation>
+    </message>
+    <message>
+        <source>too large</source>
+        <translation>powyżej</translation>
     </message>
 </context>
 <context>

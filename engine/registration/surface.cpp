@@ -1,0 +1,14 @@
+#include "engine/registration/surface.h"
+
+#include "engine/registration/surface_cloud.h"
+#include "engine/registration/surface_mesh.h"
+
+namespace lathelier {
+
+std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress)
+{
+    if (scan.isMesh()) return std::make_unique<MeshSurface>(scan, progress);
+    return std::make_unique<CloudSurface>(scan, progress);
+}
+
+}  // namespace lathelier

@@ -1,0 +1,45 @@
+// A surface that points can be measured against: a triangle mesh, or a cloud with a smooth surface through it.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "engine/core/progress.h"
+#include "engine/core/scan.h"
+
+namespace lathelier {
+
+/// How a point lies to the surface. Nothing was found when `distance_mm` is NaN.
+struct SurfacePlace {
+    double distance_mm = std::numeric_limits<double>::quiet_NaN();  ///< from the surface to the point along `normal`
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit; out of the material once the surface is oriented
+    bool border = false;  ///< the nearest surface point lies on the rim of the surface: the point is beside it
+
+    bool found() const { return distance_mm == distance_mm; }
+};
+
+/// Read by several threads at once, except for orient().
+class Surface {
+public:
+    virtual ~Surface() = default;
+
+    /// Where each of up to `bundle` queries (near each other, finite) lies; none further than `max_distance_mm`.
+    virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
+                       std::span<SurfacePlace> places) const = 0;
+
+    /// Lets the normals point out of the material. False when inside and outside cannot be told.
+    virtual bool orient(const Progress& progress) = 0;
+
+    /// One standard deviation of the surface's own points about it; 0 for a mesh.
+    virtual double scatter_mm() const = 0;
+
+    static constexpr std::size_t bundle = 8;
+};
+
+/// Of a mesh the triangles, of a cloud the patches through its points. Throws Cancelled, and TooFewPoints for a cloud of
+/// fewer than 4 points.
+std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress);
+
+}  // namespace lathelier

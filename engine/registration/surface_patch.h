@@ -1,0 +1,34 @@
+// A smooth piece of surface through the points of a small neighbourhood: z = quadric(x, y) in a frame of its own.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace lathelier {
+
+/// Height over the plane through `centre_mm` spanned by `u`, `v`: h = c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y².
+struct SurfacePatch {
+    Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d u = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d v = Eigen::Vector3d::UnitY();
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+    Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();
+    double radius_mm = 0;  ///< reach of the points it was made from
+    double breadth = 0;    ///< across / along of those points: 0 on a line, 1 round
+    double sigma_mm = 0;   ///< their scatter about it, allowing for its own degrees of freedom
+
+    /// Distance of a point along the patch's normal at its foot, to second order in the slope.
+    double distance_mm(const Eigen::Vector3d& point_mm) const;
+    Eigen::Vector3d normalAt(const Eigen::Vector3d& point_mm) const;
+    double lateral_mm(const Eigen::Vector3d& point_mm) const;  ///< from the centre, in the plane
+    void flip();
+};
+
+/// Fits a patch to at least 3 points with weights; a plane when they are too few or too unevenly spread for a quadric.
+SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<const double> weights);
+
+/// The same with Tukey's weights about the last fit, starting from `start`; points further off it than 4.685
+/// `sigma_mm` count nothing. Gives the number of points that count.
+std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double sigma_mm, int rounds, SurfacePatch& patch);
+
+}  // namespace lathelier

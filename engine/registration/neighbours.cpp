@@ -113,4 +113,41 @@ void Neighbours::nearest(const Eigen::Vector3d& query_mm, std::size_t count, dou
     });
 }
 
+void Neighbours::nearestUnsorted(const Eigen::Vector3d& query_mm, std::size_t count, double& expected_mm2,
+                                 std::vector<Found>& found) const
+{
+    const std::size_t wanted = std::min(count, size());
+    const std::size_t most = 8 * wanted + 64;
+    found.clear();
+    if (wanted == 0) return;
+    for (int round = 0; round < 4; ++round, expected_mm2 *= 2) {
+        found.clear();
+        double bound = expected_mm2;
+        boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
+            alignas(64) double squared[leaf_size];
+            leafDistances(leaf, query_mm, squared);
+            for (std::uint32_t i = 0; i < leaf_size; ++i)
+                if (squared[i] < limit) found.push_back({leaf * leaf_size + i, squared[i]});
+            if (found.size() > most) limit = 0;
+        });
+        if (found.size() >= wanted) break;
+    }
+    if (found.size() < wanted || found.size() > most) {
+        nearest(query_mm, wanted, std::numeric_limits<double>::infinity(), found);
+    } else {
+        const auto last = found.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
+        std::nth_element(found.begin(), last, found.end(), [](const Found& a, const Found& b) {
+            return a.squared_mm2 != b.squared_mm2 ? a.squared_mm2 < b.squared_mm2 : a.place < b.place;
+        });
+        found.resize(wanted);
+        // The order that is left depends on what was looked at first: make it depend on the points only.
+        std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.place < b.place; });
+        expected_mm2 = 0;
+        for (const Found& f : found) expected_mm2 = std::max(expected_mm2, f.squared_mm2);
+        expected_mm2 *= 1.2;
+        return;
+    }
+    expected_mm2 = 1.2 * found.back().squared_mm2;
+}
+
 }  // namespace lathelier

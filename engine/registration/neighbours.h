@@ -42,6 +42,11 @@ public:
     /// The up to `count` nearest points closer than sqrt(`limit_mm2`), nearest first, into `found`.
     void nearest(const Eigen::Vector3d& query_mm, std::size_t count, double limit_mm2, std::vector<Found>& found) const;
 
+    /// The same points in any order, fast for many neighbours. `expected_mm2` is the square of the distance they are
+    /// expected within: it only saves time, and becomes a good value for a query nearby.
+    void nearestUnsorted(const Eigen::Vector3d& query_mm, std::size_t count, double& expected_mm2,
+                         std::vector<Found>& found) const;
+
 private:
     static constexpr std::uint32_t leaf_size = 8;
 

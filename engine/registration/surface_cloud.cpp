@@ -11,13 +11,42 @@
 namespace lathelier {
 namespace {
 
-constexpr std::size_t neighbourhood = 48;       // points to a patch
+constexpr std::size_t neighbourhood = 48;  // points to a patch
 constexpr std::size_t largest_neighbourhood = 768;
-constexpr double min_breadth = 0.25;            // narrower ones (single scan lines) are widened
-constexpr double edge_ratio = 1.35;             // of a patch's scatter to the usual one
+constexpr double min_breadth = 0.25;    // narrower ones (single scan lines) are widened
+constexpr double edge_ratio = 1.35;     // of a patch's scatter to the usual one
+constexpr double exact_scatter = 1e-3;  // of a patch's radius: what curvature leaves in a cloud without noise
+constexpr std::size_t max_sheets = 3;   // a corner
+constexpr std::size_t min_sheet_points = 10;
+constexpr double min_sheet_breadth = 0.15;
 constexpr double cos_same_sheet = 0.95;
 
+// Maps chunks of items to lists and joins the lists in order.
+template <class T, class Map>
+std::vector<T> parallelConcat(std::size_t count, std::size_t grain, const Progress& progress, Map map)
+{
+    std::vector<std::vector<T>> parts((count + grain - 1) / grain);
+    parallelFor(count, grain, progress,
+                [&](std::size_t begin, std::size_t end) { map(begin, end, parts[begin / grain]); });
+    std::size_t total = 0;
+    for (const auto& part : parts) total += part.size();
+    std::vector<T> result;
+    result.reserve(total);
+    for (auto& part : parts) {
+        result.insert(result.end(), part.begin(), part.end());
+        part = {};
+    }
+    return result;
+}
+
 }  // namespace
+
+struct CloudSurface::Search {
+    std::vector<Neighbours::Found> found;
+    std::vector<Eigen::Vector3d> points_mm;
+    std::vector<double> weights;
+    double expected_mm2 = 1;
+};
 
 CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     : points_(cloud.points_mm, progress.part(0, 0.15)), given_normals_(cloud.normals)
@@ -25,110 +54,158 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     if (points_.size() < 4)
         throw Error(ErrorCode::TooFewPoints,
                     {{"found", static_cast<std::int64_t>(points_.size())}, {"minimum", std::int64_t{4}}});
-    fitAll(progress.part(0.15, 0.7));
-    splitAtEdges(progress.part(0.7, 1));
-}
-
-void CloudSurface::gather(std::uint32_t patch, std::size_t count, std::vector<Eigen::Vector3d>& points_mm) const
-{
-    const std::uint32_t first = patch * points_per_patch;
-    const std::uint32_t last = std::min(first + points_per_patch, static_cast<std::uint32_t>(points_.size()));
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (std::uint32_t i = first; i < last; ++i) middle += points_.point_mm(i);
-    middle /= last - first;
-    Eigen::Vector3d centre = points_.point_mm(first);  // the middle itself may lie between two walls
-    for (std::uint32_t i = first; i < last; ++i)
-        if ((points_.point_mm(i) - middle).squaredNorm() < (centre - middle).squaredNorm()) centre = points_.point_mm(i);
-    thread_local std::vector<Neighbours::Found> found;
-    points_.nearest(centre, count, std::numeric_limits<double>::infinity(), found);
-    points_mm.clear();
-    for (const Neighbours::Found& f : found) points_mm.push_back(points_.point_mm(f.place));
-}
-
-void CloudSurface::fitAll(const Progress& progress)
-{
-    sheets_.resize((points_.size() + points_per_patch - 1) / points_per_patch);
-    parallelFor(sheets_.size(), 128, progress, [&](std::size_t begin, std::size_t end) {
-        std::vector<Eigen::Vector3d> near;
-        std::vector<double> weights;
-        for (std::size_t s = begin; s < end; ++s)
-            for (std::size_t count = neighbourhood; count <= largest_neighbourhood; count *= 2) {
-                gather(static_cast<std::uint32_t>(s), count, near);
-                weights.assign(near.size(), 1);
-                sheets_[s].patch = fitPatch(near, weights);
-                if (sheets_[s].patch.breadth > min_breadth || near.size() < count) break;
-            }
-    });
+    progress.report(0.15);
+    std::vector<Member> members = fitAll(progress);
+    progress.report(0.7);
     std::vector<double> scatter;
-    for (const Sheet& sheet : sheets_)
-        if (sheet.patch.radius_mm > 0) scatter.push_back(sheet.patch.sigma_mm);
-    if (scatter.empty()) return;
-    const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
-    std::nth_element(scatter.begin(), middle, scatter.end());
-    scatter_mm_ = *middle;
+    for (const Member& m : members) scatter.push_back(m.patch.sigma_mm);
+    if (!scatter.empty()) {
+        const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
+        std::nth_element(scatter.begin(), middle, scatter.end());
+        scatter_mm_ = *middle;
+    }
+    members = splitAtEdges(members, progress);
+    first_.assign(groupCount() + 1, 0);
+    for (const Member& m : members) {
+        ++first_[m.group + 1];
+        patches_.push_back(m.patch);
+        patches_.back().raise(scatter_mm_);
+    }
+    for (std::size_t g = 1; g < first_.size(); ++g) first_[g] += first_[g - 1];
+    progress.report(1);
 }
 
-void CloudSurface::splitAtEdges(const Progress& progress)
+std::uint32_t CloudSurface::groupEnd(std::uint32_t group) const
 {
-    const auto isSmooth = [&](const SurfacePatch& patch) {
-        return patch.radius_mm > 0 && patch.sigma_mm <= std::max(edge_ratio * scatter_mm_, 1e-3 * patch.radius_mm);
-    };
-    const auto patches = static_cast<std::uint32_t>(sheets_.size());
-    std::vector<Eigen::Vector3d> smooth_centres;
-    std::vector<std::uint32_t> smooth;
-    std::vector<std::uint32_t> rough;
-    for (std::uint32_t s = 0; s < patches; ++s) {
-        const SurfacePatch& patch = sheets_[s].patch;
-        (isSmooth(patch) ? smooth : rough).push_back(s);
-        if (isSmooth(patch)) smooth_centres.push_back(patch.centre_mm);
-    }
-    const Neighbours index(smooth_centres, progress);
-    std::vector<std::vector<SurfacePatch>> splits(rough.size());
-    parallelFor(rough.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
-        std::vector<Eigen::Vector3d> near;
-        std::vector<Neighbours::Found> starts;
-        for (std::size_t r = begin; r < end; ++r) {
-            const SurfacePatch& patch = sheets_[rough[r]].patch;
-            if (!(patch.radius_mm > 0)) continue;
-            const double reach = 3 * patch.radius_mm;
-            index.nearest(patch.centre_mm, 16, reach * reach, starts);
-            gather(rough[r], neighbourhood + 16, near);
-            const double sigma = std::max(scatter_mm_, 1e-3 * patch.radius_mm);
-            for (const Neighbours::Found& start : starts) {
-                SurfacePatch sheet = sheets_[smooth[index.input(start.place)]].patch;
-                const auto known = [&](const SurfacePatch& other) {
-                    return std::abs(other.normal.dot(sheet.normal)) > cos_same_sheet &&
-                           std::abs(other.distance_mm(sheet.centre_mm)) < 0.3 * sheet.radius_mm;
-                };
-                if (std::any_of(splits[r].begin(), splits[r].end(), known)) continue;
-                if (fitRobustPatch(near, sigma, 4, sheet) < 10 || sheet.breadth < 0.15) continue;
-                if (std::any_of(splits[r].begin(), splits[r].end(), known)) continue;
-                splits[r].push_back(sheet);
-                if (splits[r].size() == 3) break;
+    return static_cast<std::uint32_t>(std::min<std::size_t>((group + 1) * std::size_t{group_size}, points_.size()));
+}
+
+bool CloudSurface::isSmooth(const SurfacePatch& patch) const
+{
+    return patch.sigma_mm <= std::max(edge_ratio * scatter_mm_, exact_scatter * patch.radius_mm);
+}
+
+void CloudSurface::gather(std::uint32_t centre, std::size_t count, Search& search) const
+{
+    points_.nearestUnsorted(points_.point_mm(centre), count, search.expected_mm2, search.found);
+    search.points_mm.clear();
+    for (const Neighbours::Found& f : search.found) search.points_mm.push_back(points_.point_mm(f.place));
+}
+
+void CloudSurface::fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const
+{
+    const std::size_t own = members.size();
+    std::uint32_t waiting = (1U << (groupEnd(group) - group * group_size)) - 1;  // points that no patch reaches yet
+    while (waiting != 0) {
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        int count = 0;
+        for (std::uint32_t i = 0; i < group_size; ++i)
+            if ((waiting >> i & 1) != 0) {
+                middle += points_.point_mm(group * group_size + i);
+                ++count;
+            }
+        middle /= count;
+        std::uint32_t centre = 0;  // the middle itself may lie between two walls
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = 0; i < group_size; ++i) {
+            const double off =
+                (points_.point_mm(std::min(group * group_size + i, groupEnd(group) - 1)) - middle).squaredNorm();
+            if ((waiting >> i & 1) != 0 && off < nearest) {
+                nearest = off;
+                centre = i;
             }
         }
-    });
-    for (std::size_t r = 0; r < rough.size(); ++r) {
-        std::uint32_t at = rough[r];
-        for (std::size_t k = 0; k < splits[r].size(); ++k) {
-            if (k > 0) {
-                sheets_[at].next = static_cast<std::uint32_t>(sheets_.size());
-                at = sheets_[at].next;
-                sheets_.emplace_back();
-            }
-            sheets_[at].patch = splits[r][k];
+        waiting &= ~(1U << centre);
+        Member member{group, group * group_size + centre, {}};
+        for (std::size_t wanted = neighbourhood; wanted <= largest_neighbourhood; wanted *= 2) {
+            gather(member.centre, wanted, search);
+            search.weights.assign(search.points_mm.size(), 1);
+            member.patch = fitPatch(search.points_mm, search.weights);
+            if (member.patch.breadth > min_breadth || search.points_mm.size() < wanted) break;
         }
+        const Eigen::Vector3d at = points_.point_mm(member.centre);
+        for (std::uint32_t i = 0; i < group_size; ++i)
+            if ((waiting >> i & 1) != 0 &&
+                (points_.point_mm(group * group_size + i) - at).norm() <= 0.9 * member.patch.radius_mm)
+                waiting &= ~(1U << i);
+        if (member.patch.radius_mm > 0)
+            members.push_back(member);
+        else if (members.size() > own)
+            break;
     }
+}
+
+std::vector<CloudSurface::Member> CloudSurface::fitAll(const Progress& progress) const
+{
+    return parallelConcat<Member>(groupCount(), 128, progress,
+                                  [&](std::size_t begin, std::size_t end, std::vector<Member>& members) {
+                                      Search search;
+                                      for (std::size_t g = begin; g < end; ++g)
+                                          fitGroup(static_cast<std::uint32_t>(g), search, members);
+                                  });
+}
+
+std::vector<CloudSurface::Member> CloudSurface::splitAtEdges(const std::vector<Member>& members,
+                                                             const Progress& progress) const
+{
+    std::vector<Eigen::Vector3d> centres;
+    std::vector<SurfacePatch> smooth;
+    for (const Member& m : members)
+        if (isSmooth(m.patch)) {
+            smooth.push_back(m.patch);
+            centres.push_back(m.patch.centre_mm);
+        }
+    const Neighbours index(centres, progress);
+    return parallelConcat<Member>(members.size(), 128, progress,
+                                  [&](std::size_t begin, std::size_t end, std::vector<Member>& result) {
+                                      Search search;
+                                      for (std::size_t i = begin; i < end; ++i)
+                                          if (isSmooth(members[i].patch))
+                                              result.push_back(members[i]);
+                                          else
+                                              split(members[i], index, smooth, search, result);
+                                  });
+}
+
+void CloudSurface::split(const Member& rough, const Neighbours& smooth_index, const std::vector<SurfacePatch>& smooth,
+                         Search& search, std::vector<Member>& sheets) const
+{
+    const std::size_t own = sheets.size();
+    const double reach = 3 * rough.patch.radius_mm;
+    const double sigma = std::max(scatter_mm_, exact_scatter * rough.patch.radius_mm);
+    std::vector<Neighbours::Found> starts;
+    smooth_index.nearest(points_.point_mm(rough.centre), 16, reach * reach, starts);
+    gather(rough.centre, neighbourhood + neighbourhood / 3, search);
+    for (const Neighbours::Found& start : starts) {
+        Member sheet{rough.group, rough.centre, smooth[smooth_index.input(start.place)]};
+        const auto isKnown = [&] {
+            return std::any_of(
+                sheets.begin() + static_cast<std::ptrdiff_t>(own), sheets.end(), [&](const Member& other) {
+                    return std::abs(other.patch.normal.dot(sheet.patch.normal)) > cos_same_sheet &&
+                           std::abs(other.patch.distance_mm(sheet.patch.centre_mm)) < 0.3 * sheet.patch.radius_mm;
+                });
+        };
+        if (isKnown()) continue;
+        if (fitRobustPatch(search.points_mm, sigma, 4, sheet.patch) < min_sheet_points) continue;
+        if (sheet.patch.breadth < min_sheet_breadth || isKnown()) continue;
+        sheets.push_back(sheet);
+        if (sheets.size() == own + max_sheets) break;
+    }
+    if (sheets.size() == own) sheets.push_back(rough);
 }
 
 SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const
 {
     SurfacePlace best;
     const Eigen::Vector3d offset = query_mm - points_.point_mm(nearest.place);
-    for (std::uint32_t s = nearest.place / points_per_patch; s != none; s = sheets_[s].next) {
-        const SurfacePatch& patch = sheets_[s].patch;
-        if (!(patch.radius_mm > 0)) continue;
+    const double nearest_mm = std::sqrt(nearest.squared_mm2);
+    const std::uint32_t group = nearest.place / group_size;
+    for (std::uint32_t p = first_[group]; p < first_[group + 1]; ++p) {
+        const SurfacePatch& patch = patches_[p];
+        // A patch that does not pass near its points, or not where the query is, says nothing about them.
         const double d = patch.distance_mm(query_mm);
+        const double farthest = nearest_mm + 4 * std::max(scatter_mm_, exact_scatter * patch.radius_mm);
+        if (std::abs(d) > farthest || patch.lateral_mm(query_mm) > 2 * patch.radius_mm) continue;
         if (best.found() && std::abs(d) >= std::abs(best.distance_mm)) continue;
         best.distance_mm = d;
         best.normal = patch.normalAt(query_mm);
@@ -152,30 +229,21 @@ void CloudSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max
 bool CloudSurface::orient(const Progress& progress)
 {
     if (!given_normals_.empty()) {
-        const auto patches = static_cast<std::uint32_t>((points_.size() + points_per_patch - 1) / points_per_patch);
-        for (std::uint32_t p = 0; p < patches; ++p)
-            for (std::uint32_t s = p; s != none; s = sheets_[s].next) {
-                SurfacePatch& patch = sheets_[s].patch;
+        for (std::uint32_t g = 0; g < groupCount(); ++g)
+            for (std::uint32_t p = first_[g]; p < first_[g + 1]; ++p) {
                 double agreement = 0;
-                for (std::uint32_t i = p * points_per_patch;
-                     i < std::min<std::size_t>((p + 1) * points_per_patch, points_.size()); ++i)
-                    agreement += given_normals_[points_.input(i)].cast<double>().dot(patch.normal);
-                if (agreement < 0) patch.flip();
+                for (std::uint32_t i = g * group_size; i < groupEnd(g); ++i)
+                    agreement += given_normals_[points_.input(i)].cast<double>().dot(patches_[p].normal);
+                if (agreement < 0) patches_[p].flip();
             }
         return true;
     }
     std::vector<SurfaceElement> elements;
-    std::vector<std::uint32_t> sheet_of;
-    for (std::uint32_t s = 0; s < sheets_.size(); ++s) {
-        const SurfacePatch& patch = sheets_[s].patch;
-        if (!(patch.radius_mm > 0)) continue;
-        elements.push_back({patch.centre_mm, patch.normal, patch.radius_mm});
-        sheet_of.push_back(s);
-    }
+    for (const SurfacePatch& p : patches_) elements.push_back({p.centre_mm, p.normal, p.radius_mm});
     const std::vector<bool> flips = findOutside(elements, progress);
     if (flips.empty()) return false;
-    for (std::size_t e = 0; e < elements.size(); ++e)
-        if (flips[e]) sheets_[sheet_of[e]].patch.flip();
+    for (std::size_t p = 0; p < patches_.size(); ++p)
+        if (flips[p]) patches_[p].flip();
     return true;
 }
 

@@ -10,8 +10,9 @@
 
 namespace lathelier {
 
-/// One patch serves eight points that lie together. Where its residuals show an edge, it is replaced by up to three
-/// sheets that continue the smooth patches around; the sheet nearest to the query counts.
+/// Eight points that lie together share one patch, or more where they do not lie within one patch's reach. A patch
+/// whose residuals show an edge is replaced by up to three sheets that continue the smooth patches around. Of the
+/// patches of the nearest point the one nearest to the query counts.
 class CloudSurface : public Surface {
 public:
     CloudSurface(const Scan& cloud, const Progress& progress);
@@ -22,21 +23,33 @@ public:
     double scatter_mm() const override { return scatter_mm_; }
 
 private:
-    static constexpr std::uint32_t points_per_patch = 8;
-    static constexpr std::uint32_t none = 0xffffffff;
+    static constexpr std::uint32_t group_size = 8;
 
-    struct Sheet {
+    struct Member {
+        std::uint32_t group;
+        std::uint32_t centre;  ///< place of the point in whose neighbourhood the patch was fitted
         SurfacePatch patch;
-        std::uint32_t next = none;  ///< another sheet through the same neighbourhood
     };
 
-    void fitAll(const Progress& progress);
-    void splitAtEdges(const Progress& progress);
-    void gather(std::uint32_t patch, std::size_t count, std::vector<Eigen::Vector3d>& points_mm) const;
+    struct Search;  // what one thread needs to collect neighbourhoods
+
+    std::uint32_t groupCount() const
+    {
+        return static_cast<std::uint32_t>((points_.size() + group_size - 1) / group_size);
+    }
+    std::uint32_t groupEnd(std::uint32_t group) const;
+    void gather(std::uint32_t centre, std::size_t count, Search& search) const;
+    void fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const;
+    std::vector<Member> fitAll(const Progress& progress) const;
+    std::vector<Member> splitAtEdges(const std::vector<Member>& members, const Progress& progress) const;
+    void split(const Member& rough, const Neighbours& smooth_index, const std::vector<SurfacePatch>& smooth,
+               Search& search, std::vector<Member>& sheets) const;
+    bool isSmooth(const SurfacePatch& patch) const;
     SurfacePlace placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const;
 
     Neighbours points_;
-    std::vector<Sheet> sheets_;  ///< first one for each eight points, then the further ones
+    std::vector<std::uint32_t> first_;  ///< patches of group g: first_[g] … first_[g+1]-1
+    std::vector<SurfacePatch> patches_;
     std::vector<Eigen::Vector3f> given_normals_;
     double scatter_mm_ = 0;
 };

@@ -96,7 +96,8 @@ void MeshSurface::connect(const Progress& progress)
                 angle(triangle.corners_mm[(k + 1) % 3] - p, triangle.corners_mm[(k + 2) % 3] - p) * unit;
             triangle.edge_normals[k] = unit.cast<float>();
             if (a != b)
-                edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), t, static_cast<std::uint8_t>(k), a < b});
+                edges.push_back(
+                    {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), t, static_cast<std::uint8_t>(k), a < b});
         }
     }
     progress.report(0.75);
@@ -149,9 +150,12 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
     const Triangle& triangle = triangles_[where];
     const auto part = static_cast<std::size_t>(best.part);
     Eigen::Vector3d normal = triangle.normal();
-    if (part < 3) normal = corner_normals_[triangle.corners[part]];
-    else if (part < 6) normal = triangle.edge_normals[part - 3].cast<double>();
-    place.border = part < 3 ? corner_on_rim_[triangle.corners[part]] : part < 6 && (triangle.rim >> (part - 3) & 1) != 0;
+    if (part < 3)
+        normal = corner_normals_[triangle.corners[part]];
+    else if (part < 6)
+        normal = triangle.edge_normals[part - 3].cast<double>();
+    place.border =
+        part < 3 ? corner_on_rim_[triangle.corners[part]] : part < 6 && (triangle.rim >> (part - 3) & 1) != 0;
     const Eigen::Vector3d offset = query_mm - best.point_mm;
     const double side = sense_ * offset.dot(normal) < 0 ? -1 : 1;
     const double distance = std::sqrt(bound);
@@ -172,9 +176,12 @@ void MeshSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_
 
 bool MeshSurface::orient(const Progress&)
 {
-    if (given_normals_ != 0) sense_ = given_normals_ < 0 ? -1 : 1;
-    else if (closed_ && volume_mm3_ != 0) sense_ = volume_mm3_ < 0 ? -1 : 1;
-    else return false;
+    if (given_normals_ != 0)
+        sense_ = given_normals_ < 0 ? -1 : 1;
+    else if (closed_ && volume_mm3_ != 0)
+        sense_ = volume_mm3_ < 0 ? -1 : 1;
+    else
+        return false;
     return true;
 }
 

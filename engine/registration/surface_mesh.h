@@ -30,7 +30,7 @@ private:
         std::array<Eigen::Vector3d, 3> corners_mm;
         std::array<std::uint32_t, 3> corners;  ///< numbers in corner_normals_
         std::array<Eigen::Vector3f, 3> edge_normals;
-        std::uint8_t rim = 0;                  ///< bit k: edge k belongs to this triangle alone
+        std::uint8_t rim = 0;  ///< bit k: edge k belongs to this triangle alone
 
         Eigen::Vector3d normal() const;
     };
@@ -42,9 +42,9 @@ private:
     std::vector<Eigen::Vector3d> corner_normals_;
     std::vector<bool> corner_on_rim_;
     BoxTree boxes_;
-    bool closed_ = false;      ///< every edge is shared by two triangles with the same sense
+    bool closed_ = false;  ///< every edge is shared by two triangles with the same sense
     double volume_mm3_ = 0;
-    double given_normals_ = 0; ///< agreement of the file's normals with the triangles; 0 without any
+    double given_normals_ = 0;  ///< agreement of the file's normals with the triangles; 0 without any
     double sense_ = 1;
 };
 

@@ -1,7 +1,8 @@
 // Inside and outside of a scanned surface that carries no normals.
 // Sources: H. Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992 (the most plausible paths
 // first); S. König, S. Gumhold, "Consistent propagation of normal orientations in point clouds", VMV 2009 (the
-// criterion across sharp edges); G. Barill et al., "Fast winding numbers for soups and clouds", 2018 (what closed means).
+// criterion across sharp edges); G. Barill et al., "Fast winding numbers for soups and clouds", 2018 (what closed
+// means).
 #pragma once
 
 #include <Eigen/Core>
@@ -18,9 +19,9 @@ struct SurfaceElement {
     double radius_mm;  ///< elements overlap: an element's share of the surface is found from its neighbours
 };
 
-/// For each element whether its normal has to be turned to point outward. Empty when the surface is not evidently closed:
-/// the winding number, made with these normals, has to be near 1 just inside and near 0 just outside almost everywhere.
-/// A hole seen from within only (a scanned bore) looks like a shaft and is taken for one.
+/// For each element whether its normal has to be turned to point outward. Empty when the surface is not evidently
+/// closed: the winding number, made with these normals, has to be near 1 just inside and near 0 just outside almost
+/// everywhere. A hole seen from within only (a scanned bore) looks like a shaft and is taken for one.
 std::vector<bool> findOutside(const std::vector<SurfaceElement>& elements, const Progress& progress);
 
 }  // namespace lathelier

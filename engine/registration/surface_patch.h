@@ -22,6 +22,10 @@ struct SurfacePatch {
     Eigen::Vector3d normalAt(const Eigen::Vector3d& point_mm) const;
     double lateral_mm(const Eigen::Vector3d& point_mm) const;  ///< from the centre, in the plane
     void flip();
+
+    /// Corrects for noise of `noise_mm` along the normal of a curved surface: noise outward spreads points over more
+    /// area, so that the mean of a patch lies noise² (1/R1 + 1/R2) below the surface.
+    void raise(double noise_mm) { c[0] -= 2 * noise_mm * noise_mm * (c[3] + c[5]); }
 };
 
 /// Fits a patch to at least 3 points with weights; a plane when they are too few or too unevenly spread for a quadric.
@@ -29,6 +33,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
 
 /// The same with Tukey's weights about the last fit, starting from `start`; points further off it than 4.685
 /// `sigma_mm` count nothing. Gives the number of points that count.
-std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double sigma_mm, int rounds, SurfacePatch& patch);
+std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double sigma_mm, int rounds,
+                           SurfacePatch& patch);
 
 }  // namespace lathelier

@@ -13,8 +13,10 @@ TrianglePoint nearestOnEdges(const Eigen::Vector3d& query_mm, const std::array<E
         const double length2 = edge.squaredNorm();
         const double t = length2 > 0 ? (query_mm - a).dot(edge) / length2 : 0;
         TrianglePoint here{a, static_cast<TrianglePart>(k)};
-        if (t >= 1) here = {corners_mm[(k + 1) % 3], static_cast<TrianglePart>((k + 1) % 3)};
-        else if (t > 0) here = {a + t * edge, static_cast<TrianglePart>(3 + k)};
+        if (t >= 1)
+            here = {corners_mm[(k + 1) % 3], static_cast<TrianglePart>((k + 1) % 3)};
+        else if (t > 0)
+            here = {a + t * edge, static_cast<TrianglePart>(3 + k)};
         if ((here.point_mm - query_mm).squaredNorm() < (best.point_mm - query_mm).squaredNorm()) best = here;
     }
     return best;

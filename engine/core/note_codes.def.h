@@ -14,6 +14,7 @@ LATHELIER_NOTE(UnitNotUsed, "unit_not_used", Warning, LT_TEXT("Engine", "{path}:
 LATHELIER_NOTE(RollNotDetermined, "roll_not_determined", Info, LT_TEXT("Engine", "Roll about the axis is not determined by the geometry; the smallest rotation was kept."))
 LATHELIER_NOTE(MotionNotDetermined, "motion_not_determined", Warning, LT_TEXT("Engine", "A {kind} is not determined by the geometry; the initial pose was kept along it."))
 LATHELIER_NOTE(MotionWeak, "motion_weak", Warning, LT_TEXT("Engine", "A {kind} is only weakly determined by the geometry."))
+LATHELIER_NOTE(SeveralPosesFit, "several_poses_fit", Warning, LT_TEXT("Engine", "{count} poses fit equally well; the one with the smallest rotation was chosen."))
 LATHELIER_NOTE(MethodChosen, "method_chosen", Info, LT_TEXT("Engine", "Method chosen: {method} ({reason})."))
 LATHELIER_NOTE(EndForEnd, "end_for_end", Info, LT_TEXT("Engine", "The copy was turned end for end."))
 LATHELIER_NOTE(OutliersExcluded, "outliers_excluded", Info, LT_TEXT("Engine", "{count} points further than {distance_mm} mm from the reference were left out."))

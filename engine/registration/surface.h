@@ -15,6 +15,8 @@ namespace lathelier {
 struct SurfacePlace {
     double distance_mm = std::numeric_limits<double>::quiet_NaN();  ///< from the surface to the point along `normal`
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit; out of the material once the surface is oriented
+    double slope_variance =
+        0;                ///< of the normal's tangent in each direction, from the noise of the surface's own points
     bool border = false;  ///< the nearest surface point lies on the rim of the surface: the point is beside it
 
     bool found() const { return distance_mm == distance_mm; }
@@ -34,6 +36,9 @@ public:
 
     /// One standard deviation of the surface's own points about it; 0 for a mesh.
     virtual double scatter_mm() const = 0;
+
+    /// Number of noisy points the surface is made from; 0 for a mesh.
+    virtual std::size_t pointCount() const = 0;
 
     static constexpr std::size_t bundle = 8;
 };

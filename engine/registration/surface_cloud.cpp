@@ -209,6 +209,7 @@ SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neigh
         if (best.found() && std::abs(d) >= std::abs(best.distance_mm)) continue;
         best.distance_mm = d;
         best.normal = patch.normalAt(query_mm);
+        best.slope_variance = patch.slopeVariance(query_mm);
         // Far off the surface, noise decides which point is nearest: sideways by up to the second term.
         const double sideways2 = std::max(0.0, offset.squaredNorm() - std::pow(offset.dot(best.normal), 2));
         const double usual = 0.7 * patch.radius_mm;

@@ -21,6 +21,7 @@ public:
                std::span<SurfacePlace> places) const override;
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return scatter_mm_; }
+    std::size_t pointCount() const override { return points_.size(); }
 
 private:
     static constexpr std::uint32_t group_size = 8;

@@ -22,6 +22,7 @@ public:
                std::span<SurfacePlace> places) const override;
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return 0; }
+    std::size_t pointCount() const override { return 0; }
 
 private:
     static constexpr std::uint32_t leaf_size = 4;

@@ -45,6 +45,14 @@ double SurfacePatch::lateral_mm(const Eigen::Vector3d& point_mm) const
     return std::hypot(d.dot(u), d.dot(v));
 }
 
+double SurfacePatch::slopeVariance(const Eigen::Vector3d& point_mm) const
+{
+    // The inverse of the normal equations of the quadric on a disc of radius 1, mean over both directions.
+    const double t = lateral_mm(point_mm) / radius_mm;
+    const double curved = c.tail<3>().isZero(0) ? 0 : 48 * t * t;
+    return sigma_mm * sigma_mm * (4 + curved) / (radius_mm * radius_mm * points);
+}
+
 void SurfacePatch::flip()
 {
     normal = -normal;
@@ -64,6 +72,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
         total += weights[i];
         sum += weights[i] * (points_mm[i] - origin);
     }
+    patch.points = total;
     if (!(total > 0)) return patch;
     patch.centre_mm = origin + sum / total;
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

@@ -15,12 +15,15 @@ struct SurfacePatch {
     Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();
     double radius_mm = 0;  ///< reach of the points it was made from
     double breadth = 0;    ///< across / along of those points: 0 on a line, 1 round
+    double points = 0;     ///< sum of their weights
     double sigma_mm = 0;   ///< their scatter about it, allowing for its own degrees of freedom
 
     /// Distance of a point along the patch's normal at its foot, to second order in the slope.
     double distance_mm(const Eigen::Vector3d& point_mm) const;
     Eigen::Vector3d normalAt(const Eigen::Vector3d& point_mm) const;
     double lateral_mm(const Eigen::Vector3d& point_mm) const;  ///< from the centre, in the plane
+    double slopeVariance(
+        const Eigen::Vector3d& point_mm) const;  ///< of the normal there, for points spread over a disc
     void flip();
 
     /// Corrects for noise of `noise_mm` along the normal of a curved surface: noise outward spreads points over more

@@ -1,0 +1,267 @@
+#include "engine/registration/general.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/coarse_alignment.h"
+#include "engine/registration/general_solver.h"
+#include "engine/registration/neighbours_order.h"
+#include "engine/registration/surface_samples.h"
+
+namespace lathelier {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr std::size_t mesh_samples = 200000;
+constexpr std::array<std::size_t, 3> level_sizes = {4000, 30000, 200000};
+constexpr double coarse_cells = 60;  // along the part's size (about 10 000 points on a compact part)
+constexpr std::size_t candidates = 6;
+
+// A cloud about its own middle, so that far origins cost no digits.
+struct Centred {
+    Points points_mm;
+    Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
+    double size_mm = 0;  // root mean square distance from the middle, robust against single far points
+};
+
+Centred centre(const Scan& scan, const Progress& progress)
+{
+    Centred result;
+    result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
+    if (result.points_mm.size() < 4)
+        throw Error(ErrorCode::TooFewPoints,
+                    {{"found", static_cast<std::int64_t>(result.points_mm.size())}, {"minimum", std::int64_t{4}}});
+    for (int a = 0; a < 3; ++a) {
+        std::vector<double> values;
+        values.reserve(result.points_mm.size());
+        for (const auto& p : result.points_mm) values.push_back(p[a]);
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        result.middle_mm[a] = *middle;
+    }
+    std::vector<double> distances;
+    for (auto& p : result.points_mm) {
+        p -= result.middle_mm;
+        distances.push_back(p.norm());
+    }
+    const auto most = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+    std::nth_element(distances.begin(), most, distances.end());
+    result.size_mm = *most;
+    return result;
+}
+
+void refuseDegenerate(const Points& points)
+{
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const auto& p : points) mean += p / static_cast<double>(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto& p : points) spread += (p - mean) * (p - mean).transpose() / static_cast<double>(points.size());
+    const Eigen::Vector3d sizes =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+    if (!(sizes[2] > 1e-24)) throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
+    if (!(sizes[1] > 1e-12 * sizes[2]))
+        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on one line")}});
+}
+
+Points inOrder(const Points& points, const Progress& progress)
+{
+    Points result;
+    result.reserve(points.size());
+    for (std::uint32_t i : hilbertOrder(points, progress)) result.push_back(points[i]);
+    return result;
+}
+
+Points everyNth(const Points& points, std::size_t count)
+{
+    if (points.size() <= count) return points;
+    Points result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(points[i * points.size() / count]);
+    return result;
+}
+
+class GeneralAlignment {
+public:
+    GeneralAlignment(const Scan& reference, const Scan& copy, bool point_to_point, const Progress& progress)
+        : reference_(centre(reference, progress)), copy_(centre(copy, progress)), point_to_point_(point_to_point)
+    {
+        refuseDegenerate(reference_.points_mm);
+        refuseDegenerate(copy_.points_mm);
+        progress.report(0.05);
+        copy_.points_mm = inOrder(copy_.points_mm, progress);
+        Scan shifted;
+        shifted.triangles = reference.triangles;
+        if (reference.isMesh()) {
+            shifted.points_mm = reference.points_mm;
+            for (auto& p : shifted.points_mm) p -= reference_.middle_mm;
+        } else {
+            shifted.points_mm = reference_.points_mm;
+        }
+        surface_ = makeSurface(shifted, progress.part(0.1, 0.4));
+        index_ = std::make_unique<Neighbours>(reference_.points_mm, progress);
+        initial_ = Eigen::Translation3d(copy_.middle_mm - reference_.middle_mm);
+        size_mm_ = std::max(reference_.size_mm, copy_.size_mm);
+    }
+
+    Alignment run(InitialPose initial, const Progress& progress)
+    {
+        Eigen::Isometry3d pose = initial_;
+        double search = 0.25 * size_mm_;
+        if (initial == InitialPose::Auto) {
+            pose = findPose(progress.part(0, 0.4));
+            search = 0.1 * size_mm_;
+        }
+        return refineLevels(pose, search, progress.part(0.4, 1));
+    }
+
+private:
+    RefineTarget target() const { return {surface_.get(), index_.get()}; }
+
+    // The best of the coarse poses, judged on the surface itself.
+    Eigen::Isometry3d findPose(const Progress& progress)
+    {
+        const double cell = 2 * size_mm_ / coarse_cells;
+        const Points reference_few = thinOut(everyNth(reference_.points_mm, 150000), cell, progress);
+        const Points copy_few = thinOut(everyNth(copy_.points_mm, 150000), cell, progress);
+        const std::vector<Eigen::Isometry3d> poses =
+            findCoarsePoses(reference_few, copy_few, candidates, progress.part(0.05, 0.8));
+        const Points sample = everyNth(copy_.points_mm, 3000);
+        struct Candidate {
+            Eigen::Isometry3d pose;
+            double sigma_mm;
+            double misfit;
+            double turn;
+        };
+        std::vector<Candidate> fits;
+        double sigma = size_mm_;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            RefineOptions options;
+            options.search_mm = 0.1 * size_mm_;
+            options.reach_mm = 0.05 * size_mm_;
+            options.max_iterations = 7;
+            options.tolerance_mm = 1e-4 * size_mm_;
+            const RefineResult r = refine(target(), sample, poses[i], poses[i], options);
+            fits.push_back({r.reference_T_copy, r.sigma_mm, 0, Eigen::AngleAxisd(r.reference_T_copy.linear()).angle()});
+            if (r.sigma_mm > 0) sigma = std::min(sigma, r.sigma_mm);
+            progress.report(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(poses.size()));
+        }
+        const double limit = std::max(10 * sigma, 2e-3 * size_mm_);
+        for (Candidate& c : fits) c.misfit = misfit(*surface_, sample, c.pose, limit, progress);
+        const Candidate& best = *std::min_element(
+            fits.begin(), fits.end(), [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+        const double as_good = 1.1 * best.misfit + 1e-3;
+        const Candidate* chosen = &best;
+        for (const Candidate& c : fits) {
+            if (c.misfit > as_good) continue;
+            const double apart = Eigen::AngleAxisd(c.pose.linear().transpose() * best.pose.linear()).angle();
+            if (&c == &best || apart > 0.1) ++equal_poses_;
+            if (c.turn < chosen->turn - 0.1) chosen = &c;
+        }
+        return chosen->pose;
+    }
+
+    Alignment refineLevels(const Eigen::Isometry3d& start, double search, const Progress& progress)
+    {
+        Alignment alignment;
+        RefineResult fine;
+        fine.reference_T_copy = start;
+        for (std::size_t level = 0; level < level_sizes.size(); ++level) {
+            const bool last = level + 1 == level_sizes.size();
+            RefineOptions options;
+            options.point_to_point = point_to_point_;
+            options.search_mm = search;
+            options.reach_mm = search / 2;
+            options.max_iterations = last ? 60 : 40;
+            options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
+            const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
+            fine = refine(target(), everyNth(copy_.points_mm, level_sizes[level]), fine.reference_T_copy, initial_,
+                          options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
+            alignment.iterations += fine.iterations;
+            if (fine.iterations == 0) break;  // nothing lies near the surface
+            search = std::clamp(10 * fine.sigma_mm, 1e-3 * size_mm_, search);
+        }
+        alignment.converged = fine.converged;
+        snapToSamePoints(fine.reference_T_copy, progress);
+        describe(fine, alignment);
+        return alignment;
+    }
+
+    // A copy that holds the reference's very points is aligned exactly, not only within their noise.
+    void snapToSamePoints(Eigen::Isometry3d& pose, const Progress& progress) const
+    {
+        const Points sample = everyNth(copy_.points_mm, 2000);
+        std::vector<double> to_reference;
+        std::vector<double> spacing;
+        std::vector<Neighbours::Found> two;
+        for (const auto& p : sample) {
+            const Neighbours::Found found = index_->nearest(pose * p);
+            to_reference.push_back(found.squared_mm2);
+            index_->nearest(index_->point_mm(found.place), 2, std::numeric_limits<double>::infinity(), two);
+            spacing.push_back(two.back().squared_mm2);
+        }
+        const auto middle = static_cast<std::ptrdiff_t>(sample.size() / 2);
+        std::nth_element(to_reference.begin(), to_reference.begin() + middle, to_reference.end());
+        std::nth_element(spacing.begin(), spacing.begin() + middle, spacing.end());
+        if (!(to_reference[static_cast<std::size_t>(middle)] < 0.01 * spacing[static_cast<std::size_t>(middle)]))
+            return;
+        RefineOptions options;
+        options.point_to_point = true;
+        options.search_mm = 0.3 * std::sqrt(spacing[static_cast<std::size_t>(middle)]);
+        options.tolerance_mm = 1e-12 * size_mm_;
+        options.max_iterations = 6;
+        const RefineResult exact = refine(target(), everyNth(copy_.points_mm, 20000), pose, pose, options, progress);
+        if (exact.sigma_mm < 1e-6 * size_mm_) pose = exact.reference_T_copy;
+    }
+
+    void describe(const RefineResult& fine, Alignment& alignment) const
+    {
+        // Noise of the reference's own points adds to that of the copy's points used.
+        double share = 1;
+        if (surface_->pointCount() > 0) {
+            const double used =
+                fine.used_share * static_cast<double>(std::min(level_sizes.back(), copy_.points_mm.size()));
+            share += used / static_cast<double>(surface_->pointCount());
+        }
+        alignment.uncertainty = uncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share));
+        const auto kindText = [](const FreeMotion& m) {
+            return m.kind == FreeMotion::Kind::Rotation ? LT_TEXT("Engine", "rotation")
+                                                        : LT_TEXT("Engine", "translation");
+        };
+        for (FreeMotion m : fine.observability.free_motions) {
+            m.point_mm += reference_.middle_mm;
+            alignment.free_motions.push_back(m);
+            alignment.notes.push_back({NoteCode::MotionNotDetermined, {{"kind", kindText(m)}}});
+        }
+        for (const FreeMotion& m : fine.observability.weak_motions)
+            alignment.notes.push_back({NoteCode::MotionWeak, {{"kind", kindText(m)}}});
+        if (equal_poses_ > 1 && alignment.free_motions.empty())
+            alignment.notes.push_back({NoteCode::SeveralPosesFit, {{"count", std::int64_t{equal_poses_}}}});
+        alignment.reference_T_copy =
+            Eigen::Translation3d(reference_.middle_mm) * fine.reference_T_copy * Eigen::Translation3d(-copy_.middle_mm);
+    }
+
+    Centred reference_;
+    Centred copy_;
+    bool point_to_point_;
+    double size_mm_ = 0;
+    std::unique_ptr<Surface> surface_;
+    std::unique_ptr<Neighbours> index_;
+    Eigen::Isometry3d initial_;  ///< the poses as they are, between the centred clouds
+    int equal_poses_ = 0;
+};
+
+}  // namespace
+
+Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
+                       const Progress& progress)
+{
+    GeneralAlignment alignment(reference, copy, method == CompareMethod::Point, progress.part(0, 0.4));
+    return alignment.run(initial, progress.part(0.4, 1));
+}
+
+}  // namespace lathelier

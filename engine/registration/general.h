@@ -1,0 +1,26 @@
+// Alignment of parts of any shape: a coarse pose without a manual start, then robust point-to-plane steps with the
+// motions that the geometry leaves open projected out.
+#pragma once
+
+#include "engine/core/progress.h"
+#include "engine/core/scan.h"
+#include "engine/registration/alignment.h"
+#include "engine/registration/compare.h"
+
+namespace lathelier {
+
+/// Brings `copy` onto `reference`; either may be a cloud or a mesh (a copy's mesh is sampled by area).
+/// `method` Point: point-to-point, offered for comparison; anything else: point-to-plane. `initial` Identity: only the
+/// fine stage, from the poses as they are. Parts that do not match still get an alignment: the caller judges the
+/// overlap.
+///
+/// Result: `converged` false when the steps did not settle. Motions the geometry leaves open are listed in
+/// `free_motions` with the note MotionNotDetermined, weak ones noted as MotionWeak; along free ones the copy stays as
+/// near to where it was as it can. Several poses that fit equally well: the smallest rotation, note SeveralPosesFit.
+/// Uncertainty (k = 2): residual scatter over the normal equations, for independent noise of the points used and of the
+/// reference's; `axial_um` the largest translation of the part's centre, `radial_um` the largest across it.
+/// Errors: TooFewPoints (fewer than 4), PointsDegenerate (on one point or line). Throws Cancelled.
+Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
+                       const Progress& progress = {});
+
+}  // namespace lathelier

@@ -62,7 +62,7 @@ public:
     {
         Box box;
         for (const auto& p : reference) box.add(p);
-        const double longest = (box.high_mm - box.low_mm).maxCoeff();
+        const double longest = std::max((box.high_mm - box.low_mm).maxCoeff(), 1e-9);
         cell_mm_ = 1.3 * longest / field_cells;
         low_mm_ = box.low_mm.array() - 0.15 * longest;
         for (int a = 0; a < 3; ++a)

@@ -122,12 +122,18 @@ public:
 private:
     RefineTarget target() const { return {surface_.get(), index_.get()}; }
 
+    static Points thin(const Centred& cloud, const Progress& progress)
+    {
+        const Points some = everyNth(cloud.points_mm, 100000);
+        const Points few = thinOut(some, 2 * cloud.size_mm / coarse_cells, progress);
+        return few.size() < 20 ? some : few;  // one far point among many in one place
+    }
+
     // The best of the coarse poses, judged on the surface itself.
     Eigen::Isometry3d findPose(const Progress& progress)
     {
-        const double cell = 2 * size_mm_ / coarse_cells;
-        const Points reference_few = thinOut(everyNth(reference_.points_mm, 150000), cell, progress);
-        const Points copy_few = thinOut(everyNth(copy_.points_mm, 150000), cell, progress);
+        const Points reference_few = thin(reference_, progress);
+        const Points copy_few = thin(copy_, progress);
         const std::vector<Eigen::Isometry3d> poses =
             findCoarsePoses(reference_few, copy_few, candidates, progress.part(0.05, 0.8));
         const Points sample = everyNth(copy_.points_mm, 3000);
@@ -183,7 +189,8 @@ private:
                           options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
-            search = std::clamp(10 * fine.sigma_mm, 1e-3 * size_mm_, search);
+            search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_->spacing_mm() : 0),
+                                1e-3 * size_mm_, search);
         }
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);

@@ -27,7 +27,7 @@ class Surface {
 public:
     virtual ~Surface() = default;
 
-    /// Where each of up to `bundle` queries (near each other, finite) lies; none further than `max_distance_mm`.
+    /// Where each of up to `bundle` queries (near each other, finite) lies; found only up to `max_distance_mm`.
     virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
                        std::span<SurfacePlace> places) const = 0;
 
@@ -39,6 +39,9 @@ public:
 
     /// Number of noisy points the surface is made from; 0 for a mesh.
     virtual std::size_t pointCount() const = 0;
+
+    /// How far from a place of the surface its points typically lie; 0 for a mesh.
+    virtual double spacing_mm() const = 0;
 
     static constexpr std::size_t bundle = 8;
 };

@@ -39,6 +39,17 @@ std::vector<T> parallelConcat(std::size_t count, std::size_t grain, const Progre
     return result;
 }
 
+template <class T, class Value>
+double medianOf(const std::vector<T>& items, Value value)
+{
+    std::vector<double> values;
+    for (const T& item : items) values.push_back(value(item));
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 }  // namespace
 
 struct CloudSurface::Search {
@@ -57,21 +68,10 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     progress.report(0.15);
     std::vector<Member> members = fitAll(progress);
     progress.report(0.7);
-    std::vector<double> scatter;
-    for (const Member& m : members) scatter.push_back(m.patch.sigma_mm);
-    if (!scatter.empty()) {
-        const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
-        std::nth_element(scatter.begin(), middle, scatter.end());
-        scatter_mm_ = *middle;
-    }
+    scatter_mm_ = medianOf(members, [](const Member& m) { return m.patch.sigma_mm; });
+    reach_mm_ = medianOf(members, [](const Member& m) { return m.patch.radius_mm; });
     members = splitAtEdges(members, progress);
-    first_.assign(groupCount() + 1, 0);
-    for (const Member& m : members) {
-        ++first_[m.group + 1];
-        patches_.push_back(m.patch);
-        patches_.back().raise(scatter_mm_);
-    }
-    for (std::size_t g = 1; g < first_.size(); ++g) first_[g] += first_[g - 1];
+    store(members);
     progress.report(1);
 }
 
@@ -194,13 +194,28 @@ void CloudSurface::split(const Member& rough, const Neighbours& smooth_index, co
     if (sheets.size() == own) sheets.push_back(rough);
 }
 
-SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const
+void CloudSurface::store(const std::vector<Member>& members)
+{
+    first_spot_.assign(groupCount() + 1, 0);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        if (m == 0 || members[m].centre != members[m - 1].centre) {
+            ++first_spot_[members[m].group + 1];
+            spots_.push_back({points_.point_mm(members[m].centre), static_cast<std::uint32_t>(m)});
+        }
+        patches_.push_back(members[m].patch);
+        patches_.back().raise(scatter_mm_);
+    }
+    spots_.push_back({Eigen::Vector3d::Zero(), static_cast<std::uint32_t>(members.size())});
+    for (std::size_t g = 1; g < first_spot_.size(); ++g) first_spot_[g] += first_spot_[g - 1];
+}
+
+SurfacePlace CloudSurface::placeOn(std::uint32_t spot, const Eigen::Vector3d& query_mm,
+                                   const Neighbours::Found& nearest) const
 {
     SurfacePlace best;
     const Eigen::Vector3d offset = query_mm - points_.point_mm(nearest.place);
     const double nearest_mm = std::sqrt(nearest.squared_mm2);
-    const std::uint32_t group = nearest.place / group_size;
-    for (std::uint32_t p = first_[group]; p < first_[group + 1]; ++p) {
+    for (std::uint32_t p = spots_[spot].first_patch; p < spots_[spot + 1].first_patch; ++p) {
         const SurfacePatch& patch = patches_[p];
         // A patch that does not pass near its points, or not where the query is, says nothing about them.
         const double d = patch.distance_mm(query_mm);
@@ -211,27 +226,48 @@ SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neigh
         best.normal = patch.normalAt(query_mm);
         best.slope_variance = patch.slopeVariance(query_mm);
         // Far off the surface, noise decides which point is nearest: sideways by up to the second term.
-        const double sideways2 = std::max(0.0, offset.squaredNorm() - std::pow(offset.dot(best.normal), 2));
-        const double usual = 0.7 * patch.radius_mm;
-        best.border = sideways2 > usual * usual + 8 * std::abs(d) * scatter_mm_;
+        const double sideways2 = offset.squaredNorm() - std::pow(offset.dot(best.normal), 2);
+        const double usual = 0.7 * patch.radius_mm + scatter_mm_;
+        best.border = sideways2 > usual * usual + 16 * std::abs(d) * scatter_mm_;
     }
     return best;
+}
+
+SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const
+{
+    const Eigen::Vector3d point = points_.point_mm(nearest.place);
+    const std::uint32_t first = first_spot_[nearest.place / group_size];
+    const std::uint32_t end = first_spot_[nearest.place / group_size + 1];
+    std::uint32_t nearest_spot = first;
+    for (std::uint32_t s = first; s < end; ++s)
+        if ((spots_[s].centre_mm - point).squaredNorm() < (spots_[nearest_spot].centre_mm - point).squaredNorm())
+            nearest_spot = s;
+    SurfacePlace place;
+    if (first < end) place = placeOn(nearest_spot, query_mm, nearest);
+    for (std::uint32_t s = first; s < end && !place.found(); ++s) place = placeOn(s, query_mm, nearest);
+    return place;
 }
 
 void CloudSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
                          std::span<SurfacePlace> places) const
 {
     std::array<Neighbours::Found, bundle> found;
-    points_.nearest(queries_mm, max_distance_mm * max_distance_mm, found);
-    for (std::size_t q = 0; q < queries_mm.size(); ++q)
-        places[q] = found[q].place == Neighbours::Found::none ? SurfacePlace() : placeOne(queries_mm[q], found[q]);
+    const double search = max_distance_mm + reach_mm_;  // the surface may be nearer than its points
+    points_.nearest(queries_mm, search * search, found);
+    for (std::size_t q = 0; q < queries_mm.size(); ++q) {
+        places[q] = SurfacePlace();
+        if (found[q].place == Neighbours::Found::none) continue;
+        places[q] = placeOne(queries_mm[q], found[q]);
+        if (std::abs(places[q].distance_mm) > max_distance_mm) places[q] = SurfacePlace();
+    }
 }
 
 bool CloudSurface::orient(const Progress& progress)
 {
     if (!given_normals_.empty()) {
         for (std::uint32_t g = 0; g < groupCount(); ++g)
-            for (std::uint32_t p = first_[g]; p < first_[g + 1]; ++p) {
+            for (std::uint32_t p = spots_[first_spot_[g]].first_patch; p < spots_[first_spot_[g + 1]].first_patch;
+                 ++p) {
                 double agreement = 0;
                 for (std::uint32_t i = g * group_size; i < groupEnd(g); ++i)
                     agreement += given_normals_[points_.input(i)].cast<double>().dot(patches_[p].normal);

@@ -22,6 +22,7 @@ public:
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return scatter_mm_; }
     std::size_t pointCount() const override { return points_.size(); }
+    double spacing_mm() const override { return 0.25 * reach_mm_; }
 
 private:
     static constexpr std::uint32_t group_size = 8;
@@ -48,11 +49,21 @@ private:
     bool isSmooth(const SurfacePatch& patch) const;
     SurfacePlace placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const;
 
+    void store(const std::vector<Member>& members);
+    SurfacePlace placeOn(std::uint32_t spot, const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const;
+
     Neighbours points_;
-    std::vector<std::uint32_t> first_;  ///< patches of group g: first_[g] … first_[g+1]-1
+    struct Spot {
+        Eigen::Vector3d centre_mm;
+        std::uint32_t first_patch;  ///< its patches end where those of the next spot begin
+    };
+
+    std::vector<std::uint32_t> first_spot_;  ///< spots of group g: first_spot_[g] … first_spot_[g+1]-1
+    std::vector<Spot> spots_;                ///< and one behind the last
     std::vector<SurfacePatch> patches_;
     std::vector<Eigen::Vector3f> given_normals_;
     double scatter_mm_ = 0;
+    double reach_mm_ = 0;  ///< usual radius of a patch
 };
 
 }  // namespace lathelier

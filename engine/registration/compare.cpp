@@ -1,14 +1,17 @@
 #include "engine/registration/compare.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/core/parallel.h"
 #include "engine/registration/cloud_distance.h"
+#include "engine/registration/general.h"
+#include "engine/registration/point_checks.h"
 #include "engine/registration/revolution_deviation.h"
 #include "engine/registration/sampling.h"
 #include "engine/registration/statistics.h"
+#include "engine/registration/surface_deviation.h"
 #include "engine/registration/surface_samples.h"
 #include "engine/registration/verdict.h"
 
@@ -17,64 +20,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLeastPoints = 50;
 constexpr std::size_t kMeshSamples = 300000;
-constexpr double kLargest_mm = 1e7;        // ten kilometres: beyond it, squares of differences lose micrometres
-constexpr double kLeastOverlap = 50;       // percent of the copy's points near the reference
-
-/// Rejects what no alignment can be found for, before anything divides by its extent.
-void checkPoints(const std::vector<Vector3d>& points, const char* role, const Progress& progress)
-{
-    const auto reject = [&](ErrorCode code, Values values) {
-        values.emplace_back("role", std::string(role));
-        throw Error(code, std::move(values));
-    };
-    if (points.size() < kLeastPoints)
-        reject(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(points.size())},
-                                         {"minimum", static_cast<std::int64_t>(kLeastPoints)}});
-    struct Sums {
-        Vector3d sum = Vector3d::Zero();
-        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-        double worst = 0;
-    };
-    const Vector3d origin = points.front();
-    const Sums sums = parallelReduce(
-        points.size(), 65536, progress, Sums{},
-        [&](std::size_t begin, std::size_t end) {
-            Sums part;
-            for (std::size_t i = begin; i < end; ++i) {
-                const double size = points[i].cwiseAbs().maxCoeff();
-                if (!(size <= part.worst) || !points[i].allFinite())
-                    part.worst = points[i].allFinite() ? size : INFINITY;
-                if (!(size <= kLargest_mm)) break;
-                const Vector3d p = points[i] - origin;
-                part.sum += p;
-                part.squares += p * p.transpose();
-            }
-            return part;
-        },
-        [](Sums all, const Sums& part) {
-            all.sum += part.sum;
-            all.squares += part.squares;
-            all.worst = std::max(all.worst, part.worst);
-            return all;
-        });
-    if (!(sums.worst <= kLargest_mm))
-        reject(ErrorCode::CoordinateTooLarge, {{"found", sums.worst}, {"maximum", kLargest_mm}});
-    const auto n = static_cast<double>(points.size());
-    const Vector3d mean = sums.sum / n;
-    const Eigen::Matrix3d scatter = sums.squares / n - mean * mean.transpose();
-    const Vector3d extent = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter, Eigen::EigenvaluesOnly)
-                                .eigenvalues()
-                                .cwiseMax(0)
-                                .cwiseSqrt();
-    // Rounding of the coordinates themselves must not look like a shape.
-    const double least = std::max(1e-6 * extent[2], 1e-7 * sums.worst);
-    if (extent[2] <= 1e-7 * sums.worst || extent[2] == 0)
-        reject(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
-    if (extent[1] <= least) reject(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
-    if (extent[0] <= least) reject(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in a plane")}});
-}
+constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
+constexpr double kNear_mm = 1;        // default reach, or 10 standard deviations when that is more
 
 /// Points that stand for the surface: the cloud itself, or samples of the mesh.
 struct Surface {
@@ -103,43 +51,138 @@ void faceForward(RevolutionFit& fit)
     if (direction[dominant] < 0) fit = reversed(fit);
 }
 
-void addStatistics(CompareResult& result, const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy,
-                   const LeftOut& left_out, double max_distance_mm, const Progress& progress)
-{
-    std::vector<float> deviations;
-    std::vector<Vector3d> moved;
-    deviations.reserve(copy.size());
-    moved.reserve(copy.size());
-    for (std::size_t i = 0; i < copy.size(); ++i)
-        if (result.used[i]) {
-            deviations.push_back(result.deviation_mm[i]);
-            moved.push_back(result.alignment.reference_T_copy * copy[i]);
-        }
-    DeviationStatistics& s = result.statistics;
-    s = summarise(deviations, progress.part(0, 0.2));
-    s.points_excluded = static_cast<std::int64_t>(copy.size()) - s.points_used;
-    s.overlap_percent = 100 * static_cast<double>(s.points_used) / static_cast<double>(copy.size());
-    const auto in_question = static_cast<double>(static_cast<std::int64_t>(copy.size()) - left_out.zones);
-    const double near_percent = in_question > 0 ? 100 * static_cast<double>(s.points_used) / in_question : 0;
-    if (near_percent < kLeastOverlap) throw Error(ErrorCode::PartsDoNotMatch, {{"overlap_percent", near_percent}});
-    result.histogram = histogramOf(deviations, progress);
+/// What the two parts turned out to be, and what follows for the method.
+struct Plan {
+    CompareMethod method = CompareMethod::Plane;
+    TurnedPart reference;
+    TurnedPart copy;
+    bool reference_turned = false;  ///< the reference is a body of revolution
+};
 
+Note methodNote(const char* method, Text reason, const Plan& plan)
+{
+    Note note{NoteCode::MethodChosen, {{"method", std::string(method)}, {"reason", reason}}};
+    const auto add = [&](const char* name, const RevolutionFit& fit) {
+        if (fit.iterations > 0) note.values.emplace_back(name, 100 * fit.consistent_share);
+    };
+    add("reference_on_one_meridian_percent", plan.reference.fit);
+    add("copy_on_one_meridian_percent", plan.copy.fit);
+    return note;
+}
+
+/// Fits axes where they matter and decides. Error NotABodyOfRevolution when one was asked for.
+Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy, const CompareParameters& asked,
+              Notes& notes, const Progress& progress)
+{
+    Plan plan;
+    const bool is_auto = asked.method == CompareMethod::Auto;
+    const bool forced =
+        asked.method == CompareMethod::Revolution || (is_auto && asked.symmetry == Symmetry::Revolution);
+    if (!is_auto) plan.method = asked.method;
+    if (asked.symmetry == Symmetry::None && !forced) {
+        if (is_auto) notes.push_back(methodNote("plane", LT_TEXT("Engine", "symmetry is not to be used"), plan));
+        return plan;
+    }
+    plan.reference.fit = fitRevolution(reference, progress.part(0, 0.5, LT_TEXT("Engine", "Axis of the reference")));
+    plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
+    if (plan.reference_turned) faceForward(plan.reference.fit);
+    if (!forced && (!is_auto || !plan.reference_turned)) {
+        if (is_auto)
+            notes.push_back(methodNote("plane", LT_TEXT("Engine", "the reference is not a body of revolution"), plan));
+        return plan;
+    }
+    plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
+    const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
+    if (forced && !(plan.reference_turned && copy_turned)) {
+        const RevolutionFit& fit = plan.reference_turned ? plan.copy.fit : plan.reference.fit;
+        throw Error(
+            ErrorCode::NotABodyOfRevolution,
+            {{"role", std::string(plan.reference_turned ? "copy" : "reference")}, {"residual_mm", fit.sigma_mm}});
+    }
+    plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;
+    if (is_auto)
+        notes.push_back(copy_turned
+                            ? methodNote("revolution", LT_TEXT("Engine", "both parts are bodies of revolution"), plan)
+                            : methodNote("plane", LT_TEXT("Engine", "the copy is not a body of revolution"), plan));
+    return plan;
+}
+
+std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose,
+                            const Progress& progress)
+{
+    std::vector<Vector3d> result(points.size());
+    parallelFor(points.size(), 65536, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) result[i] = pose * points[i];
+    });
+    return result;
+}
+
+/// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud.
+void measure(const Scan& reference, const Plan& plan, const MeridianLine* line, const std::vector<Vector3d>& moved_copy,
+             double max_distance_mm, CompareResult& result, const Progress& progress)
+{
+    if (!line || reference.isMesh()) {
+        SurfaceDeviation surface = surfaceDeviation(reference, moved_copy, max_distance_mm, progress);
+        if (surface.has_sign || !line) {
+            result.has_sign = surface.has_sign;
+            result.deviation_mm = std::move(surface.deviation_mm);
+            result.notes.insert(result.notes.end(), surface.notes.begin(), surface.notes.end());
+            return;
+        }
+    }
+    result.deviation_mm = meridianDeviation(plan.reference, *line, moved_copy, max_distance_mm, progress);
+}
+
+std::vector<float> finiteOf(const std::vector<float>& values)
+{
+    std::vector<float> finite;
+    finite.reserve(values.size());
+    for (const float v : values)
+        if (!std::isnan(v)) finite.push_back(v);
+    return finite;
+}
+
+struct LeftOut {
+    std::int64_t far = 0;
+    std::int64_t zones = 0;
+};
+
+/// Statistics, verdict and histogram. Error PartsDoNotMatch when too little of the copy lies near the reference.
+void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm,
+                         const Progress& progress)
+{
+    const std::vector<float> deviations = finiteOf(result.deviation_mm);
+    const auto count = static_cast<double>(result.used.size());
+    const auto in_question = count - static_cast<double>(left_out.zones);
+    const double near_percent = in_question > 0 ? 100 * static_cast<double>(deviations.size()) / in_question : 0;
+    if (near_percent < kLeastOverlap) throw Error(ErrorCode::PartsDoNotMatch, {{"overlap_percent", near_percent}});
+    result.statistics = summarise(deviations, progress);
+    result.statistics.points_excluded = static_cast<std::int64_t>(result.used.size() - deviations.size());
+    result.statistics.overlap_percent = 100 * static_cast<double>(deviations.size()) / count;
+    result.histogram = histogramOf(deviations, progress);
     if (left_out.far > 0)
         result.notes.push_back(
             {NoteCode::OutliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
     if (left_out.zones > 0) result.notes.push_back({NoteCode::ZonesExcluded, {{"count", left_out.zones}}});
     judge(result, result.parameters, progress);
+}
 
-    const std::vector<float> nearest = nearestDistances(
-        reference, moved, max_distance_mm, progress.part(0.3, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
+/// The paper's figure: root mean square distance of the used points to the nearest point of the reference.
+void compareClouds(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& moved_copy,
+                   double max_distance_mm, CompareResult& result, const Progress& progress)
+{
+    std::vector<Vector3d> queries;
+    queries.reserve(moved_copy.size());
+    for (std::size_t i = 0; i < moved_copy.size(); ++i)
+        if (result.used[i]) queries.push_back(moved_copy[i]);
     double squares = 0;
     double found = 0;
-    for (const float distance : nearest)
+    for (const float distance : nearestDistances(reference, queries, max_distance_mm, progress.part(0, 0.9)))
         if (!std::isnan(distance)) {
             squares += static_cast<double>(distance) * distance;
             found += 1;
         }
-    result.cloud_to_cloud_rmse_mm = found > 0 ? std::sqrt(squares / found) : std::numeric_limits<double>::quiet_NaN();
+    if (found > 0) result.cloud_to_cloud_rmse_mm = std::sqrt(squares / found);
     result.sampling_floor_mm = samplingFloor_mm(reference, progress);
 }
 
@@ -151,34 +194,68 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
     const Surface reference_surface = surfaceOf(reference_scan, "reference", progress);
     const Surface copy_surface = surfaceOf(copy_scan, "copy", progress);
+    const std::vector<Vector3d>& reference_points = *reference_surface.points;
 
     CompareResult result;
     result.parameters = parameters;
-    result.method_used = CompareMethod::Revolution;
-    TurnedPart reference, copy;
-    reference.fit =
-        fitRevolution(*reference_surface.points, progress.part(0.02, 0.25, LT_TEXT("Engine", "Axis of the reference")));
-    copy.fit = fitRevolution(*copy_surface.points, progress.part(0.25, 0.48, LT_TEXT("Engine", "Axis of the copy")));
-    for (const auto& [fit, role] : {std::pair{&reference.fit, "reference"}, std::pair{&copy.fit, "copy"}})
-        if (!isBodyOfRevolution(*fit))
-            throw Error(ErrorCode::NotABodyOfRevolution, {{"role", std::string(role)}, {"residual_mm", fit->sigma_mm}});
-    faceForward(reference.fit);
-    ShoulderPair shoulders =
-        findShoulders(*reference_surface.points, reference.fit, *copy_surface.points, copy.fit, progress);
-    reference.shoulders = std::move(shoulders.reference);
-    copy.shoulders = std::move(shoulders.copy);
-    result.alignment = alignRevolution(reference, copy, parameters.initial);
-    result.notes = result.alignment.notes;
+    Plan plan = makePlan(reference_points, *copy_surface.points, parameters, result.notes, progress.part(0.02, 0.4));
+    result.method_used = plan.method;
+    const Progress aligning = progress.part(0.4, 0.5, LT_TEXT("Engine", "Alignment"));
+    if (plan.method == CompareMethod::Revolution) {
+        ShoulderPair shoulders =
+            findShoulders(reference_points, plan.reference.fit, *copy_surface.points, plan.copy.fit, aligning);
+        plan.reference.shoulders = std::move(shoulders.reference);
+        plan.copy.shoulders = std::move(shoulders.copy);
+        result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
+        if (!result.alignment.converged)
+            throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{result.alignment.iterations}}});
+    } else {
+        result.alignment = alignGeneral(reference_scan, copy_scan, plan.method, parameters.initial, aligning);
+        if (plan.reference_turned) {
+            plan.reference.shoulders =
+                findShoulders(reference_points, plan.reference.fit, reference_points, plan.reference.fit, aligning)
+                    .reference;
+            result.alignment.reference_axis = axisOf(plan.reference.fit);
+        }
+    }
+    result.notes.insert(result.notes.end(), result.alignment.notes.begin(), result.alignment.notes.end());
+    const std::size_t notes_before = result.notes.size();
+    if (!plan.reference_turned && !parameters.exclude_z_mm.empty())
+        throw Error(ErrorCode::ValueNotUnderstood,
+                    {{"parameter", std::string("exclude_z_mm")},
+                     {"found", parameters.exclude_z_mm},
+                     {"expected", LT_TEXT("Engine", "a body of revolution, which has an axis")}});
 
-    const Progress measuring = progress.part(0.5, 1, LT_TEXT("Engine", "Deviations"));
-    const double max_distance_mm =
-        parameters.max_distance_mm.value_or(std::max(1.0, 10 * std::max(reference.fit.sigma_mm, copy.fit.sigma_mm)));
-    const MeridianLine line(reference, *reference_surface.points, measuring);
-    const LeftOut left_out =
-        measureRevolution(reference, line, copy_scan.points_mm, max_distance_mm, result, measuring.part(0, 0.3));
-    addStatistics(result, *reference_surface.points, copy_scan.points_mm, left_out, max_distance_mm,
-                  measuring.part(0.3, 1));
-    describeRevolution(reference, line, copy_scan.points_mm, result, measuring);
+    const Progress measuring = progress.part(0.5, 0.75, LT_TEXT("Engine", "Deviations"));
+    const std::vector<Vector3d> moved_copy = moved(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
+    std::optional<MeridianLine> line;
+    if (plan.reference_turned) line.emplace(plan.reference, reference_points, measuring);
+    const double sigma_mm = std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm);
+    double reach_mm = parameters.max_distance_mm.value_or(std::max(kNear_mm, 10 * sigma_mm));
+    const auto remeasure = [&](const Progress& own) {
+        measure(reference_scan, plan, line ? &*line : nullptr, moved_copy, reach_mm, result, own);
+    };
+    remeasure(measuring.part(0, 0.8));
+    if (!line && !parameters.max_distance_mm) {
+        // The scatter of a part of any shape is known only now.
+        const double scatter = summarise(finiteOf(result.deviation_mm), measuring).mad_sigma_mm;
+        if (10 * scatter > reach_mm) {
+            reach_mm = 10 * scatter;
+            result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
+            remeasure(measuring.part(0.8, 1));
+        }
+    }
+    LeftOut left_out;
+    result.used.resize(moved_copy.size());
+    for (std::size_t i = 0; i < moved_copy.size(); ++i) {
+        result.used[i] = std::isnan(result.deviation_mm[i]) ? 0 : 1;
+        left_out.far += result.used[i] ? 0 : 1;
+    }
+    if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
+    summariseDeviations(result, left_out, reach_mm, measuring);
+    if (line) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
+    compareClouds(reference_points, moved_copy, reach_mm, result,
+                  progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
     progress.report(1);
     return result;
 }

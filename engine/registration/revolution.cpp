@@ -281,6 +281,17 @@ Isometry3d withLeastRoll(const Isometry3d& reference_axis, const Isometry3d& cop
 
 }  // namespace
 
+Axis axisOf(const RevolutionFit& fit)
+{
+    Axis axis;
+    axis.direction = fit.axis_T_scan.linear().row(2);
+    axis.point_mm = fit.axis_T_scan.inverse() * Vector3d(0, 0, middleOf(fit.profile));
+    Eigen::Index dominant = 0;
+    axis.direction.cwiseAbs().maxCoeff(&dominant);
+    if (axis.direction[dominant] < 0) axis.direction = -axis.direction;
+    return axis;
+}
+
 Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial)
 {
     const RadiusProfile& ref = reference.fit.profile;
@@ -340,12 +351,7 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
     result.converged = settled && reference.fit.converged && copy.fit.converged;
     result.reference_T_copy = withLeastRoll(reference.fit.axis_T_scan, best->part.fit.axis_T_scan, shift);
 
-    Axis axis;
-    axis.direction = reference.fit.axis_T_scan.linear().row(2);
-    axis.point_mm = reference.fit.axis_T_scan.inverse() * Vector3d(0, 0, middleOf(ref));
-    Eigen::Index dominant = 0;
-    axis.direction.cwiseAbs().maxCoeff(&dominant);
-    if (axis.direction[dominant] < 0) axis.direction = -axis.direction;
+    const Axis axis = axisOf(reference.fit);
     result.reference_axis = axis;
     for (FreeMotion& motion : result.free_motions) {
         motion.direction = axis.direction;

@@ -17,6 +17,9 @@ struct TurnedPart {
     std::vector<Shoulder> shoulders;
 };
 
+/// The axis through the middle of the data, toward the larger coordinate on its dominant axis.
+Axis axisOf(const RevolutionFit& fit);
+
 /// Aligns the copy's axis with the reference's. Both directions are tried (only the nearer one, and shifts of up to a
 /// tenth of the length, with InitialPose::Identity). The shift comes from shoulders and slopes, never from where the
 /// data end; each shoulder or slope counts by its own uncertainty, and slopes that contradict the shoulders (their

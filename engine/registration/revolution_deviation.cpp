@@ -80,52 +80,55 @@ std::vector<Interval> findZones(const TurnedPart& part, const MeridianLine& line
 
 }  // namespace
 
-LeftOut measureRevolution(const TurnedPart& reference, const MeridianLine& line,
-                          const std::vector<Eigen::Vector3d>& copy, double max_distance_mm, CompareResult& result,
-                          const Progress& progress)
+std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
+                                     const std::vector<Eigen::Vector3d>& points, double max_distance_mm,
+                                     const Progress& progress)
 {
-    const Eigen::Isometry3d axis_T_copy = reference.fit.axis_T_scan * result.alignment.reference_T_copy;
-    result.deviation_mm.resize(copy.size());
-    result.used.resize(copy.size());
-    return parallelReduce(
-        copy.size(), grainOf(copy.size()), progress, LeftOut{},
-        [&](std::size_t begin, std::size_t end) {
-            LeftOut part;
-            for (std::size_t i = begin; i < end; ++i) {
-                const Eigen::Vector3d p = axis_T_copy * copy[i];
-                const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
-                const double deviation = line.deviation_mm(p.z(), r, max_distance_mm);
-                result.deviation_mm[i] = static_cast<float>(deviation);
-                bool used = !std::isnan(deviation);
-                part.far += used ? 0 : 1;
-                const double z = p.z() - line.zFirst_mm();
-                for (const Interval& zone : result.parameters.exclude_z_mm)
-                    if (used && z >= zone.from && z <= zone.to) {
-                        used = false;
-                        ++part.zones;
-                    }
-                if (!used) result.deviation_mm[i] = static_cast<float>(kNone);
-                result.used[i] = used ? 1 : 0;
-            }
-            return part;
-        },
-        [](LeftOut all, const LeftOut& part) {
-            return LeftOut{all.far + part.far, all.zones + part.zones};
-        });
+    std::vector<float> deviations(points.size());
+    parallelFor(points.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
+            const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
+            deviations[i] = static_cast<float>(line.deviation_mm(p.z(), r, max_distance_mm));
+        }
+    });
+    return deviations;
 }
 
-void describeRevolution(const TurnedPart& reference, const MeridianLine& line, const std::vector<Eigen::Vector3d>& copy,
-                        CompareResult& result, const Progress& progress)
+std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
+                          const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+{
+    const std::vector<Interval>& zones = result.parameters.exclude_z_mm;
+    if (zones.empty()) return 0;
+    return parallelReduce(
+        points.size(), 65536, progress, std::int64_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::int64_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double z = (reference.fit.axis_T_scan * points[i]).z() - line.zFirst_mm();
+                const bool inside = std::any_of(zones.begin(), zones.end(),
+                                                [&](const Interval& zone) { return z >= zone.from && z <= zone.to; });
+                if (!inside || !result.used[i]) continue;
+                result.used[i] = 0;
+                result.deviation_mm[i] = std::numeric_limits<float>::quiet_NaN();
+                ++count;
+            }
+            return count;
+        },
+        [](std::int64_t all, std::int64_t part) { return all + part; });
+}
+
+void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
+                        const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
 {
     const RadiusProfile& profile = reference.fit.profile;
-    const Eigen::Isometry3d axis_T_copy = reference.fit.axis_T_scan * result.alignment.reference_T_copy;
     const std::vector<Interval> zones = findZones(reference, line);
     double radius = 0;
     for (const double r : profile.radius_mm) radius = std::isnan(r) ? radius : std::max(radius, r);
     const double length = line.zLast_mm() - line.zFirst_mm();
 
     UnrolledMap map;
-    map.angle_count = copy.size() > 100000 ? 120 : 48;
+    map.angle_count = points.size() > 100000 ? 120 : 48;
     const double cell = 2 * kPi * radius / map.angle_count;
     map.z_count = std::clamp(static_cast<int>(length / cell * 2), 10, 400);
     map.z_step_mm = length / map.z_count;
@@ -144,12 +147,12 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line, c
             if (z >= zones[j].from && z < zones[j].to) zone_of[k] = static_cast<int>(j);
     }
     const Part sums = parallelReduce(
-        copy.size(), std::max<std::size_t>(32768, copy.size() / 8), progress, sized(),
+        points.size(), std::max<std::size_t>(32768, points.size() / 8), progress, sized(),
         [&](std::size_t begin, std::size_t end) {
             Part part = sized();
             for (std::size_t i = begin; i < end; ++i) {
                 if (!result.used[i]) continue;
-                const Eigen::Vector3d p = axis_T_copy * copy[i];
+                const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
                 const double v = result.deviation_mm[i];
                 const double place = (p.z() - profile.z_start_mm) / profile.step_mm;
                 if (place >= 0 && place < static_cast<double>(profile.size())) {

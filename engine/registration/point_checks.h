@@ -1,0 +1,15 @@
+// What has to be refused before any alignment is tried.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/core/progress.h"
+
+namespace lathelier {
+
+/// Errors, with `role` ("reference", "copy"): TooFewPoints (fewer than 50), CoordinateTooLarge (beyond 10 km or not
+/// finite), PointsDegenerate (all in one place, on a line or in a plane).
+void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, const Progress& progress = {});
+
+}  // namespace lathelier

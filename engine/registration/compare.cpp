@@ -22,7 +22,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMeshSamples = 300000;
 constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
-constexpr double kNear_mm = 1;        // default reach, or 10 standard deviations when that is more
+constexpr double kNear_mm = 1;        // default reach, or 10 standard deviations when that is more…
+constexpr double kFarthest = 0.02;    // …but no more than this share of the part: a misfit is no noise
 
 /// Points that stand for the surface: the cloud itself, or samples of the mesh.
 struct Surface {
@@ -93,6 +94,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     }
     plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
     const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
+    if (copy_turned) faceForward(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
     if (forced && !(plan.reference_turned && copy_turned)) {
         const RevolutionFit& fit = plan.reference_turned ? plan.copy.fit : plan.reference.fit;
         throw Error(
@@ -115,6 +117,17 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Is
         for (std::size_t i = begin; i < end; ++i) result[i] = pose * points[i];
     });
     return result;
+}
+
+double extentOf(const std::vector<Vector3d>& points)
+{
+    Vector3d low = points.front();
+    Vector3d high = low;
+    for (const Vector3d& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    return (high - low).norm();
 }
 
 /// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud.
@@ -140,6 +153,11 @@ std::vector<float> finiteOf(const std::vector<float>& values)
     for (const float v : values)
         if (!std::isnan(v)) finite.push_back(v);
     return finite;
+}
+
+double scatterOf(const std::vector<float>& values)
+{
+    return values.empty() ? 0 : summarise(values).mad_sigma_mm;
 }
 
 struct LeftOut {
@@ -230,17 +248,21 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     const std::vector<Vector3d> moved_copy = moved(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
     std::optional<MeridianLine> line;
     if (plan.reference_turned) line.emplace(plan.reference, reference_points, measuring);
-    const double sigma_mm = std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm);
-    double reach_mm = parameters.max_distance_mm.value_or(std::max(kNear_mm, 10 * sigma_mm));
+    const double farthest_mm = std::max(kNear_mm, kFarthest * extentOf(reference_points));
+    const auto reachFor = [&](double sigma_mm) { return std::clamp(10 * sigma_mm, kNear_mm, farthest_mm); };
+    double reach_mm = parameters.max_distance_mm.value_or(
+        plan.method == CompareMethod::Revolution
+            ? reachFor(std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm))
+            : kNear_mm);
     const auto remeasure = [&](const Progress& own) {
         measure(reference_scan, plan, line ? &*line : nullptr, moved_copy, reach_mm, result, own);
     };
     remeasure(measuring.part(0, 0.8));
-    if (!line && !parameters.max_distance_mm) {
+    if (plan.method != CompareMethod::Revolution && !parameters.max_distance_mm) {
         // The scatter of a part of any shape is known only now.
-        const double scatter = summarise(finiteOf(result.deviation_mm), measuring).mad_sigma_mm;
-        if (10 * scatter > reach_mm) {
-            reach_mm = 10 * scatter;
+        const double scatter = scatterOf(finiteOf(result.deviation_mm));
+        if (reachFor(scatter) > reach_mm) {
+            reach_mm = reachFor(scatter);
             result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
             remeasure(measuring.part(0.8, 1));
         }

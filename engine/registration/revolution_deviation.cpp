@@ -12,11 +12,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = std::numbers::pi;
 
-std::size_t grainOf(std::size_t count)
-{
-    return std::max<std::size_t>(16384, count / 24);
-}
-
 struct Sums {
     double n = 0;
     double sum = 0;
@@ -98,8 +93,12 @@ std::vector<float> meridianDeviation(const TurnedPart& reference, const Meridian
 std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
                           const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
 {
-    const std::vector<Interval>& zones = result.parameters.exclude_z_mm;
+    std::vector<Interval> zones = result.parameters.exclude_z_mm;
     if (zones.empty()) return 0;
+    for (Interval& zone : zones) {  // a zone that begins or ends with the part takes what the noise puts beyond it
+        if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
+        if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
+    }
     return parallelReduce(
         points.size(), 65536, progress, std::int64_t{0},
         [&](std::size_t begin, std::size_t end) {

@@ -96,12 +96,12 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
     const RadiusProfile& profile = fit.profile;
     const double fine = profile.step_mm / 8;
     std::vector<std::int16_t> edge_at(profile.size() * 8, -1);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        for (double z = edges[e].from_mm; z < edges[e].to_mm; z += fine) {
-            const double place = (z - profile.z_start_mm) / fine;
-            if (place >= 0 && place < static_cast<double>(edge_at.size()))
-                edge_at[static_cast<std::size_t>(place)] = static_cast<std::int16_t>(e);
-        }
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto index = [&](double z) { return std::lround((z - profile.z_start_mm) / fine); };
+        const long last = std::min(index(edges[e].to_mm), static_cast<long>(edge_at.size()));
+        for (long k = std::max(0L, index(edges[e].from_mm)); k < last; ++k)
+            edge_at[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(e);
+    }
     using Found = std::vector<std::vector<EdgePoint>>;
     const double reach = 6 * fit.sigma_mm;
     return parallelReduce(

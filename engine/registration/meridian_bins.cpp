@@ -146,7 +146,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     const auto z_of = [&](std::size_t i) { return points[i].z; };
     const auto r_of = [&](std::size_t i) { return points[i].r; };
     const double least = std::max(4.0, 0.15 * typical);
-    const double floor = 1e-7 * extent;
+    const double floor = 1e-5 * extent;  // exact meshes: no surface is worth more than this
     result.sigma_mm =
         std::max(floor, fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least));
 

@@ -150,12 +150,12 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
         step.hessian -= bin.jacobian * bin.jacobian.transpose() / bin.weight;
         gradient -= bin.jacobian * (bin.error / bin.weight);
     }
-    // Undetermined when one combination is a million times weaker than the rest, in units of the part's own size.
+    // Only what is singular is given up here: on the way, an exact face may outweigh a rough side by ten decades.
     const double arm = bins.size_mm;
     const Vector4d unit(1, 1, 1 / arm, 1 / arm);
     const Matrix4d scaled = unit.asDiagonal() * step.hessian * unit.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(scaled);
-    step.determined = eigen.eigenvalues()[0] > 1e-6 * eigen.eigenvalues()[3] && eigen.eigenvalues()[3] > 0;
+    step.determined = eigen.eigenvalues()[0] > 1e-13 * eigen.eigenvalues()[3] && eigen.eigenvalues()[3] > 0;
     if (!step.determined) return step;
     step.change = -(unit.asDiagonal() * scaled.ldlt().solve(unit.asDiagonal() * gradient));
     step.determined = step.change.allFinite();
@@ -302,7 +302,8 @@ RevolutionFit reversed(const RevolutionFit& fit)
 
 bool isBodyOfRevolution(const RevolutionFit& fit)
 {
-    return fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03;
+    const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));  // a sphere has no axis
+    return fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03 && tilt < 0.01;
 }
 
 }  // namespace lathelier

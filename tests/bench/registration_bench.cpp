@@ -1,0 +1,102 @@
+// Axis fit, shoulders, deviation and the whole comparison of two full scans of the shaft (732 000 points each).
+#include <benchmark/benchmark.h>
+
+#include "engine/project/sample.h"
+#include "engine/registration/compare.h"
+#include "engine/registration/meridian_line.h"
+#include "engine/registration/revolution_deviation.h"
+#include "engine/registration/statistics.h"
+
+namespace lathelier {
+namespace {
+
+struct Scans {
+    Scan reference;
+    Scan copy;
+    TurnedPart reference_part;
+    TurnedPart copy_part;
+};
+
+const Scans& scans()
+{
+    static const Scans all = [] {
+        Scans s;
+        ScannerModel scanner;
+        s.reference = scanShaft(nominalShaft(), scanner);
+        scanner.seed = 2;
+        scanner.scan_T_part = Eigen::Translation3d(1, 1.2, 1) * Eigen::AngleAxisd(0.026, Eigen::Vector3d::UnitY());
+        scanner.frame_T_scan = Eigen::Translation3d(9, -9, 9) * Eigen::AngleAxisd(0.17, Eigen::Vector3d::UnitX());
+        s.copy = scanShaft(copiedShaft(), scanner);
+        s.reference_part.fit = fitRevolution(s.reference.points_mm);
+        s.copy_part.fit = fitRevolution(s.copy.points_mm);
+        return s;
+    }();
+    return all;
+}
+
+void axisFit(benchmark::State& state)
+{
+    const Scans& s = scans();
+    for (auto _ : state) benchmark::DoNotOptimize(fitRevolution(s.copy.points_mm));
+}
+
+void shoulders(benchmark::State& state)
+{
+    const Scans& s = scans();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            findShoulders(s.reference.points_mm, s.reference_part.fit, s.copy.points_mm, s.copy_part.fit));
+}
+
+void registration(benchmark::State& state)
+{
+    const Scans& s = scans();
+    for (auto _ : state) {
+        TurnedPart reference{fitRevolution(s.reference.points_mm), {}};
+        TurnedPart copy{fitRevolution(s.copy.points_mm), {}};
+        ShoulderPair pair = findShoulders(s.reference.points_mm, reference.fit, s.copy.points_mm, copy.fit);
+        reference.shoulders = std::move(pair.reference);
+        copy.shoulders = std::move(pair.copy);
+        benchmark::DoNotOptimize(alignRevolution(reference, copy, InitialPose::Auto));
+    }
+}
+
+void deviation(benchmark::State& state)
+{
+    const Scans& s = scans();
+    for (auto _ : state) {
+        const MeridianLine line(s.reference_part, s.reference.points_mm);
+        const std::vector<float> found = meridianDeviation(s.reference_part, line, s.reference.points_mm, 1);
+        benchmark::DoNotOptimize(found.data());
+    }
+}
+
+void statistics(benchmark::State& state)
+{
+    const Scans& s = scans();
+    const MeridianLine line(s.reference_part, s.reference.points_mm);
+    std::vector<float> values = meridianDeviation(s.reference_part, line, s.reference.points_mm, 1);
+    std::erase_if(values, [](float v) { return v != v; });
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(summarise(values));
+        benchmark::DoNotOptimize(histogramOf(values));
+    }
+}
+
+void wholeComparison(benchmark::State& state)
+{
+    const Scans& s = scans();
+    for (auto _ : state) benchmark::DoNotOptimize(compare(s.reference, s.copy));
+}
+
+BENCHMARK(axisFit)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shoulders)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(registration)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(deviation)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(statistics)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(wholeComparison)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace lathelier
+
+BENCHMARK_MAIN();

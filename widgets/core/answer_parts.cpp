@@ -20,16 +20,35 @@ QFont scaled(const QFont& font, double factor)
     return result;
 }
 
+/// As high as its lines: a layout in need of room must not cut them.
+void keepLines(QLabel* label)
+{
+    label->setMinimumHeight(label->text().isEmpty() ? 0 : label->heightForWidth(label->width()));
+}
+
+class WrappingLabel : public QLabel {
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QLabel::resizeEvent(event);
+        keepLines(this);
+    }
+};
+
+void say(QLabel* label, const QString& text)
+{
+    label->setText(text);
+    keepLines(label);
+}
+
 QLabel* wrappingLabel(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new WrappingLabel;
     label->setObjectName(name);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return label;
 }
-
-constexpr std::size_t alwaysSeen = 2;
 
 /// Files by their names: the folders stand in the tooltips of the inputs and in the report.
 QString shortText(Note note)
@@ -56,7 +75,7 @@ HeadlineLabel::HeadlineLabel(QWidget* parent) : QWidget(parent), text_(wrappingL
 
 void HeadlineLabel::setHeadline(const Headline& headline)
 {
-    text_->setText(QString::fromStdString(headline.text));
+    say(text_, QString::fromStdString(headline.text));
     verdict_->setVisible(headline.verdict.has_value());
     verdict_->clear();
     if (headline.verdict) {
@@ -72,7 +91,7 @@ void HeadlineLabel::setHeadline(const Headline& headline)
 
 void HeadlineLabel::clear()
 {
-    text_->clear();
+    say(text_, {});
     verdict_->clear();
     verdict_->hide();
 }
@@ -82,18 +101,13 @@ QString HeadlineLabel::text() const
     return verdict_->text().isEmpty() ? text_->text() : text_->text() + " " + verdict_->text();
 }
 
-void HeadlineLabel::setPresenting(bool presenting)
-{
-    presenting_ = presenting;
-    applyFonts();
-}
-
 void HeadlineLabel::applyFonts()
 {
-    QFont large = scaled(font(), presenting_ ? 1.9 : 1.65);
+    QFont large = scaled(font(), 1.65);
     large.setWeight(QFont::DemiBold);
     text_->setFont(large);
-    verdict_->setFont(scaled(font(), presenting_ ? 1.5 : 1.25));
+    keepLines(text_);
+    verdict_->setFont(scaled(font(), 1.25));
 }
 
 void HeadlineLabel::changeEvent(QEvent* event)
@@ -123,8 +137,15 @@ void NotesLabel::setNotes(const Notes& notes)
     refresh();
 }
 
+void NotesLabel::setPresenting(bool presenting)
+{
+    presenting_ = presenting;
+    refresh();
+}
+
 void NotesLabel::refresh()
 {
+    const std::size_t alwaysSeen = presenting_ ? 1 : 2;
     const bool foldable = notes_.size() > alwaysSeen;
     const std::size_t seen = foldable && !fold_->isChecked() ? alwaysSeen : notes_.size();
     QStringList lines;
@@ -132,7 +153,7 @@ void NotesLabel::refresh()
         const bool warning = severity(notes_[i].code) == Severity::Warning;
         lines << (warning ? QStringLiteral("⚠ ") : QStringLiteral("· ")) + shortText(notes_[i]);
     }
-    text_->setText(lines.join('\n'));
+    say(text_, lines.join('\n'));
     fold_->setVisible(foldable);
     fold_->setText(fold_->isChecked() ? tr("Fewer notes") : tr("%1 more").arg(notes_.size() - alwaysSeen));
     setVisible(!notes_.empty());
@@ -174,7 +195,7 @@ void MessageLine::show(const QString& name, const QString& text)
 {
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this);
     symbol_->setPixmap(icon(name).pixmap(size, size));
-    text_->setText(text);
+    say(text_, text);
     setAccessibleName(text);
     setVisible(true);
 }

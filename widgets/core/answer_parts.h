@@ -18,7 +18,6 @@ public:
     explicit HeadlineLabel(QWidget* parent = nullptr);
     void setHeadline(const Headline& headline);
     void clear();
-    void setPresenting(bool presenting);
     QString text() const;  ///< with the verdict's word
 
 protected:
@@ -29,7 +28,6 @@ private:
 
     QLabel* text_;
     QLabel* verdict_;
-    bool presenting_ = false;
 };
 
 /// The notes of a result, warnings first; the first two are always seen, the rest unfolds.
@@ -38,6 +36,7 @@ class NotesLabel : public QWidget {
 public:
     explicit NotesLabel(QWidget* parent = nullptr);
     void setNotes(const Notes& notes);
+    void setPresenting(bool presenting);  ///< only the first one is seen, to leave room for the views
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,6 +47,7 @@ private:
     QLabel* text_;
     QToolButton* fold_;
     Notes notes_;
+    bool presenting_ = false;
 };
 
 /// What happened, where, and what to do; stays until the next answer.

@@ -279,7 +279,7 @@ std::optional<Document> PanelBase::reportDocument() const
 
 void PanelBase::setPresenting(bool presenting)
 {
-    headline_->setPresenting(presenting);
+    notes_->setPresenting(presenting);
 }
 
 void PanelBase::fillExportMenu()

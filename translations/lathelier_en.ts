@@ -1343,6 +1343,34 @@
         <source>Unrolled surface: form of the deviation</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{count} poses fit equally well; the one with the smallest rotation was chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>symmetry is not to be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is not a body of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both parts are bodies of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the copy is not a body of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a body of revolution, which has an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on one line</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

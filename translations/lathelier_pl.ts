@@ -1343,6 +1343,34 @@
         <source>Unrolled surface: form of the deviation</source>
         <translation>Rozwinięcie powierzchni: kształt odchyłki</translation>
     </message>
+    <message>
+        <source>{count} poses fit equally well; the one with the smallest rotation was chosen.</source>
+        <translation>Równie dobrze pasuje kilka położeń (liczba: {count}); wybrano to o najmniejszym obrocie.</translation>
+    </message>
+    <message>
+        <source>symmetry is not to be used</source>
+        <translation>symetrii nie należy używać</translation>
+    </message>
+    <message>
+        <source>the reference is not a body of revolution</source>
+        <translation>oryginał nie jest bryłą obrotową</translation>
+    </message>
+    <message>
+        <source>both parts are bodies of revolution</source>
+        <translation>obie części są bryłami obrotowymi</translation>
+    </message>
+    <message>
+        <source>the copy is not a body of revolution</source>
+        <translation>kopia nie jest bryłą obrotową</translation>
+    </message>
+    <message>
+        <source>a body of revolution, which has an axis</source>
+        <translation>bryła obrotowa, która ma oś</translation>
+    </message>
+    <message>
+        <source>on one line</source>
+        <translation>na jednej prostej</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -53,6 +53,7 @@ CopyTable::CopyTable(QWidget* parent) : QTableWidget(parent)
     setWordWrap(false);
     setFrameShape(QFrame::NoFrame);
     horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 QString CopyTable::text(bool selectedOnly) const

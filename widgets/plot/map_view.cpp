@@ -137,7 +137,7 @@ void MapView::setColours(const DeviationColours& colours)
     content_->edit->setLimit(colours.limit_mm);
     recolour();
     placeEdit();
-    plot().replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void MapView::recolour()

@@ -54,7 +54,6 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     plot_->axisRect()->setupFullAxesBox();
     plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
     plot_->legend->setBorderPen(Qt::NoPen);
-    plot_->legend->setIconSize(22, 12);
     plot_->legend->setIconTextPadding(4);
     plot_->legend->setColumnSpacing(6);
     plot_->legend->setMargins(QMargins(6, 0, 6, 2));
@@ -110,19 +109,32 @@ void PlotCanvas::refresh(bool keepView)
         fitRanges();
     }
     restyle(palette());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
+}
+
+void PlotCanvas::redraw()
+{
+    // A hidden plot has nothing to paint on; it is drawn when it is shown.
+    if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotCanvas::drawOverlay()
 {
-    plot_->layer("overlay")->replot();
+    if (isVisible() && !plot_->size().isEmpty()) plot_->layer("overlay")->replot();
+}
+
+void PlotCanvas::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    fitTexts();
+    redraw();
 }
 
 void PlotCanvas::resetView()
 {
     parts_->viewChosen = false;
     fitRanges();
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 QRectF PlotCanvas::visibleRange() const
@@ -169,6 +181,8 @@ void PlotCanvas::restyle(const QPalette& palette)
     for (QCPItemStraightLine* line : {parts_->vertical, parts_->horizontal})
         line->setPen(QPen(style_.text, 1, Qt::DotLine));
     plot_->legend->setFont(font());
+    const int line = QFontMetrics(font()).height();
+    plot_->legend->setIconSize(3 * line / 2, 3 * line / 4);
     plot_->legend->setTextColor(style_.text);
     plot_->legend->setBrush(style_.background);
     fitTexts();
@@ -201,7 +215,7 @@ void PlotCanvas::changeEvent(QEvent* event)
         case QEvent::StyleChange:
         case QEvent::LocaleChange:
             restyle(palette());
-            plot_->replot(QCustomPlot::rpQueuedReplot);
+            redraw();
             break;
         default: break;
     }
@@ -211,6 +225,7 @@ void PlotCanvas::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     fitTexts();
+    redraw();  // the plot itself was resized before this event, with the old texts
 }
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
@@ -342,7 +357,7 @@ QImage PlotCanvas::picture(double scale)
     restyle(paperPalette());
     const QImage image = plot_->toPixmap(width(), height(), scale).toImage();
     restyle(palette());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
     return image;
 }
 
@@ -369,7 +384,7 @@ bool PlotCanvas::savePicture(const QString& path)
         }
     }
     restyle(palette());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
     return done;
 }
 

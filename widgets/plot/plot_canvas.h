@@ -53,6 +53,7 @@ protected:
     void leaveRoomInTitle(int pixels);  ///< at its right end
     /// Redraws; `keepView` leaves the ranges when the user has chosen them.
     void refresh(bool keepView);
+    void redraw();  ///< soon, if it is visible
     void drawOverlay();
 
     virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
@@ -66,6 +67,7 @@ protected:
 
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -172,7 +172,7 @@ void PlotView::setLimitValues(const std::vector<double>& values)
     for (std::size_t i = 0; i < std::min(values.size(), content_->data.limits.size()); ++i)
         content_->data.limits[i].value = values[i];
     placeLimits();
-    plot().replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void PlotView::applyStyle()
@@ -328,7 +328,7 @@ void PlotView::continueDrag(double x, double y)
     PlotLimit& limit = content_->data.limits[static_cast<std::size_t>(*content_->dragged)];
     limit.value = limit.orientation == Qt::Vertical ? x : y;
     placeLimits();
-    plot().replot(QCustomPlot::rpQueuedReplot);
+    redraw();
     emit limitMoved(*content_->dragged, limit.value);
 }
 

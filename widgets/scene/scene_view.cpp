@@ -313,6 +313,9 @@ void SceneView::setColours(const DeviationColours& colours)
     p.legend->setColours(colours);
     for (std::size_t i = 0; i < p.actors.size(); ++i)
         if (p.objects[i].values) p.actors[i]->update(p.objects[i], colours, p.axis);
+    // The answer at once with the thinned set, the full one when nothing more comes.
+    startMoving();
+    p.rest.start();
     render();
 }
 
@@ -463,7 +466,7 @@ void SceneView::layOver()
     p.ruler->setCamera(p.camera(), room.height());
     if (p.marked && !p.label->text().isEmpty()) {
         p.label->adjustSize();
-        p.label->move(8, 8);
+        p.label->move(room.width() - p.label->width() - 8, 8);  // the standard oblique view leaves this corner free
     }
     const auto place = p.marked ? pixelAt(*p.marked) : std::nullopt;
     p.cross->setVisible(place.has_value());

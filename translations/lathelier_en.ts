@@ -1755,10 +1755,6 @@ Free software under the GNU General Public License, version 3 or later. It works
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%L1 rows skipped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>⚠ This file could not be read.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1784,6 +1780,10 @@ Free software under the GNU General Public License, version 3 or later. It works
     </message>
     <message>
         <source>text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows skipped: %L1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

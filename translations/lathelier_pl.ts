@@ -1757,10 +1757,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>przecinek dziesiętny</translation>
     </message>
     <message>
-        <source>%L1 rows skipped</source>
-        <translation>pominięte wiersze: %L1</translation>
-    </message>
-    <message>
         <source>⚠ This file could not be read.</source>
         <translation>⚠ Nie udało się odczytać tego pliku.</translation>
     </message>
@@ -1787,6 +1783,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>text</source>
         <translation>tekstowy</translation>
+    </message>
+    <message>
+        <source>rows skipped: %L1</source>
+        <translation>pominięte wiersze: %L1</translation>
     </message>
 </context>
 <context>

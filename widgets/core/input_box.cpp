@@ -115,7 +115,7 @@ QString InputBox::understoodText() const
     else
         parts << tr("unit %1").arg(unit);
     if (facts.decimal == "comma") parts << tr("decimal comma");
-    if (!facts.skipped.empty()) parts << tr("%L1 rows skipped").arg(facts.skipped.size());
+    if (!facts.skipped.empty()) parts << tr("rows skipped: %L1").arg(facts.skipped.size());
     return parts.join(QStringLiteral(" · "));
 }
 

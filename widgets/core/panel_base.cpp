@@ -206,7 +206,8 @@ void PanelBase::updateStack()
     const bool begun = !state_.inputs.empty() && !missing.isEmpty();
     empty_->setInvitation(screenText(inputs_.invitation),
                           begun ? tr("Still missing: %1").arg(missing.join(", ")) : QString());
-    stack_->setCurrentWidget(hasResult() || missing.isEmpty() ? viewsPage_ : static_cast<QWidget*>(empty_));
+    stack_->setCurrentWidget(hasResult() || (missing.isEmpty() && isBusy()) ? viewsPage_
+                                                                            : static_cast<QWidget*>(empty_));
     progress_->setResultThere(isCurrent());
     shade_->setVisible(!isCurrent());
     showAnswer();

@@ -9,12 +9,15 @@
 namespace lathelier::cli {
 namespace {
 
-sigset_t stopSignals()
+constexpr int wakeSignal = SIGUSR1;  ///< ends the waiting; it stops nothing
+
+sigset_t awaitedSignals()
 {
     sigset_t set;
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
+    sigaddset(&set, wakeSignal);
     return set;
 }
 
@@ -22,7 +25,7 @@ sigset_t stopSignals()
 
 Interruption::Interruption()
 {
-    const sigset_t set = stopSignals();
+    const sigset_t set = awaitedSignals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     waiter_ = std::thread([this] { wait(); });
 }
@@ -30,16 +33,16 @@ Interruption::Interruption()
 Interruption::~Interruption()
 {
     done_ = true;
-    pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes sigwait
+    pthread_kill(waiter_.native_handle(), wakeSignal);
     waiter_.join();
 }
 
 void Interruption::wait()
 {
-    const sigset_t set = stopSignals();
+    const sigset_t set = awaitedSignals();
     while (!done_) {
         int signal = 0;
-        if (sigwait(&set, &signal) != 0 || done_) continue;
+        if (sigwait(&set, &signal) != 0 || signal == wakeSignal) continue;
         if (source_.stop_requested()) _exit(exitCancelled);
         source_.request_stop();
     }

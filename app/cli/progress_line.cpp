@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t pause_ms = 100;
 
-std::int64_t now_ms()
+std::int64_t clockTime()
 {
     using namespace std::chrono;
     return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
@@ -29,7 +29,7 @@ ProgressLine::~ProgressLine()
 void ProgressLine::show(double fraction, Text stage)
 {
     if (!enabled_) return;
-    const std::int64_t now = now_ms();
+    const std::int64_t now = clockTime();
     std::int64_t due = next_ms_.load();
     if (now < due || !next_ms_.compare_exchange_strong(due, now + pause_ms)) return;
     const std::lock_guard lock(mutex_);

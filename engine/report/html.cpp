@@ -64,7 +64,11 @@ public:
             const std::size_t end = (part + 1) * table.rows.size() / parts;
             std::string rows;
             for (std::size_t i = begin; i < end; ++i) rows += row(table, table.rows[i]);
-            pieces += "<table class=\"rows\">" + head + "<tbody>\n" + rows + "</tbody></table>\n";
+            pieces.append("<table class=\"rows\">")
+                .append(head)
+                .append("<tbody>\n")
+                .append(rows)
+                .append("</tbody></table>\n");
         }
         return "<div class=\"table\">" + element("h3", caption(table.title)) + "<div class=\"grid\">" + pieces +
                "</div></div>\n";

@@ -39,6 +39,7 @@ std::vector<Rgb> paletteOf(const ColourMap& map)
 {
     const DeviationColours colour{map.limit, map.tolerance};
     std::vector<Rgb> result;
+    result.reserve(256);
     for (int level = 0; level < levels; ++level) result.push_back(colour(levelValue(map, level)));
     result.push_back({255, 255, 255});
     return result;
@@ -101,7 +102,7 @@ void drawScale(Svg& svg, const PlotFrame& frame, const ColourMap& map, const std
     for (const double value : ticks.values) {
         svg.line(left + width, scale.toY(value), left + width + 4, scale.toY(value), "#7b8794");
         std::string label = tickLabel(value, ticks, language);
-        if (value > 0) label = "+" + label;
+        if (value > 0) label.insert(0, 1, '+');
         svg.text(left + width + 7, scale.toY(value) + 4, Svg::Anchor::Start, tickSize, label);
     }
     svg.text(sheetWidth - 4, frame.top - 10, Svg::Anchor::End, tickSize, title);

@@ -37,6 +37,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     plot_->setFocusProxy(this);
     plot_->setMouseTracking(true);
+    plot_->setMinimumSize(40, 30);  // it cannot paint on nothing
     plot_->installEventFilter(this);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
     plot_->setPlottingHint(QCP::phFastPolylines);

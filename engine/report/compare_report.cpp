@@ -22,7 +22,7 @@ Text methodName(CompareMethod method)
     return LT_TEXT("Engine", "automatic");
 }
 
-/// A number of which a sign is expected; "–" where the deviations have none.
+/// A number of which a sign is expected; not given where the deviations have none.
 Value signedValue(double value, bool has_sign)
 {
     return has_sign ? Value(value) : Value();
@@ -46,17 +46,20 @@ QuantityTable statisticsTable(const CompareResult& result)
 {
     const DeviationStatistics& s = result.statistics;
     const bool sign = result.has_sign;
-    return {LT_TEXT("Engine", "Deviation of the copy from the original's surface"),
-            {{LT_TEXT("Engine", "Root mean square"), s.rmse_mm, mm, 4},
-             {LT_TEXT("Engine", "Mean"), signedValue(s.mean_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "Standard deviation"), signedValue(s.std_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "Robust standard deviation (MAD)"), signedValue(s.mad_sigma_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "Median"), signedValue(s.median_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "Smallest"), signedValue(s.min_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "Largest"), signedValue(s.max_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "95 % of the points lie between"), signedValue(s.p2_5_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "… and"), signedValue(s.p97_5_mm, sign), mm, 4},
-             {LT_TEXT("Engine", "95 % of the sizes lie below"), s.p95_abs_mm, mm, 4}}};
+    QuantityTable table{
+        LT_TEXT("Engine", "Deviation of the copy from the original's surface"),
+        {{LT_TEXT("Engine", "Root mean square"), s.rmse_mm, mm, 4},
+         {LT_TEXT("Engine", "Mean"), signedValue(s.mean_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Standard deviation"), signedValue(s.std_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Robust standard deviation (MAD)"), signedValue(s.mad_sigma_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Median"), signedValue(s.median_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Smallest"), signedValue(s.min_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Largest"), signedValue(s.max_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "95 % of the points lie between"), signedValue(s.p2_5_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "… and"), signedValue(s.p97_5_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "95 % of the sizes lie below"), s.p95_abs_mm, mm, 4}}};
+    std::erase_if(table.rows, [](const Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
+    return table;
 }
 
 QuantityTable verdictTable(const CompareResult& result)

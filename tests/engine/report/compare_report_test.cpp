@@ -31,6 +31,8 @@ TEST(CompareReport, WithoutASignNoSignedNumberIsSaid)
     EXPECT_EQ(headline(result).text.find("mean"), std::string::npos);
     const std::string html = toHtml(compareReport(result, {}));
     EXPECT_EQ(html.find("0.0092"), std::string::npos);
+    EXPECT_EQ(html.find("Median"), std::string::npos);
+    EXPECT_NE(html.find("Root mean square"), std::string::npos);
     EXPECT_NE(html.find("without a sign"), std::string::npos);
 }
 

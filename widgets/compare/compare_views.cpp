@@ -1,26 +1,14 @@
 #include "widgets/compare/compare_views.h"
 
 #include <QBuffer>
-#include <QButtonGroup>
-#include <QCheckBox>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QSplitter>
-#include <QTabWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/report/compare_plots.h"
 #include "widgets/compare/compare_charts.h"
-#include "widgets/compare/compare_tables.h"
+#include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
-#include "widgets/plot/map_view.h"
-#include "widgets/plot/plot_view.h"
-#include "widgets/scene/scene_view.h"
 
 namespace lathelier {
 namespace {
@@ -28,19 +16,6 @@ namespace {
 // The paper's Figure 19 shows the original blue and the copy red.
 const QColor originalBlue(31, 119, 180);
 const QColor copyRed(214, 39, 40);
-
-enum View { All, Space, Map, Profile, Distribution, Zones, Numbers, viewCount };
-
-QToolButton* choice(QButtonGroup* group, int id, QHBoxLayout* row, const char* name)
-{
-    auto* button = new QToolButton;
-    button->setObjectName(name);
-    button->setCheckable(true);
-    button->setAutoRaise(true);
-    group->addButton(button, id);
-    row->addWidget(button);
-    return button;
-}
 
 std::string pngOf(const QImage& image)
 {
@@ -52,37 +27,6 @@ std::string pngOf(const QImage& image)
 }
 
 }  // namespace
-
-struct CompareViews::Parts {
-    std::shared_ptr<const ComparePicture> picture;
-    std::optional<ComparePlace> place;
-    std::optional<double> chosenLimit;
-    std::optional<double> chosenFactor;
-
-    SceneView* scene = nullptr;
-    MapView* map = nullptr;
-    PlotView* meridian = nullptr;
-    PlotView* histogram = nullptr;
-    ZoneTable* zones = nullptr;
-    StatisticsTable* numbers = nullptr;
-    QTabWidget* tabs = nullptr;
-    QSplitter* rows = nullptr;
-    QSplitter* upper = nullptr;
-    QSplitter* lower = nullptr;
-
-    std::array<QToolButton*, viewCount> views{};
-    QButtonGroup* viewGroup = nullptr;
-    QToolButton* overlay = nullptr;
-    QToolButton* deviation = nullptr;
-    QCheckBox* smooth = nullptr;
-    QLabel* factorLabel = nullptr;
-    QDoubleSpinBox* factor = nullptr;
-    QLabel* synthetic = nullptr;
-
-    const CompareResult& result() const { return *picture->result; }
-    bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
-    std::optional<double> tolerance() const { return picture ? result().parameters.tolerance_mm : std::nullopt; }
-};
 
 CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>())
 {
@@ -161,83 +105,6 @@ double CompareViews::limit_mm() const
 {
     if (parts_->chosenLimit) return *parts_->chosenLimit;
     return parts_->picture ? colourLimit_mm(parts_->result()) : 1;
-}
-
-void CompareViews::buildBar()
-{
-    Parts& p = *parts_;
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2);
-    static_cast<QVBoxLayout*>(layout())->addLayout(row);
-    p.viewGroup = new QButtonGroup(this);
-    static constexpr std::array<const char*, viewCount> names{
-        "viewAll", "viewSpace", "viewMap", "viewMeridian", "viewDistribution", "viewZones", "viewNumbers"};
-    for (int id = 0; id < viewCount; ++id)
-        p.views[static_cast<std::size_t>(id)] = choice(p.viewGroup, id, row, names[static_cast<std::size_t>(id)]);
-    p.views[All]->setChecked(true);
-    connect(p.viewGroup, &QButtonGroup::idClicked, this, [this] { arrange(); });
-
-    row->addSpacing(12);
-    auto* surface = new QButtonGroup(this);
-    p.overlay = choice(surface, 0, row, "overlay");
-    p.deviation = choice(surface, 1, row, "deviation");
-    p.deviation->setChecked(true);
-    p.smooth = new QCheckBox;
-    p.smooth->setObjectName("localMean");
-    row->addWidget(p.smooth);
-    connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
-    connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
-
-    row->addSpacing(12);
-    p.factorLabel = new QLabel;
-    p.factor = new QDoubleSpinBox;
-    p.factor->setObjectName("magnification");
-    p.factor->setRange(1, 100000);
-    p.factor->setDecimals(0);
-    p.factor->setKeyboardTracking(false);
-    p.factor->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    p.factorLabel->setBuddy(p.factor);
-    row->addWidget(p.factorLabel);
-    row->addWidget(p.factor);
-    connect(p.factor, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double factor) {
-        parts_->chosenFactor = factor;
-        if (parts_->hasAxis()) parts_->meridian->setData(compareMeridian(parts_->result(), factor));
-    });
-    row->addStretch(1);
-    p.synthetic = new QLabel;
-    p.synthetic->setObjectName("synthetic");
-    p.synthetic->setFrameShape(QFrame::Box);
-    p.synthetic->setMargin(2);
-    row->addWidget(p.synthetic);
-}
-
-void CompareViews::arrange()
-{
-    Parts& p = *parts_;
-    const bool axis = !p.picture || p.hasAxis();
-    for (const View view : {Map, Profile, Zones}) p.views[view]->setVisible(axis);
-    int shown = p.viewGroup->checkedId();
-    if (!axis && (shown == Map || shown == Profile || shown == Zones)) {
-        p.views[All]->setChecked(true);
-        shown = All;
-    }
-    const bool all = shown == All;
-    p.tabs->clear();
-    p.tabs->addTab(p.histogram, p.views[Distribution]->text());
-    if (axis) p.tabs->addTab(p.zones, p.views[Zones]->text());
-    p.tabs->addTab(p.numbers, p.views[Numbers]->text());
-    if (shown == Zones) p.tabs->setCurrentWidget(p.zones);
-    if (shown == Numbers) p.tabs->setCurrentWidget(p.numbers);
-    p.scene->setVisible(all || shown == Space);
-    p.map->setVisible(axis && (all || shown == Map));
-    p.meridian->setVisible(axis && (all || shown == Profile));
-    p.tabs->setVisible(all || shown >= Distribution);
-    p.tabs->tabBar()->setVisible(all);
-    p.upper->setVisible(all || shown == Space || shown == Map);
-    p.lower->setVisible(all || shown >= Profile);
-    p.factor->setVisible(axis && (all || shown == Profile));
-    p.factorLabel->setVisible(p.factor->isVisibleTo(this));
-    p.smooth->setVisible(axis);
 }
 
 void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& picture)
@@ -392,31 +259,6 @@ std::vector<Picture> CompareViews::pictures()
         arrange();
     }
     return pictures;
-}
-
-void CompareViews::retranslate()
-{
-    Parts& p = *parts_;
-    const std::array<QString, viewCount> names{tr("All"),          tr("3-D"),   tr("Map"),    tr("Meridian"),
-                                               tr("Distribution"), tr("Zones"), tr("Numbers")};
-    for (std::size_t i = 0; i < names.size(); ++i) p.views[i]->setText(names[i]);
-    p.overlay->setText(tr("Overlay"));
-    p.overlay->setToolTip(tr("The original blue, the copy red"));
-    p.deviation->setText(tr("Deviation"));
-    p.deviation->setToolTip(tr("The copy, coloured by its distance from the original's surface"));
-    p.smooth->setText(tr("Local mean"));
-    p.smooth->setToolTip(tr("Each point has the mean of its surroundings, as in the map; off: every point by itself"));
-    p.factorLabel->setText(tr("Error ×"));
-    p.factor->setToolTip(tr("How many times larger the meridian draws the deviation"));
-    p.factor->setAccessibleName(p.factor->toolTip());
-    p.synthetic->setText(tr("Synthetic data"));
-    p.synthetic->setToolTip(tr("These scans were computed, not measured."));
-    p.synthetic->setVisible(p.picture && p.picture->synthetic);
-    p.scene->setScaleTitle(tr("Deviation [mm]"));
-    if (!p.picture) return;
-    arrange();
-    showCharts();
-    setPlace(p.place);
 }
 
 }  // namespace lathelier

@@ -1,0 +1,99 @@
+// What mouse and keyboard do in a PlotCanvas.
+#include "widgets/plot/plot_parts.h"
+
+namespace lathelier {
+
+bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Leave) hideCrosshair();
+    return QWidget::eventFilter(watched, event);
+}
+
+void PlotCanvas::hideCrosshair()
+{
+    parts_->vertical->setVisible(false);
+    parts_->horizontal->setVisible(false);
+    parts_->readout->set({});
+    drawOverlay();
+}
+
+void PlotCanvas::mousePressed(QMouseEvent* event)
+{
+    setFocus(Qt::MouseFocusReason);
+    if (event->button() != Qt::LeftButton) return;
+    parts_->pressed = true;
+    parts_->pressedAt = event->pos();
+    parts_->dragsContent = beginDrag(event->pos());
+    plot_->setInteraction(QCP::iRangeDrag, !parts_->dragsContent);
+}
+
+void PlotCanvas::mouseMoved(QMouseEvent* event)
+{
+    const double x = plot_->xAxis->pixelToCoord(event->pos().x());
+    const double y = plot_->yAxis->pixelToCoord(event->pos().y());
+    if (parts_->dragsContent) return continueDrag(x, y);
+    if (parts_->pressed && (event->pos() - parts_->pressedAt).manhattanLength() > 3) parts_->viewChosen = true;
+    if (!plot_->axisRect()->rect().contains(event->pos())) return hideCrosshair();
+    Qt::CursorShape shape = Qt::CrossCursor;
+    isHandle(event->pos(), shape);
+    plot_->setCursor(shape);
+    parts_->vertical->point1->setCoords(x, y);
+    parts_->vertical->point2->setCoords(x, y + 1);
+    parts_->horizontal->point1->setCoords(x, y);
+    parts_->horizontal->point2->setCoords(x + 1, y);
+    parts_->vertical->setVisible(true);
+    parts_->horizontal->setVisible(true);
+    parts_->readout->set(readoutAt(x, y));
+    drawOverlay();
+}
+
+void PlotCanvas::mouseReleased(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !parts_->pressed) return;
+    parts_->pressed = false;
+    plot_->setInteraction(QCP::iRangeDrag, true);
+    if (parts_->dragsContent) {
+        parts_->dragsContent = false;
+        return endDrag();
+    }
+    const bool still = (event->pos() - parts_->pressedAt).manhattanLength() <= 3;
+    if (still && plot_->axisRect()->rect().contains(event->pos()))
+        emit clicked(plot_->xAxis->pixelToCoord(event->pos().x()), plot_->yAxis->pixelToCoord(event->pos().y()));
+}
+
+void PlotCanvas::mouseWheel(QWheelEvent* event)
+{
+    // Over the numbers of one axis the wheel zooms this axis alone.
+    const QRect inner = plot_->axisRect()->rect();
+    const QPointF place = event->position();
+    Qt::Orientations zoom = Qt::Horizontal | Qt::Vertical;
+    if (place.y() > inner.bottom())
+        zoom = Qt::Horizontal;
+    else if (place.x() < inner.left())
+        zoom = Qt::Vertical;
+    plot_->axisRect()->setRangeZoom(zoom);
+    parts_->viewChosen = true;
+}
+
+void PlotCanvas::keyPressEvent(QKeyEvent* event)
+{
+    const auto pan = [&](QCPAxis* axis, double share) { axis->moveRange(share * axis->range().size()); };
+    const auto zoom = [&](double factor) {
+        plot_->xAxis->scaleRange(factor);
+        plot_->yAxis->scaleRange(factor);
+    };
+    switch (event->key()) {
+        case Qt::Key_Left: pan(plot_->xAxis, -0.1); break;
+        case Qt::Key_Right: pan(plot_->xAxis, 0.1); break;
+        case Qt::Key_Up: pan(plot_->yAxis, 0.1); break;
+        case Qt::Key_Down: pan(plot_->yAxis, -0.1); break;
+        case Qt::Key_Plus: zoom(0.8); break;
+        case Qt::Key_Minus: zoom(1.25); break;
+        case Qt::Key_Home: return resetView();
+        default: return QWidget::keyPressEvent(event);
+    }
+    parts_->viewChosen = true;
+    plot_->replot();
+}
+
+}  // namespace lathelier

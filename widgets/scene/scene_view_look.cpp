@@ -1,0 +1,112 @@
+// How a SceneView looks: what lies over the picture, its colours, and the picture for a report.
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <cmath>
+
+#include "widgets/plot/plot_style.h"
+#include "widgets/scene/scene_parts.h"
+
+namespace lathelier {
+
+void SceneView::layOver()
+{
+    Parts& p = *parts_;
+    if (!canDraw()) return;
+    const QSize room = p.canvas->size();
+    p.ruler->resize(p.ruler->sizeHint());
+    p.ruler->move(6, room.height() - p.ruler->height() - 4);
+    p.ruler->setCamera(p.camera(), room.height());
+    if (p.marked && !p.label->text().isEmpty()) {
+        p.label->adjustSize();
+        p.label->move(room.width() - p.label->width() - 8, 8);  // the standard oblique view leaves this corner free
+    }
+    const auto place = p.marked ? pixelAt(*p.marked) : std::nullopt;
+    p.cross->setVisible(place.has_value());
+    if (place) {
+        p.cross->adjustSize();
+        const QPoint centre = p.canvas->mapFrom(this, place->toPoint());
+        p.cross->move(centre - p.cross->rect().center());
+    }
+}
+
+std::optional<QPointF> SceneView::pixelAt(const Eigen::Vector3d& place_mm) const
+{
+    if (!canDraw()) return std::nullopt;
+    const auto place = parts_->camera().project(place_mm);
+    if (!place) return std::nullopt;
+    const QSize room = parts_->canvas->size();
+    const QPointF inside((place->x() + 1) / 2 * room.width(), (1 - place->y()) / 2 * room.height());
+    return parts_->canvas->mapTo(const_cast<SceneView*>(this), QPoint(0, 0)) + inside;
+}
+
+void SceneView::applyStyle(bool paper)
+{
+    Parts& p = *parts_;
+    if (!canDraw()) return;
+    const QColor back = paper ? QColor(Qt::white) : QWidget::palette().color(QPalette::Base);
+    p.renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
+    const QPalette inks = paper ? paperPalette() : QWidget::palette();
+    const PlotStyle style(inks, font());
+    QFont large = font();
+    large.setPointSizeF(1.6 * large.pointSizeF());
+    p.cross->setFont(large);
+    for (QWidget* part : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend)}) {
+        QPalette palette = inks;
+        palette.setColor(QPalette::WindowText, style.text);
+        palette.setColor(QPalette::Window, style.background);
+        part->setPalette(palette);
+    }
+    QPalette mark = inks;
+    mark.setColor(QPalette::WindowText, style.marker);
+    p.cross->setPalette(mark);
+}
+
+void SceneView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
+    applyStyle(false);
+    render();
+}
+
+void SceneView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    layOver();
+}
+
+QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
+{
+    Parts& p = *parts_;
+    if (!canDraw() || !p.canvas->isVisible() || p.canvas->size().isEmpty()) return {};
+    const SceneCamera before = p.camera();
+    const bool legendShown = p.legend->isVisible();
+    endMoving();
+    applyStyle(true);
+    if (!legend) p.legend->hide();
+    if (viewpoint)
+        setViewpoint(*viewpoint);
+    else
+        render();
+    const QImage drawn = p.canvas->grabFramebuffer();
+    const double scale = static_cast<double>(drawn.width()) / p.canvas->width();
+    const int beside = p.legend->isVisible() ? p.legend->width() : 0;
+    QImage image(static_cast<int>((p.canvas->width() + beside) * scale), drawn.height(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.drawImage(0, 0, drawn);
+    painter.scale(scale, scale);
+    for (QWidget* over :
+         {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
+        if (over->isVisible()) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
+    if (beside) p.legend->render(&painter, QPoint(p.canvas->width(), 0), {}, {});
+    painter.end();
+    p.legend->setVisible(legendShown);
+    applyStyle(false);
+    p.aim(before);
+    render();
+    return image;
+}
+
+}  // namespace lathelier

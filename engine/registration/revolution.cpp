@@ -141,33 +141,90 @@ void askShoulders(const TurnedPart& reference, const TurnedPart& copy, double sh
 
 constexpr double kLeastSlope = 0.03;
 
+/// Difference of the radii (copy less reference) in a bin where both are cylinders, with its variance.
+struct Difference {
+    double off, variance;
+};
+std::optional<Difference> levelDifference(const RadiusProfile& reference, const RadiusProfile& copy, double shift,
+                                          std::size_t bin)
+{
+    const auto level = [](const RadiusProfile& p, std::size_t i) {  // and no kink next to it
+        if (i < 1 || i + 1 >= p.size() || !(std::abs(p.slope[i]) < kLeastSlope)) return false;
+        const double most = 0.1 * p.step_mm;
+        return std::abs(p.radius_mm[i] - p.radius_mm[i - 1]) < most &&
+               std::abs(p.radius_mm[i + 1] - p.radius_mm[i]) < most;
+    };
+    const double place = copy.middle_mm(bin) + shift;
+    const auto there = read(reference, place);
+    if (!level(copy, bin) || !there) return std::nullopt;
+    if (!level(reference, static_cast<std::size_t>((place - reference.z_start_mm) / reference.step_mm)))
+        return std::nullopt;
+    return Difference{copy.radius_mm[bin] - there->radius,
+                      there->sigma * there->sigma + copy.sigma_mm[bin] * copy.sigma_mm[bin]};
+}
+
 /// How much the radii of the two parts differ where they are cylinders, beyond the scatter: mean square, mm².
 double differenceOfForm(const RadiusProfile& reference, const RadiusProfile& copy, double shift)
 {
     double sum = 0, count = 0;
-    for (std::size_t i = 1; i + 1 < copy.size(); ++i) {
-        const auto level = [](double slope) { return std::abs(slope) < kLeastSlope; };
-        if (std::isnan(copy.radius_mm[i]) || !level(copy.slope[i - 1]) || !level(copy.slope[i]) ||
-            !level(copy.slope[i + 1]))
-            continue;
-        const auto there = read(reference, copy.middle_mm(i) + shift);
-        if (!there || !level(there->slope)) continue;
-        const double off = copy.radius_mm[i] - there->radius;
-        sum += off * off - there->sigma * there->sigma - copy.sigma_mm[i] * copy.sigma_mm[i];
-        count += 1;
-    }
+    for (std::size_t i = 0; i < copy.size(); ++i)
+        if (const auto d = levelDifference(reference, copy, shift, i)) {
+            sum += d->off * d->off - d->variance;
+            count += 1;
+        }
     return count > 0 ? std::max(0.0, sum / count) : 0;
 }
 
+/// Difference of the radii where a cylinder meets the slope that begins or ends beside bin `from`: a line through the
+/// nearest bins of the cylinder, extended to that place. nullopt: no cylinder there.
+std::optional<Difference> differenceBeside(const RadiusProfile& reference, const RadiusProfile& copy, double shift,
+                                           std::ptrdiff_t from, std::ptrdiff_t step)
+{
+    constexpr int kKink = 8, kBins = 48;
+    int patience = 4;  // with bins whose slope is only noise
+    double n = 0, sx = 0, sxx = 0, sy = 0, sxy = 0, variance = 0;
+    for (std::ptrdiff_t k = 0; k < kKink + kBins; ++k) {
+        const std::ptrdiff_t i = from + step * k;
+        if (i < 0 || i >= static_cast<std::ptrdiff_t>(copy.size())) break;
+        const auto d = levelDifference(reference, copy, shift, static_cast<std::size_t>(i));
+        if (!d && (n > 0 ? --patience : kKink - k) <= 0) break;
+        if (!d) continue;
+        const auto x = static_cast<double>(k);
+        n += 1;
+        sx += x;
+        sxx += x * x;
+        sy += d->off;
+        sxy += x * d->off;
+        variance += d->variance;
+    }
+    const double spread = n * sxx - sx * sx;
+    if (n < 6 || spread <= 0) return std::nullopt;
+    return Difference{(sxx * sy - sx * sxy) / spread, variance / n * sxx / spread};
+}
+
 /// Slopes: in every run of bins that slope the same way, the shift that brings the radii together. A slope tells the
-/// place only as well as the copy has the radii of the reference: their difference elsewhere is taken as its bias.
+/// place only as well as the copy has the radii of the reference: its radius is taken to differ by what that of the
+/// cylinders beside it does (they were turned together), as far as that can be told from noise, and by 3 % of what
+/// radii differ on the whole; without a cylinder beside it, by all of that.
 void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double shift, std::vector<Witness>& witnesses)
 {
-    const double difference = differenceOfForm(reference, copy, shift);
+    constexpr double kOwn = 0.03 * 0.03;
+    const double whole = differenceOfForm(reference, copy, shift);
     double weight = 0, sum = 0, lever = 0;
     int sign = 0;
-    const auto finish = [&] {
+    std::ptrdiff_t first = 0;
+    const auto finish = [&](std::size_t end) {
         if (weight > 0) {
+            double difference = 0, sides = 0;
+            for (const auto& beside : {differenceBeside(reference, copy, shift, first - 1, -1),
+                                       differenceBeside(reference, copy, shift, static_cast<std::ptrdiff_t>(end), 1)})
+                if (beside && whole > 0) {
+                    // what is expected, given that radii differ by `whole` in the mean square and this is what was seen
+                    const double trust = whole / (whole + beside->variance);
+                    difference += trust * trust * beside->off * beside->off + trust * beside->variance;
+                    sides += 1;
+                }
+            difference = sides > 0 ? difference / sides + kOwn * whole : whole;
             const double bias = lever / weight;
             witnesses.push_back({shift + sum / weight, 1 / weight + difference * bias * bias, true, 0});
         }
@@ -184,12 +241,13 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
     for (std::size_t i = 0; i < copy.size(); ++i) {
         const double q = copy.slope[i];
         const bool sloped = !std::isnan(copy.radius_mm[i]) && std::abs(q) > kLeastSlope && smooth(copy, i);
-        if (!sloped || (sign != 0 && (q > 0) != (sign > 0))) finish();
+        if (!sloped || (sign != 0 && (q > 0) != (sign > 0))) finish(i);
         if (!sloped) continue;
         const double place = copy.middle_mm(i) + shift;
         const auto there = read(reference, place);
         const double bin = (place - reference.z_start_mm) / reference.step_mm;
         if (!there || !smooth(reference, static_cast<std::size_t>(bin))) continue;
+        if (sign == 0) first = static_cast<std::ptrdiff_t>(i);
         sign = q > 0 ? 1 : -1;
         const double slope = (there->slope + q) / 2;
         const double variance =
@@ -199,7 +257,7 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
         lever += slope / variance;
         sum += slope * (copy.radius_mm[i] - there->radius) / variance;
     }
-    finish();
+    finish(copy.size());
 }
 
 struct Shift {
@@ -331,8 +389,9 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
     const RadiusProfile& own = best->part.fit.profile;
     double shift = best->match.shift;
     double variance = 0;
-    bool settled = false;
-    for (int i = 0; i < 10 && !settled; ++i, ++result.iterations) {
+    bool settled = false;  // the last step was far below the uncertainty
+    bool done = false;     // nothing moves any more
+    for (int i = 0; i < 10 && !done; ++i, ++result.iterations) {
         std::vector<Witness> witnesses;
         askShoulders(reference, best->part, shift, witnesses);
         askSlopes(ref, own, shift, witnesses);
@@ -344,7 +403,9 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
             break;
         }
         const Shift verdict = weigh(witnesses);
-        settled = std::abs(verdict.shift - shift) < std::max(1e-9 * lengthOf(ref), 0.01 * std::sqrt(verdict.variance));
+        const double change = std::abs(verdict.shift - shift);
+        done = change < 1e-6 * std::sqrt(verdict.variance) || change < 1e-12 * lengthOf(ref);
+        settled = done || change < 0.01 * std::sqrt(verdict.variance);
         shift = verdict.shift;
         variance = verdict.variance;
     }

@@ -168,7 +168,9 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
     }
     const Vector3d direction = Vector3d(step.change[2], step.change[3], 1).normalized();
     Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
-    move.linear() = Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ()).toRotationMatrix();
+    // Rows that are orthonormal to the last bit; a quaternion of nearly equal vectors is so to 1e-8 only.
+    const Vector3d across = (Vector3d::UnitX() - direction * direction.x()).normalized();
+    move.linear() << across.transpose(), direction.cross(across).transpose(), direction.transpose();
     move.translation() = -(move.linear() * Vector3d(step.change[0], step.change[1], 0));
     pose = move * pose;
     return step;

@@ -200,7 +200,8 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
             });
         if (known || !foot.allFinite()) continue;
         Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();
-        axis_T_scan.linear() = Eigen::Quaterniond::FromTwoVectors(direction, Vector3d::UnitZ()).toRotationMatrix();
+        const Vector3d across = direction.unitOrthogonal();
+        axis_T_scan.linear() << across.transpose(), direction.cross(across).transpose(), direction.transpose();
         axis_T_scan.translation() = -(axis_T_scan.linear() * foot);
         result.axis_T_scan.push_back(axis_T_scan);
     }

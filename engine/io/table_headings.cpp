@@ -108,7 +108,9 @@ void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectati
     const bool unnamedFirst =
         names.headings.size() + 1 == columns && (layout.columns[0].isCount || !layout.columns[0].isNumber);
     const std::size_t shift = unnamedFirst ? 1 : 0;
-    if (names.headings.size() + shift != columns && names.known == 0) return;
+    // A remark that happens to hold a name ("# scanner X") is no heading unless it names every column.
+    const bool fits = names.headings.size() + shift == columns;
+    if (!fits && (names.known == 0 || preface[names.prefaceIndex].isRemark)) return;
     layout.hasNames = true;
     for (std::size_t k = 0; k + shift < columns && k < names.headings.size(); ++k) {
         layout.columns[k + shift].name = names.headings[k].name;

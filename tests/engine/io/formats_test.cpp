@@ -276,5 +276,13 @@ TEST(Options, speakTheKeysOfTheCommandLine)
     EXPECT_EQ(options.unit, LengthUnit::Micrometre);
 }
 
+TEST(TextTables, ARemarkThatHoldsANameIsNoHeading)
+{
+    const ScanFile file = readScan("a.xyz", "# scanner X\n! more\n1.5 2.5 3.5\n40.5 5.5 6.5\n7.5 8.5 9.5\n", {});
+    ASSERT_EQ(file.scan.points_mm.size(), 3u);
+    EXPECT_EQ(file.scan.points_mm[1].x(), 40.5);
+    EXPECT_EQ(file.scan.points_mm[1].z(), 6.5);
+}
+
 }  // namespace
 }  // namespace lathelier

@@ -19,7 +19,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int even_rotations = 500;    // about 30° apart
 constexpr std::size_t few = 160;       // points that try all starts
 constexpr std::size_t several = 1200;  // points that improve the best ones
-constexpr std::size_t kept_starts = 24;
+constexpr std::size_t kept_starts = 20;
 constexpr int field_cells = 48;  // along the longest side of the field
 
 struct Pose {

@@ -1,72 +1,22 @@
 #include "engine/registration/general.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 
-#include "engine/core/parallel.h"
 #include "engine/registration/coarse_alignment.h"
 #include "engine/registration/general_solver.h"
 #include "engine/registration/neighbours_order.h"
-#include "engine/registration/surface_samples.h"
 
 namespace lathelier {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::size_t mesh_samples = 200000;
-constexpr std::array<std::size_t, 3> level_sizes = {4000, 30000, 200000};
+constexpr std::array<std::size_t, 3> level_sizes = {3000, 20000, 100000};
 constexpr double coarse_cells = 60;  // along the part's size (about 10 000 points on a compact part)
 constexpr std::size_t candidates = 6;
-
-// A cloud about its own middle, so that far origins cost no digits.
-struct Centred {
-    Points points_mm;
-    Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
-    double size_mm = 0;  // root mean square distance from the middle, robust against single far points
-};
-
-Centred centre(const Scan& scan, const Progress& progress)
-{
-    Centred result;
-    result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
-    if (result.points_mm.size() < 4)
-        throw Error(ErrorCode::TooFewPoints,
-                    {{"found", static_cast<std::int64_t>(result.points_mm.size())}, {"minimum", std::int64_t{4}}});
-    for (int a = 0; a < 3; ++a) {
-        std::vector<double> values;
-        values.reserve(result.points_mm.size());
-        for (const auto& p : result.points_mm) values.push_back(p[a]);
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        result.middle_mm[a] = *middle;
-    }
-    std::vector<double> distances;
-    for (auto& p : result.points_mm) {
-        p -= result.middle_mm;
-        distances.push_back(p.norm());
-    }
-    const auto most = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
-    std::nth_element(distances.begin(), most, distances.end());
-    result.size_mm = *most;
-    return result;
-}
-
-void refuseDegenerate(const Points& points)
-{
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const auto& p : points) mean += p / static_cast<double>(points.size());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const auto& p : points) spread += (p - mean) * (p - mean).transpose() / static_cast<double>(points.size());
-    const Eigen::Vector3d sizes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-    if (!(sizes[2] > 1e-24)) throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
-    if (!(sizes[1] > 1e-12 * sizes[2]))
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on one line")}});
-}
 
 Points inOrder(const Points& points, const Progress& progress)
 {
@@ -76,36 +26,22 @@ Points inOrder(const Points& points, const Progress& progress)
     return result;
 }
 
-Points everyNth(const Points& points, std::size_t count)
-{
-    if (points.size() <= count) return points;
-    Points result;
-    result.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) result.push_back(points[i * points.size() / count]);
-    return result;
-}
-
 class GeneralAlignment {
 public:
-    GeneralAlignment(const Scan& reference, const Scan& copy, bool point_to_point, const Progress& progress)
-        : reference_(centre(reference, progress)), copy_(centre(copy, progress)), point_to_point_(point_to_point)
+    GeneralAlignment(const GeneralReference& reference, const Scan& copy, bool point_to_point, const Progress& progress)
+        : reference_(reference.points),
+          copy_(centrePoints(copy, progress)),
+          surface_(*reference.surface),
+          initial_(Eigen::Translation3d(copy_.middle_mm - reference_.middle_mm)),
+          size_mm_(std::max(reference_.size_mm, copy_.size_mm)),
+          point_to_point_(point_to_point)
     {
-        refuseDegenerate(reference_.points_mm);
-        refuseDegenerate(copy_.points_mm);
-        progress.report(0.05);
         copy_.points_mm = inOrder(copy_.points_mm, progress);
-        Scan shifted;
-        shifted.triangles = reference.triangles;
-        if (reference.isMesh()) {
-            shifted.points_mm = reference.points_mm;
-            for (auto& p : shifted.points_mm) p -= reference_.middle_mm;
-        } else {
-            shifted.points_mm = reference_.points_mm;
+        points_ = surface_.points();
+        if (points_ == nullptr && point_to_point_) {
+            samples_ = std::make_unique<Neighbours>(reference_.points_mm, progress);
+            points_ = samples_.get();
         }
-        surface_ = makeSurface(shifted, progress.part(0.1, 0.4));
-        index_ = std::make_unique<Neighbours>(reference_.points_mm, progress);
-        initial_ = Eigen::Translation3d(copy_.middle_mm - reference_.middle_mm);
-        size_mm_ = std::max(reference_.size_mm, copy_.size_mm);
     }
 
     Alignment run(InitialPose initial, const Progress& progress)
@@ -120,9 +56,9 @@ public:
     }
 
 private:
-    RefineTarget target() const { return {surface_.get(), index_.get()}; }
+    RefineTarget target() const { return {&surface_, points_}; }
 
-    static Points thin(const Centred& cloud, const Progress& progress)
+    static Points thin(const CentredPoints& cloud, const Progress& progress)
     {
         const Points some = everyNth(cloud.points_mm, 100000);
         const Points few = thinOut(some, 2 * cloud.size_mm / coarse_cells, progress);
@@ -157,10 +93,11 @@ private:
             progress.report(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(poses.size()));
         }
         const double limit = std::max(10 * sigma, 2e-3 * size_mm_);
-        for (Candidate& c : fits) c.misfit = misfit(*surface_, sample, c.pose, limit, progress);
+        for (Candidate& c : fits) c.misfit = misfit(surface_, sample, c.pose, limit, progress);
         const Candidate& best = *std::min_element(
             fits.begin(), fits.end(), [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
-        const double as_good = 1.1 * best.misfit + 1e-3;
+        // Points without a counterpart count alike in every pose: the difference tells, not the ratio.
+        const double as_good = best.misfit + 3e-3;
         const Candidate* chosen = &best;
         for (const Candidate& c : fits) {
             if (c.misfit > as_good) continue;
@@ -189,8 +126,8 @@ private:
                           options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
-            search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_->spacing_mm() : 0),
-                                1e-3 * size_mm_, search);
+            search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
+                                search);
         }
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);
@@ -201,14 +138,15 @@ private:
     // A copy that holds the reference's very points is aligned exactly, not only within their noise.
     void snapToSamePoints(Eigen::Isometry3d& pose, const Progress& progress) const
     {
+        if (points_ == nullptr) return;
         const Points sample = everyNth(copy_.points_mm, 2000);
         std::vector<double> to_reference;
         std::vector<double> spacing;
         std::vector<Neighbours::Found> two;
         for (const auto& p : sample) {
-            const Neighbours::Found found = index_->nearest(pose * p);
+            const Neighbours::Found found = points_->nearest(pose * p);
             to_reference.push_back(found.squared_mm2);
-            index_->nearest(index_->point_mm(found.place), 2, std::numeric_limits<double>::infinity(), two);
+            points_->nearest(points_->point_mm(found.place), 2, std::numeric_limits<double>::infinity(), two);
             spacing.push_back(two.back().squared_mm2);
         }
         const auto middle = static_cast<std::ptrdiff_t>(sample.size() / 2);
@@ -229,10 +167,10 @@ private:
     {
         // Noise of the reference's own points adds to that of the copy's points used.
         double share = 1;
-        if (surface_->pointCount() > 0) {
+        if (surface_.pointCount() > 0) {
             const double used =
                 fine.used_share * static_cast<double>(std::min(level_sizes.back(), copy_.points_mm.size()));
-            share += used / static_cast<double>(surface_->pointCount());
+            share += used / static_cast<double>(surface_.pointCount());
         }
         alignment.uncertainty = uncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share));
         const auto kindText = [](const FreeMotion& m) {
@@ -252,23 +190,32 @@ private:
             Eigen::Translation3d(reference_.middle_mm) * fine.reference_T_copy * Eigen::Translation3d(-copy_.middle_mm);
     }
 
-    Centred reference_;
-    Centred copy_;
-    bool point_to_point_;
-    double size_mm_ = 0;
-    std::unique_ptr<Surface> surface_;
-    std::unique_ptr<Neighbours> index_;
+    const CentredPoints& reference_;
+    CentredPoints copy_;
+    const Surface& surface_;
     Eigen::Isometry3d initial_;  ///< the poses as they are, between the centred clouds
+    double size_mm_;
+    bool point_to_point_;
+    const Neighbours* points_ = nullptr;  ///< of the reference; none for a mesh unless point-to-point
+    std::unique_ptr<Neighbours> samples_;
     int equal_poses_ = 0;
 };
 
 }  // namespace
 
+Alignment alignGeneral(const GeneralReference& reference, const Scan& copy, CompareMethod method, InitialPose initial,
+                       const Progress& progress)
+{
+    GeneralAlignment alignment(reference, copy, method == CompareMethod::Point, progress.part(0, 0.1));
+    progress.report(0.1);
+    return alignment.run(initial, progress.part(0.1, 1));
+}
+
 Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress)
 {
-    GeneralAlignment alignment(reference, copy, method == CompareMethod::Point, progress.part(0, 0.4));
-    return alignment.run(initial, progress.part(0.4, 1));
+    return alignGeneral(prepareReference(reference, progress.part(0, 0.4)), copy, method, initial,
+                        progress.part(0.4, 1));
 }
 
 }  // namespace lathelier

@@ -6,6 +6,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/alignment.h"
 #include "engine/registration/compare.h"
+#include "engine/registration/general_reference.h"
 
 namespace lathelier {
 
@@ -21,6 +22,10 @@ namespace lathelier {
 /// reference's; `axial_um` the largest translation of the part's centre, `radial_um` the largest across it.
 /// Errors: TooFewPoints (fewer than 4), PointsDegenerate (on one point or line). Throws Cancelled.
 Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
+                       const Progress& progress = {});
+
+/// The same onto a reference that was prepared before.
+Alignment alignGeneral(const GeneralReference& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress = {});
 
 }  // namespace lathelier

@@ -8,6 +8,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
+#include "engine/registration/neighbours.h"
 
 namespace lathelier {
 
@@ -39,6 +40,9 @@ public:
 
     /// Number of noisy points the surface is made from; 0 for a mesh.
     virtual std::size_t pointCount() const = 0;
+
+    /// The cloud the surface was made from; nullptr for a mesh.
+    virtual const Neighbours* points() const = 0;
 
     /// How far from a place of the surface its points typically lie; 0 for a mesh.
     virtual double spacing_mm() const = 0;

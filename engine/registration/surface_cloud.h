@@ -22,6 +22,7 @@ public:
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return scatter_mm_; }
     std::size_t pointCount() const override { return points_.size(); }
+    const Neighbours* points() const override { return &points_; }
     double spacing_mm() const override { return 0.25 * reach_mm_; }
 
 private:

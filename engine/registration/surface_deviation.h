@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
+#include "engine/registration/general_reference.h"
 
 namespace lathelier {
 
@@ -22,6 +23,11 @@ struct SurfaceDeviation {
 /// neighbours, split at sharp edges, signed when it carries normals or is evidently closed. Points that are not finite
 /// get NaN. Errors: TooFewPoints, for a reference cloud of fewer than 4 points. Throws Cancelled.
 SurfaceDeviation surfaceDeviation(const Scan& reference,
+                                  const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
+                                  double max_distance_mm, const Progress& progress = {});
+
+/// The same from a reference that was prepared before (aligned onto, as a rule). Its surface is oriented here.
+SurfaceDeviation surfaceDeviation(const GeneralReference& reference,
                                   const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
                                   double max_distance_mm, const Progress& progress = {});
 

@@ -23,6 +23,7 @@ public:
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return 0; }
     std::size_t pointCount() const override { return 0; }
+    const Neighbours* points() const override { return nullptr; }
     double spacing_mm() const override { return 0; }
 
 private:

@@ -14,7 +14,7 @@ namespace lathelier {
 namespace {
 
 constexpr std::size_t links = 8;      // of an element to its neighbours
-constexpr std::size_t samples = 200;  // places where the winding number is looked at
+constexpr std::size_t samples = 120;  // places where the winding number is looked at
 constexpr double winding_tolerance = 0.25;
 constexpr double min_good_share = 0.9;
 

@@ -74,7 +74,7 @@ void deviationFromCloud(benchmark::State& state)
 void deviationFromMesh(benchmark::State& state)
 {
     const ThreadLimit limit(2);
-    const Scan mesh = shaftMesh(nominalShaft(), 25000);  // about 300 000 triangles
+    const Scan mesh = shaftMesh(nominalShaft(), 8000);
     const Scan& b = shaftScan(2);
     for (auto _ : state) benchmark::DoNotOptimize(surfaceDeviation(mesh, b.points_mm, 1));
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
@@ -104,9 +104,26 @@ void alignToMesh(benchmark::State& state)
     align(state, bracketMesh());
 }
 
+// All that a comparison computes: one surface for alignment and deviation.
+void alignAndMeasure(benchmark::State& state)
+{
+    const ThreadLimit limit(2);
+    const Scan& onto = reference();
+    const Scan& copy = movedCopy();
+    for (auto _ : state) {
+        const GeneralReference prepared = prepareReference(onto);
+        const Alignment a = alignGeneral(prepared, copy, CompareMethod::Plane, InitialPose::Auto);
+        std::vector<Eigen::Vector3d> moved = copy.points_mm;
+        for (Eigen::Vector3d& p : moved) p = a.reference_T_copy * p;
+        benchmark::DoNotOptimize(surfaceDeviation(prepared, moved, 1));
+        benchmark::DoNotOptimize(nearestDistances(onto.points_mm, moved, 1));
+    }
+}
+
 BENCHMARK(nearestDistancesOfShafts)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(deviationFromCloud)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(deviationFromMesh)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(alignAndMeasure)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(alignToCloud)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(alignToMesh)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -37,6 +37,7 @@ std::vector<float> nearestDistances(const std::vector<Eigen::Vector3d>& referenc
             for (; i < end && count < bundle; ++i) {
                 if (!query_mm[order[i]].allFinite()) continue;
                 queries[count] = query_mm[order[i]];
+                found[count].place = Neighbours::Found::none;
                 targets[count++] = order[i];
             }
             reference.nearest(std::span(queries).first(count), limit, found);

@@ -58,20 +58,28 @@ public:
 private:
     RefineTarget target() const { return {&surface_, points_}; }
 
-    static Points thin(const CentredPoints& cloud, const Progress& progress)
+    Points thin(const CentredPoints& cloud, const Progress& progress) const
     {
         const Points some = everyNth(cloud.points_mm, 100000);
-        const Points few = thinOut(some, 2 * cloud.size_mm / coarse_cells, progress);
-        return few.size() < 20 ? some : few;  // one far point among many in one place
+        const Points few = thinOut(some, 2 * size_mm_ / coarse_cells, progress);
+        return few.size() < 20 ? everyNth(some, 10000) : few;  // a small part beside a large one
+    }
+
+    // The part with less surface is laid on the one with more: what is missing misleads less than what is too much.
+    std::vector<Eigen::Isometry3d> coarsePoses(const Progress& progress) const
+    {
+        const Points reference = thin(reference_, progress);
+        const Points copy = thin(copy_, progress);
+        if (copy.size() <= reference.size()) return findCoarsePoses(reference, copy, candidates, progress);
+        std::vector<Eigen::Isometry3d> poses = findCoarsePoses(copy, reference, candidates, progress);
+        for (Eigen::Isometry3d& pose : poses) pose = pose.inverse();
+        return poses;
     }
 
     // The best of the coarse poses, judged on the surface itself.
     Eigen::Isometry3d findPose(const Progress& progress)
     {
-        const Points reference_few = thin(reference_, progress);
-        const Points copy_few = thin(copy_, progress);
-        const std::vector<Eigen::Isometry3d> poses =
-            findCoarsePoses(reference_few, copy_few, candidates, progress.part(0.05, 0.8));
+        const std::vector<Eigen::Isometry3d> poses = coarsePoses(progress.part(0, 0.8));
         const Points sample = everyNth(copy_.points_mm, 3000);
         struct Candidate {
             Eigen::Isometry3d pose;

@@ -22,8 +22,10 @@ struct Residual {
 };
 
 std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
-                                const Eigen::Isometry3d& pose, const RefineOptions& options, const Progress& progress)
+                                const Eigen::Isometry3d& pose, const RefineOptions& options,
+                                std::vector<std::uint32_t>& hints, const Progress& progress)
 {
+    hints.resize(copy_mm.size(), Surface::no_hint);
     std::vector<Residual> result(copy_mm.size());
     parallelFor(copy_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
         std::array<Eigen::Vector3d, Surface::bundle> queries;
@@ -33,16 +35,19 @@ std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Ei
             const std::size_t count = std::min(Surface::bundle, end - i);
             for (std::size_t q = 0; q < count; ++q) queries[q] = pose * copy_mm[i + q];
             if (options.point_to_point) {
+                for (std::size_t q = 0; q < count; ++q) found[q].place = hints[i + q];
                 target.points->nearest(std::span(queries).first(count), options.search_mm * options.search_mm, found);
                 for (std::size_t q = 0; q < count; ++q) {
                     places[q] = SurfacePlace();
+                    hints[i + q] = found[q].place;
                     if (found[q].place == Neighbours::Found::none) continue;
                     const Eigen::Vector3d offset = queries[q] - target.points->point_mm(found[q].place);
                     places[q].distance_mm = offset.norm();
                     if (places[q].distance_mm > 0) places[q].normal = offset / places[q].distance_mm;
                 }
             } else {
-                target.surface->place(std::span(queries).first(count), options.search_mm, places);
+                target.surface->place(std::span(queries).first(count), options.search_mm, places,
+                                      std::span(hints).subspan(i, count));
             }
             for (std::size_t q = 0; q < count; ++q)
                 result[i + q] = {queries[q], places[q].normal,
@@ -198,9 +203,10 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
     result.reference_T_copy = start;
     if (copy_mm.empty()) return result;
     double widest = options.reach_mm;
+    std::vector<std::uint32_t> hints;
     while (result.iterations < options.max_iterations) {
         progress.report(static_cast<double>(result.iterations) / options.max_iterations);
-        const std::vector<Residual> all = residuals(target, copy_mm, result.reference_T_copy, options, progress);
+        const std::vector<Residual> all = residuals(target, copy_mm, result.reference_T_copy, options, hints, progress);
         // Not less than rounding leaves: exact data would otherwise weigh nothing.
         const double floor = 1e-9 * (1 + all[0].point_mm.norm()) + 1e-3 * options.tolerance_mm;
         const double sigma = std::max(robustSigma(all), floor);
@@ -240,7 +246,9 @@ double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_m
 {
     RefineOptions options;
     options.search_mm = limit_mm;
-    const std::vector<Residual> all = residuals({&surface, nullptr}, copy_mm, reference_T_copy, options, progress);
+    std::vector<std::uint32_t> hints;
+    const std::vector<Residual> all =
+        residuals({&surface, nullptr}, copy_mm, reference_T_copy, options, hints, progress);
     double sum = 0;
     for (const Residual& r : all) {
         const double t = r.distance_mm / limit_mm;

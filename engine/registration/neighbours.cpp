@@ -71,21 +71,30 @@ void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
 void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const
 {
     Box box;
+    double bound = 0;
+    bool is_expected = true;
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
         box.add(queries_mm[q]);
+        const std::uint32_t expected = found[q].place;
         found[q] = {Found::none, limit_mm2};
+        if (expected < size())
+            improve(expected / leaf_size, queries_mm[q], found[q]);
+        else
+            is_expected = false;
+        bound = std::max(bound, found[q].squared_mm2);
     }
     // Queries far apart, or far from many points, do not gain by going together and go on alone.
-    int leaves_left = 32;
-    double bound = limit_mm2;
-    boxes_.visit(box, bound, [&](std::uint32_t leaf, double& limit) {
-        limit = 0;
-        for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-            improve(leaf, queries_mm[q], found[q]);
-            limit = std::max(limit, found[q].squared_mm2);
-        }
-        if (--leaves_left == 0) limit = 0;
-    });
+    const bool is_wide = is_expected && (box.high_mm - box.low_mm).squaredNorm() > 16 * bound;
+    int leaves_left = is_wide ? 0 : 24;
+    if (!is_wide)
+        boxes_.visit(box, bound, [&](std::uint32_t leaf, double& limit) {
+            limit = 0;
+            for (std::size_t q = 0; q < queries_mm.size(); ++q) {
+                improve(leaf, queries_mm[q], found[q]);
+                limit = std::max(limit, found[q].squared_mm2);
+            }
+            if (--leaves_left == 0) limit = 0;
+        });
     for (std::size_t q = 0; q < queries_mm.size(); ++q)
         if (leaves_left <= 0)
             complete(queries_mm[q], found[q]);

@@ -36,7 +36,8 @@ public:
     /// The nearest point closer than sqrt(`limit_mm2`).
     Found nearest(const Eigen::Vector3d& query_mm, double limit_mm2 = std::numeric_limits<double>::infinity()) const;
 
-    /// The same for several queries that lie near each other, much faster than one by one; 8 to 16 are a good number.
+    /// The same for several queries that lie near each other, much faster than one by one; 8 are a good number. A place
+    /// expected near a query may stand in `found` on entry (else `none`): it only saves time.
     void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const;
 
     /// The up to `count` nearest points closer than sqrt(`limit_mm2`), nearest first, into `found`.

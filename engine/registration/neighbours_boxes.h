@@ -19,8 +19,6 @@ struct Box {
     Eigen::Vector3d low_mm = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high_mm = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
 
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< no item
-
     Box() = default;
     explicit Box(const Eigen::Vector3d& point_mm) : low_mm(point_mm), high_mm(point_mm) {}
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -28,9 +29,12 @@ class Surface {
 public:
     virtual ~Surface() = default;
 
-    /// Where each of up to `bundle` queries (near each other, finite) lies; found only up to `max_distance_mm`.
+    static constexpr std::uint32_t no_hint = std::numeric_limits<std::uint32_t>::max();
+
+    /// Where each of up to `bundle` queries (near each other, finite) lies; found only up to `max_distance_mm`. `hints`
+    /// are no_hint at first; given back for the same points a little moved, they save time.
     virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
-                       std::span<SurfacePlace> places) const = 0;
+                       std::span<SurfacePlace> places, std::span<std::uint32_t> hints) const = 0;
 
     /// Lets the normals point out of the material. False when inside and outside cannot be told.
     virtual bool orient(const Progress& progress) = 0;

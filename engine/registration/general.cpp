@@ -80,7 +80,7 @@ private:
     Eigen::Isometry3d findPose(const Progress& progress)
     {
         const std::vector<Eigen::Isometry3d> poses = coarsePoses(progress.part(0, 0.8));
-        const Points sample = everyNth(copy_.points_mm, 3000);
+        const Points sample = everyNth(copy_.points_mm, 2000);
         struct Candidate {
             Eigen::Isometry3d pose;
             double sigma_mm;
@@ -91,9 +91,10 @@ private:
         double sigma = size_mm_;
         for (std::size_t i = 0; i < poses.size(); ++i) {
             RefineOptions options;
-            options.search_mm = 0.1 * size_mm_;
-            options.reach_mm = 0.05 * size_mm_;
-            options.max_iterations = 7;
+            // Point-to-point leaves parts shifted along their faces by this much.
+            options.search_mm = 0.25 * size_mm_;
+            options.reach_mm = 0.12 * size_mm_;
+            options.max_iterations = 10;
             options.tolerance_mm = 1e-4 * size_mm_;
             const RefineResult r = refine(target(), sample, poses[i], poses[i], options);
             fits.push_back({r.reference_T_copy, r.sigma_mm, 0, Eigen::AngleAxisd(r.reference_T_copy.linear()).angle()});
@@ -130,17 +131,30 @@ private:
             options.max_iterations = last ? 60 : 40;
             options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
             const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
-            fine = refine(target(), everyNth(copy_.points_mm, level_sizes[level]), fine.reference_T_copy, initial_,
-                          options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
+            fine = refine(target(), everyNth(copy_.points_mm, level_sizes[level]), fine.reference_T_copy,
+                          fine.reference_T_copy, options,
+                          progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
             search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
                                 search);
         }
+        if (!fine.observability.free_motions.empty()) moveHome(fine, search, progress);
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);
         describe(fine, alignment);
         return alignment;
+    }
+
+    // Along its free motions the part goes to where it came from; a motion that loses points on the way was not free.
+    void moveHome(RefineResult& fine, double search, const Progress& progress) const
+    {
+        RefineOptions options;
+        options.search_mm = search;
+        options.tolerance_mm = 1e-6 * size_mm_;
+        const RefineResult home = refine(target(), everyNth(copy_.points_mm, level_sizes.back()), fine.reference_T_copy,
+                                         initial_, options, progress);
+        if (home.converged && home.used_share > 0.95 * fine.used_share) fine = home;
     }
 
     // A copy that holds the reference's very points is aligned exactly, not only within their noise.

@@ -26,14 +26,14 @@ constexpr double kNear_mm = 1;        // default reach, or 10 standard deviation
 constexpr double kFarthest = 0.02;    // …but no more than this share of the part: a misfit is no noise
 
 /// Points that stand for the surface: the cloud itself, or samples of the mesh.
-struct Surface {
+struct SurfacePoints {
     const std::vector<Vector3d>* points = nullptr;
     Scan samples;
 };
 
-Surface surfaceOf(const Scan& scan, const char* role, const Progress& progress)
+SurfacePoints surfaceOf(const Scan& scan, const char* role, const Progress& progress)
 {
-    Surface surface;
+    SurfacePoints surface;
     surface.points = &scan.points_mm;
     if (scan.isMesh()) {
         surface.samples = sampleSurface(scan, kMeshSamples, 0, progress);
@@ -131,11 +131,13 @@ double extentOf(const std::vector<Vector3d>& points)
 }
 
 /// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud.
-void measure(const Scan& reference, const Plan& plan, const MeridianLine* line, const std::vector<Vector3d>& moved_copy,
-             double max_distance_mm, CompareResult& result, const Progress& progress)
+void measure(const Scan& reference, const GeneralReference* prepared, const Plan& plan, const MeridianLine* line,
+             const std::vector<Vector3d>& moved_copy, double max_distance_mm, CompareResult& result,
+             const Progress& progress)
 {
     if (!line || reference.isMesh()) {
-        SurfaceDeviation surface = surfaceDeviation(reference, moved_copy, max_distance_mm, progress);
+        SurfaceDeviation surface = prepared ? surfaceDeviation(*prepared, moved_copy, max_distance_mm, progress)
+                                            : surfaceDeviation(reference, moved_copy, max_distance_mm, progress);
         if (surface.has_sign || !line) {
             result.has_sign = surface.has_sign;
             result.deviation_mm = std::move(surface.deviation_mm);
@@ -210,8 +212,8 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
                       const Progress& progress)
 {
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
-    const Surface reference_surface = surfaceOf(reference_scan, "reference", progress);
-    const Surface copy_surface = surfaceOf(copy_scan, "copy", progress);
+    const SurfacePoints reference_surface = surfaceOf(reference_scan, "reference", progress);
+    const SurfacePoints copy_surface = surfaceOf(copy_scan, "copy", progress);
     const std::vector<Vector3d>& reference_points = *reference_surface.points;
 
     CompareResult result;
@@ -219,6 +221,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     Plan plan = makePlan(reference_points, *copy_surface.points, parameters, result.notes, progress.part(0.02, 0.4));
     result.method_used = plan.method;
     const Progress aligning = progress.part(0.4, 0.5, LT_TEXT("Engine", "Alignment"));
+    std::optional<GeneralReference> prepared;
     if (plan.method == CompareMethod::Revolution) {
         ShoulderPair shoulders =
             findShoulders(reference_points, plan.reference.fit, *copy_surface.points, plan.copy.fit, aligning);
@@ -228,7 +231,8 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         if (!result.alignment.converged)
             throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{result.alignment.iterations}}});
     } else {
-        result.alignment = alignGeneral(reference_scan, copy_scan, plan.method, parameters.initial, aligning);
+        prepared = prepareReference(reference_scan, aligning.part(0, 0.4));
+        result.alignment = alignGeneral(*prepared, copy_scan, plan.method, parameters.initial, aligning.part(0.4, 1));
         if (plan.reference_turned) {
             plan.reference.shoulders =
                 findShoulders(reference_points, plan.reference.fit, reference_points, plan.reference.fit, aligning)
@@ -255,7 +259,8 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
             ? reachFor(std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm))
             : kNear_mm);
     const auto remeasure = [&](const Progress& own) {
-        measure(reference_scan, plan, line ? &*line : nullptr, moved_copy, reach_mm, result, own);
+        measure(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy, reach_mm,
+                result, own);
     };
     remeasure(measuring.part(0, 0.8));
     if (plan.method != CompareMethod::Revolution && !parameters.max_distance_mm) {

@@ -1367,10 +1367,6 @@
         <source>a body of revolution, which has an axis</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>on one line</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -1367,10 +1367,6 @@
         <source>a body of revolution, which has an axis</source>
         <translation>bryła obrotowa, która ma oś</translation>
     </message>
-    <message>
-        <source>on one line</source>
-        <translation>na jednej prostej</translation>
-    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -82,6 +82,33 @@ struct ColourMap {
     std::optional<double> tolerance;  ///< green inside
 };
 
+/// Deviations of closed profiles from a circle, drawn around it as SVG with a stated magnification.
+struct PolarPlot {
+    struct Trace {
+        Caption name;
+        std::vector<double> angle_deg;
+        std::vector<double> deviation_um;  ///< from the base circle; NaN breaks the line
+        int colour = -1;
+        bool thin = false;  ///< one of many (single revolutions)
+    };
+    struct ReferenceLine {  ///< a circle of a radius differing from the base circle's, off its centre
+        Caption name;
+        double x_um = 0, y_um = 0, deviation_um = 0;
+        int colour = -1;
+        bool dashed = false;
+    };
+    struct Mark {
+        double angle_deg = 0, deviation_um = 0;
+        bool outer = true;  ///< shape of the mark
+    };
+    Caption title;
+    double base_radius_mm = 0;  ///< of the base circle, about whose centre angles and deviations are given
+    std::vector<Trace> traces;
+    std::vector<ReferenceLine> circles;
+    std::vector<Mark> contacts;
+    std::optional<double> magnification;  ///< default: a round one that fits
+};
+
 /// A ready picture (PNG bytes), such as a 3-D view.
 struct Picture {
     Caption title;

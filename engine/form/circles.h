@@ -1,0 +1,69 @@
+// The four reference circles of ISO 12181-1 and roundness deviations about them.
+// Definitions: shared with form.md section 1; MZCI by a minimax exchange with certificate.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.h"
+
+namespace lathelier {
+
+/// Least squares, minimum zone, maximum inscribed, minimum circumscribed reference circle.
+enum class ReferenceCircle { LSCI, MZCI, MICI, MCCI };
+
+/// "LSCI"…
+std::string_view name(ReferenceCircle circle);
+
+/// A point on which an exact circle rests.
+struct CircleContact {
+    enum class Side { Outer, Inner };
+    std::size_t index = 0;  ///< of the point as given
+    Side side = Side::Outer;
+    friend bool operator==(const CircleContact&, const CircleContact&) = default;
+};
+
+struct FittedCircle {
+    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
+    double radius_mm = 0;                                       ///< MZCI: mean of inner and outer
+    double inner_radius_mm = 0;                                 ///< smallest distance of a point from the centre
+    double outer_radius_mm = 0;                                 ///< largest
+    double RONt_um = 0;                                         ///< outer - inner
+    double RONp_um = std::numeric_limits<double>::quiet_NaN();  ///< outer - radius; LSCI only
+    double RONv_um = std::numeric_limits<double>::quiet_NaN();  ///< radius - inner; LSCI only
+    double RONq_um = std::numeric_limits<double>::quiet_NaN();  ///< root mean square of d - radius; LSCI only
+    std::vector<CircleContact> contacts;                        ///< MZCI, MICI, MCCI
+    std::optional<double> certified_gap_um;                     ///< MZCI, MICI: no circle is better by more than this
+    bool unique = true;                                         ///< MICI, MZCI: false when another centre does as well
+};
+
+struct ReferenceCircles {
+    FittedCircle LSCI, MZCI, MICI, MCCI;
+
+    const FittedCircle& of(ReferenceCircle circle) const;
+};
+
+struct CircleOptions {
+    bool certify = true;           ///< branch and bound for MZCI and MICI: about three times the work
+    double certificate_um = 1e-6;  ///< the gap to reach, or `certificate_relative` of the deviation if larger
+    double certificate_relative = 1e-6;
+    int certificate_nodes = 20000;  ///< then the gap reached is stated
+};
+
+/// All four circles of 4 to 1e6 points in any order, any offset, partial arcs, duplicates. The points need not be
+/// uniform. Results do not depend on the order of the points beyond the last bits, nor on the number of threads.
+/// MICI: the centre is sought inside the convex hull, around LSCI's.
+/// Errors: TooFewPoints (fewer than 4 different ones), PointsDegenerate (`reason`: all equal, on a line). Throws
+/// Cancelled.
+ReferenceCircles fitCircles(std::span<const Eigen::Vector2d> points_mm, const CircleOptions& options = {},
+                            const Progress& progress = {});
+
+/// The geometric least-squares circle alone.
+FittedCircle fitLeastSquaresCircle(std::span<const Eigen::Vector2d> points_mm);
+
+}  // namespace lathelier

@@ -1,0 +1,62 @@
+// Cylindricity and straightness: least-squares and minimum-zone cylinders and lines.
+// Source: ISO 12180-1 (cylindricity), ISO 12780-1 (straightness).
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/progress.h"
+#include "engine/form/roundness.h"
+
+namespace lathelier {
+
+struct FittedCylinder {
+    Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();    ///< on the axis, nearest to the points' centroid
+    Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitZ();  ///< toward + on its dominant coordinate
+    double radius_mm = 0;
+    double CYLt_um = 0;
+    double CYLp_um = std::numeric_limits<double>::quiet_NaN();  ///< LSCY only
+    double CYLv_um = std::numeric_limits<double>::quiet_NaN();
+    double CYLq_um = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::size_t> contacts;  ///< MZCY
+};
+
+struct CylindricityParameters {
+    std::optional<double> tolerance_um;
+    DecisionRule decision = DecisionRule::Simple;
+};
+
+template <>
+const std::vector<Field<CylindricityParameters>>& fields<CylindricityParameters>();
+
+struct CylindricityResult {
+    CylindricityParameters parameters;
+    std::size_t points = 0;
+    FittedCylinder LSCY;
+    FittedCylinder MZCY;  ///< minimum zone, locally optimal from several starts
+    double axis_straightness_um = std::numeric_limits<double>::quiet_NaN();  ///< STRt of the section centres, when
+                                                                             ///< the points lie in sections
+    double length_mm = 0;
+    std::optional<FormVerdict> verdict;
+    Notes notes;
+};
+
+/// Points of a cylindrical surface in any order and any pose. Errors: TooFewPoints (6), PointsDegenerate,
+/// NotConverged. Throws Cancelled.
+CylindricityResult cylindricity(std::span<const Eigen::Vector3d> points_mm,
+                                const CylindricityParameters& parameters = {}, const Progress& progress = {});
+
+/// Straightness of points in space: the axis of a stack of sections.
+struct StraightnessResult {
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< of the least-squares line
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+    double STRt_LSLI_um = 0;  ///< 2 × largest distance from the least-squares line
+    double STRt_MZLI_um = 0;  ///< diameter of the smallest cylinder about the points (2 × MCC radius of the residuals)
+};
+StraightnessResult straightness(std::span<const Eigen::Vector3d> points_mm);
+
+}  // namespace lathelier

@@ -1,0 +1,104 @@
+// Roundness of one profile: filter, four reference circles, deviations, harmonics, uncertainty, verdict.
+// Source: ISO 12181-1/-2, ISO 16610-21, ISO 14253-1 (decision rule); Yurkevich & Orlova, "The System of Accuracy
+// Control on Lathes", with its formulas corrected (their own values are kept as labelled extras).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/profile.h"
+#include "engine/core/progress.h"
+#include "engine/form/circles.h"
+#include "engine/signal/closed_profile.h"
+
+namespace lathelier {
+
+enum class OutlierRule { None, Hampel };
+/// Simple: pass when RONt ≤ T. Guarded: pass when RONt + U ≤ T, fail when RONt - U > T, else no verdict.
+enum class DecisionRule { Simple, Guarded };
+
+struct RoundnessParameters {
+    std::optional<double> cutoff_upr;   ///< Gaussian long-wave pass: 1…cutoff
+    std::vector<Interval> band_upr;     ///< one interval low:high, or none; excludes cutoff_upr
+    std::vector<Interval> exclude_deg;  ///< keyways, interruptions: angles as seen from the LSC centre, may wrap
+    OutlierRule outliers = OutlierRule::None;
+    ReferenceCircle circle = ReferenceCircle::MZCI;  ///< of the headline and the verdict
+    std::optional<double> tolerance_um;
+    DecisionRule decision = DecisionRule::Simple;
+    std::optional<double> probe_uncertainty_um;  ///< one standard deviation of a point, for the uncertainty; default
+                                                 ///< is found from the profile's own point-to-point noise
+};
+
+template <>
+const std::vector<Field<RoundnessParameters>>& fields<RoundnessParameters>();
+
+/// The band that the parameters ask for. Error ValueOutOfRange when both or a wrong one is given.
+ProfileBand bandOf(const RoundnessParameters& parameters);
+
+/// Sizes measured across the section.
+struct TwoPointSize {
+    double range_um = 0;  ///< largest - smallest of d(θ) + d(θ + 180°): ISO 14405-1 two-point size, the paper's D_i
+    double half_range_um = 0;  ///< half of it: ovality as GOST 24642-81 has it
+    double largest_mm = 0, smallest_mm = 0;
+    double caliper_largest_mm = 0, caliper_smallest_mm = 0;  ///< width between parallel jaws
+};
+
+/// RONt by one circle, filter and outlier rule: how much of the verdict is the method?
+struct MethodRow {
+    ProfileBand band;
+    OutlierRule outliers = OutlierRule::None;
+    std::array<double, 4> RONt_um{};  ///< in the order of ReferenceCircle; NaN where the sampling does not carry it
+    bool undersampled = false;
+};
+
+/// What the strongest harmonics usually mean on a lathe.
+struct RoundnessHint {
+    int upr = 0;
+    double amplitude_um = 0;
+    double share_percent = 0;  ///< of the form's variance
+    Text meaning;              ///< "oval: clamping between two jaws, or an out-of-round bore", …
+};
+
+/// The paper's own formulas about the origin of the coordinates; not roundness.
+struct PaperValues {
+    double run_out_um = 0;                                        ///< max R_i - min R_i about the origin
+    Eigen::Vector2d limacon_centre_um = Eigen::Vector2d::Zero();  ///< 2ΣX/n, 2ΣY/n of the deviations from R0
+};
+
+enum class FormVerdict { Pass, Fail, Undecided };
+
+struct RoundnessResult {
+    RoundnessParameters parameters;
+    std::string name;
+    std::size_t points = 0;                     ///< given
+    std::vector<std::uint8_t> used;             ///< one for each given point: 0 excluded or outlier
+    std::vector<double> angle_rad;              ///< of each given point about the LSC centre of the raw profile
+    std::vector<Eigen::Vector2d> evaluated_mm;  ///< the points that were judged: filtered, in order of angle
+    std::vector<std::size_t> evaluated_index;   ///< the given point each belongs to (contacts count in given points)
+    bool resampled = false;                     ///< uneven angles were made even for the filter
+    ReferenceCircles circles;                   ///< of the evaluated points; contacts index the given points
+    TwoPointSize two_point;
+    std::vector<Harmonic> harmonics;  ///< amplitudes in µm, of the unfiltered profile about its LSC centre
+    std::vector<MethodRow> methods;
+    std::vector<RoundnessHint> hints;
+    PaperValues paper;
+    double RONt_expanded_uncertainty_um = 0;  ///< k = 2 (95 %), Monte Carlo over the points, for `parameters.circle`
+    double point_noise_um = 0;                ///< standard deviation of a point that went into it
+    std::optional<FormVerdict> verdict;       ///< with a tolerance
+    Notes notes;
+};
+
+/// Evaluates `profile`. Deterministic.
+/// Notes: Undersampled, GapsFilled / AnglesUneven, DuplicatePoints, OutliersRemoved, MinimumZoneNotUnique,
+/// InscribedNotUnique, CertificateOpen, SizeNominal… Errors as fitCircles(); ValueOutOfRange. Throws Cancelled.
+RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
+                          const Progress& progress = {});
+
+/// RONt_um of the circle that the parameters name.
+double headlineDeviation_um(const RoundnessResult& result);
+
+}  // namespace lathelier

@@ -1,0 +1,38 @@
+// Two profiles of the same section laid on one another: the image of the surface and the trace of a roundness
+// instrument, as the paper validates its system (largest 1.8, mean 1.4 µm).
+#pragma once
+
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/profile.h"
+#include "engine/core/progress.h"
+#include "engine/signal/closed_profile.h"
+
+namespace lathelier {
+
+struct SuperimposeParameters {
+    ProfileBand band;       ///< the same filter for both
+    bool mirrored = false;  ///< also try the second profile the other way round
+};
+
+struct SuperimposeResult {
+    double rotation_deg = 0;  ///< of the second profile onto the first
+    bool mirrored = false;
+    Eigen::Vector2d shift_mm = Eigen::Vector2d::Zero();
+    double radius_difference_mm = 0;  ///< second - first, taken out
+    std::vector<double> angle_deg;    ///< uniform
+    std::vector<double> first_um;     ///< deviations about the common centre
+    std::vector<double> second_um;
+    double largest_difference_um = 0;
+    double mean_difference_um = 0;  ///< mean of absolute differences
+    double rms_difference_um = 0;
+    double correlation = 0;
+    Notes notes;  ///< RotationNotDetermined when the form says nothing of the angle
+};
+
+/// Rotation, centre and radius of `second` that bring it closest to `first` in the least-squares sense.
+SuperimposeResult superimpose(const Profile& first, const Profile& second, const SuperimposeParameters& parameters = {},
+                              const Progress& progress = {});
+
+}  // namespace lathelier

@@ -1,0 +1,52 @@
+// Reading probe records: CSV tables and the recorder program L-Graph.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "engine/core/progress.h"
+#include "engine/io/import.h"
+#include "engine/io/probe_record.h"
+
+namespace lathelier {
+
+/// What an L-Graph pair leaves open.
+struct RecorderOptions {
+    std::optional<double> full_scale_code;  ///< converter code of `full_scale_V` at gain 1; default by device
+    std::optional<double> full_scale_V;     ///< default by device
+};
+
+template <>
+const std::vector<Field<RecorderOptions>>& fields<RecorderOptions>();
+
+struct ProbeFile {
+    std::variant<ProbeRecord, AveragedRecord> record;
+    FileFacts facts;  ///< format "probe_csv_raw" | "probe_csv_averaged" | "lgraph_1" | "lgraph_2008" | "lgraph_2";
+                      ///< details: "channels", "frames", "rate_kHz", "duration_s", "device"…
+    Notes notes;
+};
+
+/// True when `path` looks like a probe record (for `inspect`): an L-Graph .par or its .dat, or a table whose headings
+/// are those of a record.
+bool isProbeRecord(const std::string& path);
+
+/// Reads a record. CSV, raw: `t_s, marker_V (or angle_deg), X3_um, …`; averaged: `section, z_mm, i, angle_deg, X3_um…`;
+/// key=value remarks are kept. L-Graph: NAME.dat or NAME.par, either of the pair may be given.
+/// L-Graph is checked against itself (signature, counts, size of .dat, total time, rates, channel flags); what
+/// contradicts is an Error RecordContradicts with `check`, `found`, `expected`, or a note where one source is known to
+/// be wrong (the converter rate of L-Graph II).
+/// Errors: those of readScan(); PartnerMissing (a .dat without .par or the reverse), RecordContradicts, Truncated.
+ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options = {},
+                          const RecorderOptions& recorder = {}, const Progress& progress = {});
+
+/// An L-Graph pair from memory; `name` stands for the path of the .par in messages.
+ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
+                     const RecorderOptions& recorder = {}, const Progress& progress = {});
+
+/// A table from memory.
+ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},
+                         const Progress& progress = {});
+
+}  // namespace lathelier

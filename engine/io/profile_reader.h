@@ -1,0 +1,44 @@
+// Reading measured profiles: x and y, or angle and radius, of one section.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/core/profile.h"
+#include "engine/core/progress.h"
+#include "engine/io/import.h"
+
+namespace lathelier {
+
+enum class ProfileColumns { Auto, Xy, AngleRadius };
+
+/// What a file of a profile may leave open, besides ImportOptions. The unit of an angle is the degree unless the
+/// heading says rad.
+struct ProfileOptions {
+    ProfileColumns columns = ProfileColumns::Auto;
+    std::optional<double> nominal_radius_mm;  ///< needed when the file holds only deviations from a circle
+};
+
+template <>
+const std::vector<Field<ProfileOptions>>& fields<ProfileOptions>();
+
+struct ProfileFile {
+    Profile profile;
+    FileFacts facts;  ///< format "profile_xy" | "profile_polar" | "roundness_trace"; details: "points", "radius_mm"…
+    Values header;    ///< the key=value lines above the table, as written
+    Notes notes;
+};
+
+/// Reads CSV and text tables of x,y or angle,radius in mm, µm or inch, and traces of roundness instruments that hold
+/// one deviation a line (uniform angles over one turn). Everything readScan() knows of encodings, delimiters, decimal
+/// marks, units and hostile files holds here too.
+/// Errors as readScan(), and NominalRadiusMissing (deviations only, no radius given), ColumnsUnknown.
+ProfileFile readProfile(const std::string& path, const ImportOptions& options = {}, const ProfileOptions& profile = {},
+                        const Progress& progress = {});
+
+/// The same from memory; `name` stands for the path in messages.
+ProfileFile readProfile(const std::string& name, std::string_view bytes, const ImportOptions& options,
+                        const ProfileOptions& profile, const Progress& progress = {});
+
+}  // namespace lathelier

@@ -17,6 +17,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr std::array<std::size_t, 3> level_sizes = {3000, 20000, 100000};
 constexpr double coarse_cells = 60;  // along the part's size (about 10 000 points on a compact part)
 constexpr std::size_t candidates = 6;
+constexpr double rough_share = 0.02;  // residuals of this share of the part's size: other parts; few points tell it
 
 Points inOrder(const Points& points, const Progress& progress)
 {
@@ -122,6 +123,7 @@ private:
         Alignment alignment;
         RefineResult fine;
         fine.reference_T_copy = start;
+        std::size_t points = 0;
         for (std::size_t level = 0; level < level_sizes.size(); ++level) {
             const bool last = level + 1 == level_sizes.size();
             RefineOptions options;
@@ -131,29 +133,29 @@ private:
             options.max_iterations = last ? 60 : 40;
             options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
             const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
-            fine = refine(target(), everyNth(copy_.points_mm, level_sizes[level]), fine.reference_T_copy,
-                          fine.reference_T_copy, options,
-                          progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
+            if (level == 0 || fine.sigma_mm < rough_share * size_mm_) points = level_sizes[level];
+            fine = refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, fine.reference_T_copy,
+                          options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
             search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
                                 search);
         }
-        if (!fine.observability.free_motions.empty()) moveHome(fine, search, progress);
+        if (!fine.observability.free_motions.empty()) moveHome(fine, points, search, progress);
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);
-        describe(fine, alignment);
+        describe(fine, points, alignment);
         return alignment;
     }
 
     // Along its free motions the part goes to where it came from; a motion that loses points on the way was not free.
-    void moveHome(RefineResult& fine, double search, const Progress& progress) const
+    void moveHome(RefineResult& fine, std::size_t points, double search, const Progress& progress) const
     {
         RefineOptions options;
         options.search_mm = search;
         options.tolerance_mm = 1e-6 * size_mm_;
-        const RefineResult home = refine(target(), everyNth(copy_.points_mm, level_sizes.back()), fine.reference_T_copy,
-                                         initial_, options, progress);
+        const RefineResult home =
+            refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_, options, progress);
         if (home.converged && home.used_share > 0.95 * fine.used_share) fine = home;
     }
 
@@ -185,13 +187,12 @@ private:
         if (exact.sigma_mm < 1e-6 * size_mm_) pose = exact.reference_T_copy;
     }
 
-    void describe(const RefineResult& fine, Alignment& alignment) const
+    void describe(const RefineResult& fine, std::size_t points, Alignment& alignment) const
     {
         // Noise of the reference's own points adds to that of the copy's points used.
         double share = 1;
         if (surface_.pointCount() > 0) {
-            const double used =
-                fine.used_share * static_cast<double>(std::min(level_sizes.back(), copy_.points_mm.size()));
+            const double used = fine.used_share * static_cast<double>(std::min(points, copy_.points_mm.size()));
             share += used / static_cast<double>(surface_.pointCount());
         }
         alignment.uncertainty = uncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share));

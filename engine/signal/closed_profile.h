@@ -2,7 +2,6 @@
 // Source: ISO 16610-21 (Gaussian filter), ISO 12181-2 (cut-offs in undulations per revolution).
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,12 +31,31 @@ struct Harmonic {
     double phase_rad = 0;
 };
 
-/// Harmonics k = 1…limit of values at uniform angles, limit ≤ n/2.
+/// Harmonics k = 1…limit of values at uniform angles θ_j = 2πj/n, limit ≤ n/2. At k = n/2 the samples tell only the
+/// part that they see.
 std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit);
 
-/// The same by least squares for any angles (with gaps, duplicates, any order); ill-conditioned orders are left out:
-/// the result may be shorter than `limit`.
+/// The same for any angles (with gaps, duplicates, any order), by least squares. Orders that gaps leave undetermined
+/// are estimated from what the lower ones do not explain; with a third of the turn missing there are none.
 std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit);
+
+/// How values at given angles were filtered.
+enum class FilterWay {
+    Uniform,    ///< even angles: exact
+    Series,     ///< uneven angles: exact for waves that the spacing carries
+    Regression  ///< gaps: Gaussian-weighted straight lines, which do not ring beside a gap
+};
+
+struct FilteredValues {
+    std::vector<double> values;  ///< at the given angles, in the given order
+    FilterWay way = FilterWay::Uniform;
+};
+
+/// Filters values at any angles (any order, gaps, duplicates); the answer stands at the same angles. Where no gap
+/// hinders, the values are taken as a trigonometric polynomial; beside gaps, as Gaussian regression of order one (away
+/// from gaps the same as the Gaussian filter).
+FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
+                              const ProfileBand& band);
 
 /// Samples per cut-off wave below which a filter's answer is not trusted (ISO 12181-2: 7).
 inline constexpr double samplesPerCutoff = 7;

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+#include "engine/signal/angular_sampling.h"
+#include "engine/signal/closed_profile.h"
+#include "engine/signal/fourier_fit.h"
+#include "engine/signal/nonuniform_fourier.h"
+
+namespace lathelier {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Below this transmission a wave is gone: 2^-36 of it passes six cut-offs.
+constexpr double gone = 6;
+/// Orders that a series has to hold, in cut-offs, for its end not to show: 2^-9 passes there.
+constexpr double neededOrders = 3;
+
+double meanOf(const std::vector<double>& values)
+{
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Gaussian regression of order one: at each point the straight line that fits its neighbours best under the Gaussian's
+/// weights. The five weighted sums are convolutions, taken as Fourier series: with the weight g = e^{-x²/4a}, of
+/// spectrum e^{-ak²}, the weight x·g is -2a g' and x²·g is 4a² g'' + 2a g.
+std::vector<double> regressed(const AngularSampling& sampling, const std::vector<double>& values, double cutoff_upr)
+{
+    const double a = std::log(2.0) / (cutoff_upr * cutoff_upr);
+    const int limit = std::max(1, static_cast<int>(std::ceil(gone * cutoff_upr)));
+    std::vector<double> weighted(values.size());
+    for (std::size_t j = 0; j < values.size(); ++j) weighted[j] = sampling.weight[j] * values[j];
+    const std::vector<Complex> ones = fourierSums(sampling.angle_rad, sampling.weight, limit);
+    const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit);
+    const auto moment = [&](const std::vector<Complex>& spectrum, int power) {
+        std::vector<Complex> product(spectrum.size());
+        for (std::size_t k = 0; k < product.size(); ++k) {
+            const auto order = static_cast<double>(k);
+            const double g = std::exp(-a * order * order);
+            // moments of (θ_j - θ), the negative of the Gaussian's argument
+            const Complex factor = power == 0   ? Complex(g)
+                                   : power == 1 ? Complex(0, 2 * a * order * g)
+                                                : Complex((2 * a - 4 * a * a * order * order) * g);
+            product[k] = spectrum[k] * factor;
+        }
+        return fourierSeries(product, sampling.angle_rad);
+    };
+    const std::vector<double> s0 = moment(ones, 0), s1 = moment(ones, 1), s2 = moment(ones, 2);
+    const std::vector<double> v0 = moment(sums, 0), v1 = moment(sums, 1);
+    std::vector<double> result(values.size());
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        // A point alone between two gaps has no slope: the small addition makes it its own mean.
+        const double spread = s2[j] + 1e-6 * a * s0[j];
+        result[j] = (spread * v0[j] - s1[j] * v1[j]) / (spread * s0[j] - s1[j] * s1[j]);
+    }
+    return result;
+}
+
+/// Takes the band out of the whole profile by regression: what the long-wave pass lets through, without its longer
+/// waves.
+std::vector<double> bandByRegression(const AngularSampling& sampling, std::vector<double> values,
+                                     const ProfileBand& band)
+{
+    if (band.high_upr) values = regressed(sampling, values, *band.high_upr);
+    if (!band.low_upr) return values;
+    const std::vector<double> longer = regressed(sampling, values, *band.low_upr);
+    const double size = meanOf(longer);
+    for (std::size_t j = 0; j < values.size(); ++j) values[j] += size - longer[j];
+    return values;
+}
+
+/// The same by the series that fits the profile; nothing when the spacing does not carry the orders it needs.
+std::optional<std::vector<double>> bandBySeries(const AngularSampling& sampling, const std::vector<double>& values,
+                                                const ProfileBand& band)
+{
+    if (sampling.gaps > 0) return std::nullopt;
+    const double cutoff = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
+    const int even = static_cast<int>(sampling.different - 1) / 2;  // what even spacing would carry
+    const int limit = std::min(even, static_cast<int>(std::ceil(gone * cutoff)));
+    const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff)));
+    std::vector<Complex> fit = fitFourier(sampling, values, limit);
+    if (static_cast<int>(fit.size()) <= needed) return std::nullopt;
+    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
+    const bool subtract = !band.high_upr;
+    for (std::size_t k = 1; k < fit.size(); ++k) {
+        const auto order = static_cast<double>(k);
+        fit[k] *= subtract ? gaussianTransmission(order, *band.low_upr) : band.transmission(order);
+    }
+    std::vector<double> result = fourierSeries(fit, sampling.angle_rad);
+    if (subtract)
+        for (std::size_t j = 0; j < result.size(); ++j) result[j] = values[j] - result[j] + fit[0].real();
+    return result;
+}
+
+}  // namespace
+
+FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
+                              const ProfileBand& band)
+{
+    FilteredValues result;
+    result.values.assign(values.begin(), values.end());
+    if (values.size() < 3 || band.isAll()) return result;
+    const AngularSampling sampling = sampleAngles(angle_rad);
+    std::vector<double> ordered = inOrder(sampling, values);
+    if (sampling.uniform) {
+        ordered = filterClosed(ordered, band);
+    } else {
+        const double mean = meanOf(ordered);
+        for (double& value : ordered) value -= mean;
+        std::optional<std::vector<double>> series = bandBySeries(sampling, ordered, band);
+        result.way = series ? FilterWay::Series : FilterWay::Regression;
+        ordered = series ? std::move(*series) : bandByRegression(sampling, std::move(ordered), band);
+        for (double& value : ordered) value += mean;
+    }
+    for (std::size_t j = 0; j < ordered.size(); ++j) result.values[sampling.order[j]] = ordered[j];
+    return result;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,107 @@
+#include "engine/signal/fourier_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/signal/fourier.h"
+#include "engine/signal/nonuniform_fourier.h"
+
+namespace lathelier {
+namespace {
+
+using Complex = std::complex<double>;
+using Coefficients = std::vector<Complex>;
+
+constexpr int mostIterations = 80;    ///< more says that the orders are not determined
+constexpr double goal = 1e-13;        ///< of the right-hand side
+constexpr double sufficient = 1e-10;  ///< where rounding stops it
+constexpr double share_of_gap = 0.9;  ///< order × largest gap / π: below 1 the weights bound the condition
+
+/// The inner product of two real functions given by their coefficients.
+double dot(const Coefficients& a, const Coefficients& b)
+{
+    double sum = (std::conj(a[0]) * b[0]).real();
+    for (std::size_t k = 1; k < a.size(); ++k) sum += 2 * (std::conj(a[k]) * b[k]).real();
+    return sum;
+}
+
+/// The normal matrix T_kl = Σ_j w_j e^{-i(k-l)θ_j}, applied as a product of functions on a grid fine enough for it.
+class NormalMatrix {
+public:
+    NormalMatrix(const Coefficients& weight_sums, std::size_t orders)
+        : transform_(quickTransformLength(4 * orders + 1)), orders_(orders)
+    {
+        weight_ = transform_.series(
+            padded({weight_sums.begin(), weight_sums.begin() + static_cast<std::ptrdiff_t>(2 * orders - 1)}));
+    }
+
+    Coefficients operator*(const Coefficients& coefficients) const
+    {
+        std::vector<double> values = transform_.series(padded(coefficients));
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] *= weight_[i];
+        Coefficients result = transform_.forward(values);
+        result.resize(orders_);
+        for (Complex& value : result) value /= static_cast<double>(transform_.length());
+        return result;
+    }
+
+private:
+    Coefficients padded(Coefficients coefficients) const
+    {
+        coefficients.resize(transform_.length() / 2 + 1);
+        return coefficients;
+    }
+
+    FourierTransform transform_;
+    std::size_t orders_;
+    std::vector<double> weight_;
+};
+
+std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients& right)
+{
+    Coefficients solution(right.size()), residual = right, direction = right;
+    const double start = dot(right, right);
+    double squared = start;
+    for (int i = 0; i < mostIterations && squared > goal * goal * start; ++i) {
+        const Coefficients image = matrix * direction;
+        const double curvature = dot(direction, image);
+        if (!(curvature > 0)) break;
+        const double step = squared / curvature;
+        for (std::size_t k = 0; k < right.size(); ++k) {
+            solution[k] += step * direction[k];
+            residual[k] -= step * image[k];
+        }
+        const double next = dot(residual, residual);
+        for (std::size_t k = 0; k < right.size(); ++k) direction[k] = residual[k] + (next / squared) * direction[k];
+        squared = next;
+    }
+    if (squared > sufficient * sufficient * start) return std::nullopt;
+    return solution;
+}
+
+}  // namespace
+
+Coefficients fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit)
+{
+    const auto different = static_cast<int>(sampling.different);
+    int order = std::max(0, std::min(limit, (different - 1) / 2));
+    // Nearly even samples carry all orders; gaps carry those whose half wave is longer than the gap.
+    const double even = 2 * std::numbers::pi / std::max(1, different);
+    if (sampling.largest_gap_rad > 1.5 * even)
+        order = std::min(order, static_cast<int>(share_of_gap * std::numbers::pi / sampling.largest_gap_rad));
+
+    std::vector<double> weighted(values.size());
+    for (std::size_t j = 0; j < values.size(); ++j) weighted[j] = sampling.weight[j] * values[j];
+    const Coefficients weight_sums = fourierSums(sampling.angle_rad, sampling.weight, 2 * order);
+    Coefficients right = fourierSums(sampling.angle_rad, weighted, order);
+    for (;; order = order * 3 / 4) {
+        const auto orders = static_cast<std::size_t>(order) + 1;
+        right.resize(orders);
+        if (order == 0) return {right[0] / weight_sums[0]};
+        if (auto solution = solve(NormalMatrix(weight_sums, orders), right)) return *solution;
+    }
+}
+
+}  // namespace lathelier

@@ -1,0 +1,28 @@
+// Outliers by a moving median: Hampel's identifier (Hampel 1974; Davies and Gather, JASA 88 (1993) 782-792).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lathelier {
+
+struct HampelOptions {
+    int half_window = 5;      ///< neighbours on each side; 0: all values against one median
+    double threshold = 5;     ///< in standard deviations; the textbook's 3 would take honest peaks of long records
+    bool closed = true;       ///< the last value is the first one's neighbour
+    double least_spread = 0;  ///< standard deviation below which nothing is told apart: resolution of the values
+};
+
+/// 1 where a value lies further from the median of its window than `threshold` robust standard deviations (1.4826 ×
+/// median of the absolute deviations; the larger of the window's and of the whole record's). Values that are not finite
+/// are outliers, and are not looked at otherwise.
+std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options = {});
+
+/// Median; the mean of the middle two for an even count. NaN for none.
+double median(std::vector<double> values);
+
+/// 1.4826 × the median of absolute deviations from the median: the standard deviation of normal values.
+double robustSpread(const std::vector<double>& values);
+
+}  // namespace lathelier

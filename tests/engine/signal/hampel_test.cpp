@@ -1,0 +1,68 @@
+#include "engine/signal/hampel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "engine/core/random.h"
+
+namespace lathelier {
+namespace {
+
+TEST(Hampel, FindsPeaksAndPitsOnAWavyRecordAndNothingElse)
+{
+    std::vector<double> values;
+    for (int i = 0; i < 400; ++i)
+        values.push_back(50 * std::cos(2 * std::numbers::pi * i / 400) + 3 * std::cos(10 * std::numbers::pi * i / 400) +
+                         .8 * randomNormal(1, 0, static_cast<std::uint64_t>(i)));
+    const std::vector<std::uint8_t> none = hampelOutliers(values);
+    EXPECT_EQ(std::accumulate(none.begin(), none.end(), 0), 0);
+    values[0] += 30;
+    values[151] -= 25;
+    values[152] -= 25;
+    const std::vector<std::uint8_t> found = hampelOutliers(values);
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(found[i], i == 0 || i == 151 || i == 152) << i;
+}
+
+TEST(Hampel, TakesFewHonestValuesOfALongRecord)
+{
+    std::vector<double> values(100000);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = randomNormal(3, 0, i);
+    const std::vector<std::uint8_t> found = hampelOutliers(values);
+    EXPECT_LE(std::accumulate(found.begin(), found.end(), 0), 20);
+}
+
+TEST(Hampel, AgainstOneMedian)
+{
+    const std::vector<double> periods{61.5, 61.6, 61.4, 61.5, 123, 61.5, 61.6};
+    const std::vector<std::uint8_t> expected{0, 0, 0, 0, 1, 0, 0};
+    EXPECT_EQ(hampelOutliers(periods, {.half_window = 0}), expected);
+}
+
+TEST(Hampel, EqualAndMissingValues)
+{
+    std::vector<double> values(20, 7.0);
+    EXPECT_EQ(hampelOutliers(values), std::vector<std::uint8_t>(20, 0));
+    values[4] = std::numeric_limits<double>::quiet_NaN();
+    values[9] = 7.001;
+    std::vector<std::uint8_t> expected(20, 0);
+    expected[4] = expected[9] = 1;
+    EXPECT_EQ(hampelOutliers(values), expected);
+    expected[9] = 0;
+    EXPECT_EQ(hampelOutliers(values, {.least_spread = .001}), expected);
+    EXPECT_TRUE(hampelOutliers({}).empty());
+}
+
+TEST(Median, OfEvenOddAndNone)
+{
+    EXPECT_EQ(median({3, 1, 2}), 2);
+    EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
+    EXPECT_TRUE(std::isnan(median({})));
+    EXPECT_NEAR(robustSpread({1, 2, 3, 4, 5}), 1.4826, 1e-12);
+}
+
+}  // namespace
+}  // namespace lathelier

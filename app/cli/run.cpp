@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/help.h"
-#include "app/cli/json_text.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/standard_streams.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
 #include "engine/report/html.h"
+#include "engine/report/result_json.h"
 
 namespace lathelier::cli {
 namespace {
@@ -34,10 +34,7 @@ int exitCode(const Answer& answer, bool strict)
 /// What every verb's object begins and ends with.
 Json envelope(const Invocation& invocation, Inputs& inputs, const Answer& answer)
 {
-    Json result{{"command", invocation.verb->name}, {"version", LATHELIER_VERSION}, {"inputs", Json::array()}};
-    for (const InputFile& file : inputs.files())
-        result["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-    result["parameters"] = toJson(invocation.request.parameters);
+    Json result = resultHead(invocation.verb->name, inputs.files(), invocation.request.parameters);
     Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
     if (!answer.errors.empty()) {

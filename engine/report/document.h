@@ -139,8 +139,9 @@ struct Document {
     Caption title;
     std::vector<Section> sections;
     std::vector<InputFile> inputs;
-    bool synthetic = false;  ///< the data are synthetic: marked on the first page
-    std::string created;     ///< ISO 8601, empty leaves it out (golden tests)
+    std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report
+    bool synthetic = false;            ///< the data are synthetic: marked on the first page
+    std::string created;               ///< ISO 8601, empty leaves it out (golden tests)
 };
 
 }  // namespace lathelier

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/report/abbreviations.h"
 #include "engine/report/cells.h"
 #include "engine/report/html_style.h"
 #include "engine/report/plot_svg.h"
@@ -28,7 +29,9 @@ public:
     {
         const std::string kind = !headline.verdict ? "" : *headline.verdict ? " pass" : " fail";
         const std::string verdict = verdictText(headline, language_);
-        return "<p class=\"headline" + kind + "\">" + escaped(headline.text) +
+        const std::string words = expansion(headline.text, language_);
+        return "<p class=\"headline" + kind + "\"" + (words.empty() ? "" : " title=\"" + escaped(words) + "\"") + ">" +
+               escaped(headline.text) +
                (verdict.empty() ? "" : " <span class=\"verdict\">" + escaped(verdict) + "</span>") + "</p>\n";
     }
 

@@ -1,12 +1,15 @@
 #include "widgets/compare/compare_panel.h"
 
-#include <QBoxLayout>
 #include <QToolButton>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "engine/registration/compare_json.h"
 #include "engine/report/compare_report.h"
 #include "engine/report/deviation_file.h"
+#include "engine/report/result_json.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/core/input_column.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {
@@ -27,8 +30,12 @@ PanelInputs panelInputs()
 
 Document reportOf(const ComparePicture& picture, const Language& language, std::vector<Picture> pictures)
 {
-    Document document = compareReport(*picture.result, picture.inputs, language, std::move(pictures));
+    CompareResult result = *picture.result;
+    result.notes = picture.notes;  // those of the files as well
+    Document document = compareReport(result, picture.inputs, language, std::move(pictures));
     document.synthetic = picture.synthetic;
+    document.results = {
+        toText(wholeResult("compare", picture.inputs, toValues(result.parameters), toJson(result), result.notes))};
     return document;
 }
 
@@ -70,12 +77,10 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
 
 void ComparePanel::addSwapButton()
 {
-    auto* copy = findChild<QWidget*>("input_copy");
     swap_ = new QToolButton;
     swap_->setObjectName("swap");
     swap_->setAutoRaise(true);
-    auto* column = qobject_cast<QBoxLayout*>(copy->parentWidget()->layout());
-    column->insertWidget(column->indexOf(copy), swap_, 0, Qt::AlignHCenter);
+    inputColumn().insertBefore("copy", swap_);
     connect(swap_, &QToolButton::clicked, this, &ComparePanel::swapInputs);
     ComparePanel::retranslate();
 }

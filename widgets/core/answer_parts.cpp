@@ -1,12 +1,10 @@
 #include "widgets/core/answer_parts.h"
 
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStyle>
-#include <QVBoxLayout>
-#include <algorithm>
 
+#include "engine/report/abbreviations.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 
@@ -20,48 +18,40 @@ QFont scaled(const QFont& font, double factor)
     return result;
 }
 
-/// As high as its lines: a layout in need of room must not cut them.
-void keepLines(QLabel* label)
-{
-    label->setMinimumHeight(label->text().isEmpty() ? 0 : label->heightForWidth(label->width()));
-}
-
-class WrappingLabel : public QLabel {
-protected:
-    void resizeEvent(QResizeEvent* event) override
-    {
-        QLabel::resizeEvent(event);
-        keepLines(this);
-    }
-};
-
-void say(QLabel* label, const QString& text)
-{
-    label->setText(text);
-    keepLines(label);
-}
-
-QLabel* wrappingLabel(const char* name)
-{
-    auto* label = new WrappingLabel;
-    label->setObjectName(name);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    return label;
-}
-
-/// Files by their names: the folders stand in the tooltips of the inputs and in the report.
-QString shortText(Note note)
-{
-    if (const Value* path = find(note.values, "path"))
-        if (const auto* whole = std::get_if<std::string>(path))
-            set(note.values, "path", QFileInfo(QString::fromStdString(*whole)).fileName().toStdString());
-    return screenText(note);
-}
-
 }  // namespace
 
-HeadlineLabel::HeadlineLabel(QWidget* parent) : QWidget(parent), text_(wrappingLabel("headline")), verdict_(new QLabel)
+WrappingLabel::WrappingLabel(const char* name)
+{
+    setObjectName(name);
+    setWordWrap(true);
+    setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+}
+
+void WrappingLabel::say(const QString& text)
+{
+    setText(text);
+    keepLines();
+}
+
+void WrappingLabel::keepLines()
+{
+    setMinimumHeight(text().isEmpty() ? 0 : heightForWidth(width()));
+}
+
+void WrappingLabel::resizeEvent(QResizeEvent* event)
+{
+    QLabel::resizeEvent(event);
+    keepLines();
+}
+
+void WrappingLabel::changeEvent(QEvent* event)
+{
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::FontChange) keepLines();
+}
+
+HeadlineLabel::HeadlineLabel(QWidget* parent)
+    : QWidget(parent), text_(new WrappingLabel("headline")), verdict_(new QLabel)
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -75,7 +65,8 @@ HeadlineLabel::HeadlineLabel(QWidget* parent) : QWidget(parent), text_(wrappingL
 
 void HeadlineLabel::setHeadline(const Headline& headline)
 {
-    say(text_, QString::fromStdString(headline.text));
+    text_->say(QString::fromStdString(headline.text));
+    text_->setToolTip(QString::fromStdString(expansion(headline.text, screenLanguage())));
     verdict_->setVisible(headline.verdict.has_value());
     verdict_->clear();
     if (headline.verdict) {
@@ -91,7 +82,8 @@ void HeadlineLabel::setHeadline(const Headline& headline)
 
 void HeadlineLabel::clear()
 {
-    say(text_, {});
+    text_->say({});
+    text_->setToolTip({});
     verdict_->clear();
     verdict_->hide();
 }
@@ -106,7 +98,6 @@ void HeadlineLabel::applyFonts()
     QFont large = scaled(font(), 1.65);
     large.setWeight(QFont::DemiBold);
     text_->setFont(large);
-    keepLines(text_);
     verdict_->setFont(scaled(font(), 1.25));
 }
 
@@ -116,56 +107,7 @@ void HeadlineLabel::changeEvent(QEvent* event)
     if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange) applyFonts();
 }
 
-NotesLabel::NotesLabel(QWidget* parent) : QWidget(parent), text_(wrappingLabel("notes")), fold_(new QToolButton)
-{
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(text_, 1);
-    layout->addWidget(fold_, 0, Qt::AlignTop);
-    fold_->setObjectName("moreNotes");
-    fold_->setCheckable(true);
-    fold_->setAutoRaise(true);
-    connect(fold_, &QToolButton::toggled, this, &NotesLabel::refresh);
-    refresh();
-}
-
-void NotesLabel::setNotes(const Notes& notes)
-{
-    notes_ = notes;
-    std::stable_partition(notes_.begin(), notes_.end(),
-                          [](const Note& note) { return severity(note.code) == Severity::Warning; });
-    refresh();
-}
-
-void NotesLabel::setPresenting(bool presenting)
-{
-    presenting_ = presenting;
-    refresh();
-}
-
-void NotesLabel::refresh()
-{
-    const std::size_t alwaysSeen = presenting_ ? 1 : 2;
-    const bool foldable = notes_.size() > alwaysSeen;
-    const std::size_t seen = foldable && !fold_->isChecked() ? alwaysSeen : notes_.size();
-    QStringList lines;
-    for (std::size_t i = 0; i < seen; ++i) {
-        const bool warning = severity(notes_[i].code) == Severity::Warning;
-        lines << (warning ? QStringLiteral("⚠ ") : QStringLiteral("· ")) + shortText(notes_[i]);
-    }
-    say(text_, lines.join('\n'));
-    fold_->setVisible(foldable);
-    fold_->setText(fold_->isChecked() ? tr("Fewer notes") : tr("%1 more").arg(notes_.size() - alwaysSeen));
-    setVisible(!notes_.empty());
-}
-
-void NotesLabel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) refresh();
-}
-
-MessageLine::MessageLine(QWidget* parent) : QFrame(parent), symbol_(new QLabel), text_(wrappingLabel("message"))
+MessageLine::MessageLine(QWidget* parent) : QFrame(parent), symbol_(new QLabel), text_(new WrappingLabel("message"))
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -195,7 +137,7 @@ void MessageLine::show(const QString& name, const QString& text)
 {
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this);
     symbol_->setPixmap(icon(name).pixmap(size, size));
-    say(text_, text);
+    text_->say(text);
     setAccessibleName(text);
     setVisible(true);
 }

@@ -1,9 +1,8 @@
-// What stands above the views of a panel: the headline, its notes, and what went wrong.
+// What stands above the views of a panel: the headline and what went wrong. Its notes: notes_label.h.
 #pragma once
 
 #include <QFrame>
 #include <QLabel>
-#include <QToolButton>
 #include <QWidget>
 
 #include "engine/core/error.h"
@@ -11,7 +10,23 @@
 
 namespace lathelier {
 
-/// The answer in large type, and its verdict as a symbol and a word on a coloured plate.
+/// Text as wide as there is room and always as high as its lines: a layout in need of room must not cut them.
+class WrappingLabel : public QLabel {
+    Q_OBJECT
+public:
+    explicit WrappingLabel(const char* name);
+    void say(const QString& text);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void keepLines();
+};
+
+/// The answer in large type, and its verdict as a symbol and a word on a coloured plate. The tooltip spells out its
+/// abbreviations.
 class HeadlineLabel : public QWidget {
     Q_OBJECT
 public:
@@ -26,28 +41,8 @@ protected:
 private:
     void applyFonts();
 
-    QLabel* text_;
+    WrappingLabel* text_;
     QLabel* verdict_;
-};
-
-/// The notes of a result, warnings first; the first two are always seen, the rest unfolds.
-class NotesLabel : public QWidget {
-    Q_OBJECT
-public:
-    explicit NotesLabel(QWidget* parent = nullptr);
-    void setNotes(const Notes& notes);
-    void setPresenting(bool presenting);  ///< only the first one is seen, to leave room for the views
-
-protected:
-    void changeEvent(QEvent* event) override;
-
-private:
-    void refresh();
-
-    QLabel* text_;
-    QToolButton* fold_;
-    Notes notes_;
-    bool presenting_ = false;
 };
 
 /// What happened, where, and what to do; stays until the next answer.
@@ -63,7 +58,7 @@ private:
     void show(const QString& icon, const QString& text);
 
     QLabel* symbol_;
-    QLabel* text_;
+    WrappingLabel* text_;
 };
 
 }  // namespace lathelier

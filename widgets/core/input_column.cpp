@@ -67,6 +67,12 @@ InputBox* InputColumn::makeBox(const InputRole& role)
     return box;
 }
 
+void InputColumn::insertBefore(const std::string& role, QWidget* control)
+{
+    auto* layout = static_cast<QVBoxLayout*>(widget()->layout());
+    layout->insertWidget(layout->indexOf(boxes_.at(role)), control, 0, Qt::AlignHCenter);
+}
+
 void InputColumn::ask(const InputRole& role)
 {
     const QString path =

@@ -26,6 +26,9 @@ public:
 
     Form& form() const { return *form_; }
 
+    /// A control that belongs to the panel, between its files: above the input `role`, in the middle.
+    void insertBefore(const std::string& role, QWidget* control);
+
 signals:
     void sourceChosen(const std::string& role, const std::optional<lathelier::Source>& source, const QString& step);
     void parameterEdited(const std::string& key, const lathelier::Value& value, int gesture, const QString& step);

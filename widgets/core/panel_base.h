@@ -45,8 +45,8 @@ public:
     /// The panel's part of a report, of the result on screen; nullopt without a result.
     std::optional<Document> reportDocument() const;
 
-    /// For the last row of a room: the window enlarges the application's font, which type and lines of all views follow;
-    /// a panel leaves out what only takes room. Overriders call this one too.
+    /// For the last row of a room: the window enlarges the application's font, which type and lines of all views
+    /// follow; a panel leaves out what only takes room. Overriders call this one too.
     virtual void setPresenting(bool presenting);
 
 signals:

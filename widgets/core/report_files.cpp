@@ -1,10 +1,12 @@
 #include "widgets/core/report_files.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "engine/io/file.h"
 #include "engine/report/html.h"
+#include "engine/report/result_json.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_pdf.h"
 
@@ -14,6 +16,14 @@ void writeReport(const QString& path, const Document& document)
 {
     const bool pdf = QFileInfo(path).suffix().compare("pdf", Qt::CaseInsensitive) == 0;
     writeFile(path.toStdString(), pdf ? toPdf(document, screenLanguage()) : toHtml(document, screenLanguage()));
+    const std::string results = joinedResults(document.results);
+    if (!results.empty()) writeFile(resultFile(path).toStdString(), results);
+}
+
+QString resultFile(const QString& report)
+{
+    const QFileInfo info(report);
+    return info.dir().filePath(info.completeBaseName() + "_result.json");
 }
 
 Document joined(const std::vector<Document>& parts, const std::string& title)
@@ -25,6 +35,7 @@ Document joined(const std::vector<Document>& parts, const std::string& title)
         result.synthetic = result.synthetic || part.synthetic;
         result.created = std::max(result.created, part.created);
         result.sections.insert(result.sections.end(), part.sections.begin(), part.sections.end());
+        result.results.insert(result.results.end(), part.results.begin(), part.results.end());
         for (const InputFile& input : part.inputs)
             if (std::none_of(result.inputs.begin(), result.inputs.end(),
                              [&](const InputFile& known) { return known.path == input.path; }))

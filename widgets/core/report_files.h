@@ -7,8 +7,12 @@
 
 namespace lathelier {
 
-/// Writes `document` as HTML or PDF, by the suffix of `path`; whole or not at all. Error FileNotWritable.
+/// Writes `document` as HTML or PDF, by the suffix of `path`, and its results beside it as JSON. Each file is written
+/// whole or not at all. Error FileNotWritable.
 void writeReport(const QString& path, const Document& document);
+
+/// The JSON file beside a report: "shaft.html" → "shaft_result.json".
+QString resultFile(const QString& report);
 
 /// One document out of the panels' parts: sections and inputs in their order, an input named once.
 Document joined(const std::vector<Document>& parts, const std::string& title);

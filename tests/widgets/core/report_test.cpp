@@ -1,4 +1,7 @@
 // Reports as files: whole PDF documents whose plots stay vectors.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -77,6 +80,27 @@ private slots:
         QVERIFY(html.readAll().contains("<html"));
         QVERIFY(pdf.readAll().startsWith("%PDF-"));
         QVERIFY_EXCEPTION_THROWN(writeReport("/nowhere/r.pdf", withRows(1)), Error);
+    }
+
+    void resultsStandBesideAsJson()
+    {
+        const QTemporaryDir folder;
+        const auto beside = [&](const Document& document) {
+            writeReport(folder.filePath("r.v2.html"), document);
+            QFile file(folder.filePath("r.v2_result.json"));
+            if (!file.open(QIODevice::ReadOnly)) return QJsonObject();
+            return QJsonDocument::fromJson(file.readAll()).object();
+        };
+        QVERIFY(beside(withRows(1)).isEmpty());
+        Document one = withRows(1);
+        one.results = {R"({"command": "compare", "rmse_mm": 0.0125})"};
+        QCOMPARE(beside(one)["rmse_mm"].toDouble(), 0.0125);
+        Document other = withRows(2);
+        other.results = {R"({"command": "roundness", "notes": []})"};
+        const QJsonArray both = beside(joined({one, other}, "Both"))["results"].toArray();
+        QCOMPARE(both.size(), 2);
+        QCOMPARE(both[0].toObject()["rmse_mm"].toDouble(), 0.0125);
+        QCOMPARE(both[1].toObject()["command"].toString(), QString("roundness"));
     }
 
     void partsAreJoinedInOrder()

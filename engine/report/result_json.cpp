@@ -1,9 +1,9 @@
-#include "app/cli/json_text.h"
+#include "engine/report/result_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace lathelier::cli {
+namespace lathelier {
 namespace {
 
 std::string scalar(const Json& json)
@@ -59,6 +59,24 @@ void write(const Json& json, const std::string& indent, std::string& out)
 
 }  // namespace
 
+Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters)
+{
+    Json head{{"command", command}, {"version", LATHELIER_VERSION}, {"inputs", Json::array()}};
+    for (const InputFile& file : inputs)
+        head["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+    head["parameters"] = toJson(parameters);
+    return head;
+}
+
+Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,
+                 const Json& result, const Notes& notes)
+{
+    Json whole = resultHead(command, inputs, parameters);
+    whole.update(result);
+    whole["notes"] = toJson(notes);
+    return whole;
+}
+
 std::string toText(const Json& json)
 {
     std::string result;
@@ -66,4 +84,13 @@ std::string toText(const Json& json)
     return result + "\n";
 }
 
-}  // namespace lathelier::cli
+std::string joinedResults(const std::vector<std::string>& results)
+{
+    if (results.empty()) return {};
+    if (results.size() == 1) return results.front();
+    Json whole{{"results", Json::array()}};
+    for (const std::string& result : results) whole["results"].push_back(Json::parse(result));
+    return toText(whole);
+}
+
+}  // namespace lathelier

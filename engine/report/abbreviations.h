@@ -1,0 +1,22 @@
+// What the abbreviations in headlines and tables stand for: said in tooltips, on screen and in the HTML report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/texts.h"
+
+namespace lathelier {
+
+struct Abbreviation {
+    std::string letters;  ///< "RONt"
+    Text meaning;         ///< "peak-to-valley roundness deviation"
+};
+
+/// Those that stand in `text` as whole words, each once, in the order of the list. Names after ISO 12181-1, 12180-1.
+std::vector<Abbreviation> abbreviationsIn(const std::string& text);
+
+/// One line for each abbreviation in `text`: "RMS: root mean square"; empty when there is none.
+std::string expansion(const std::string& text, const Language& language = {});
+
+}  // namespace lathelier

@@ -1,0 +1,26 @@
+// A result as one JSON object: what the command line prints, and what the window writes beside a report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/json.h"
+#include "engine/report/document.h"
+
+namespace lathelier {
+
+/// What every object begins with: command, version, inputs (path, bytes, sha256), parameters (all of them).
+Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters);
+
+/// A whole object: head, the keys of `result`, notes.
+Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,
+                 const Json& result, const Notes& notes);
+
+/// Indented by two spaces, arrays of numbers on one line; ends with a line feed.
+std::string toText(const Json& json);
+
+/// The results of a report (Document::results) as one text: a single one as it is, several as {"results": [...]}; empty
+/// when there is none.
+std::string joinedResults(const std::vector<std::string>& results);
+
+}  // namespace lathelier

@@ -1367,6 +1367,74 @@
         <source>a body of revolution, which has an axis</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>root mean square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root mean square error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak-to-valley roundness deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak-to-reference roundness deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference-to-valley roundness deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root mean square roundness deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak-to-valley cylindricity deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares reference circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum zone reference circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maximum inscribed reference circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum circumscribed reference circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares reference cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum zone reference cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undulations per revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median absolute deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -1367,6 +1367,74 @@
         <source>a body of revolution, which has an axis</source>
         <translation>bryła obrotowa, która ma oś</translation>
     </message>
+    <message>
+        <source>root mean square</source>
+        <translation>średnia kwadratowa</translation>
+    </message>
+    <message>
+        <source>root mean square error</source>
+        <translation>średni błąd kwadratowy</translation>
+    </message>
+    <message>
+        <source>peak-to-valley roundness deviation</source>
+        <translation>odchyłka okrągłości, od wzniesienia do wgłębienia</translation>
+    </message>
+    <message>
+        <source>peak-to-reference roundness deviation</source>
+        <translation>odchyłka okrągłości, wzniesienie nad okręgiem odniesienia</translation>
+    </message>
+    <message>
+        <source>reference-to-valley roundness deviation</source>
+        <translation>odchyłka okrągłości, wgłębienie pod okręgiem odniesienia</translation>
+    </message>
+    <message>
+        <source>root mean square roundness deviation</source>
+        <translation>średniokwadratowa odchyłka okrągłości</translation>
+    </message>
+    <message>
+        <source>peak-to-valley cylindricity deviation</source>
+        <translation>odchyłka walcowości, od wzniesienia do wgłębienia</translation>
+    </message>
+    <message>
+        <source>least squares reference circle</source>
+        <translation>średni okrąg odniesienia (najmniejszych kwadratów)</translation>
+    </message>
+    <message>
+        <source>minimum zone reference circles</source>
+        <translation>okręgi odniesienia o najmniejszej strefie</translation>
+    </message>
+    <message>
+        <source>maximum inscribed reference circle</source>
+        <translation>największy okrąg wpisany</translation>
+    </message>
+    <message>
+        <source>minimum circumscribed reference circle</source>
+        <translation>najmniejszy okrąg opisany</translation>
+    </message>
+    <message>
+        <source>least squares reference cylinder</source>
+        <translation>średni walec odniesienia (najmniejszych kwadratów)</translation>
+    </message>
+    <message>
+        <source>minimum zone reference cylinders</source>
+        <translation>walce odniesienia o najmniejszej strefie</translation>
+    </message>
+    <message>
+        <source>undulations per revolution</source>
+        <translation>liczba fal na obrót</translation>
+    </message>
+    <message>
+        <source>Gaussian filter</source>
+        <translation>filtr Gaussa</translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation>odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>median absolute deviation</source>
+        <translation>mediana odchyleń bezwzględnych</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -64,7 +64,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The points all lie {found}; this determines no alignment.</source>
+        <source>The points all lie {found}; no answer follows from that.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

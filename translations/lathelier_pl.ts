@@ -64,8 +64,8 @@
         <translation>Za mało punktów: {found}; potrzeba co najmniej {minimum}.</translation>
     </message>
     <message>
-        <source>The points all lie {found}; this determines no alignment.</source>
-        <translation>Wszystkie punkty leżą {found}; to nie wyznacza dopasowania.</translation>
+        <source>The points all lie {found}; no answer follows from that.</source>
+        <translation>Wszystkie punkty leżą {found}; nie wynika z tego żadna odpowiedź.</translation>
     </message>
     <message>
         <source>The two parts do not match: only {overlap_percent} % of the copy lies near the reference.</source>

@@ -23,7 +23,7 @@ LATHELIER_ERROR(CoordinateTooLarge, "coordinate_too_large", InputRejected, LT_TE
 
 // --- no answer
 LATHELIER_ERROR(TooFewPoints, "too_few_points", NoAnswer, LT_TEXT("Engine", "{found} points are too few; at least {minimum} are needed."))
-LATHELIER_ERROR(PointsDegenerate, "points_degenerate", NoAnswer, LT_TEXT("Engine", "The points all lie {found}; this determines no alignment."))
+LATHELIER_ERROR(PointsDegenerate, "points_degenerate", NoAnswer, LT_TEXT("Engine", "The points all lie {found}; no answer follows from that."))
 LATHELIER_ERROR(PartsDoNotMatch, "parts_do_not_match", NoAnswer, LT_TEXT("Engine", "The two parts do not match: only {overlap_percent} % of the copy lies near the reference."))
 LATHELIER_ERROR(NotConverged, "not_converged", NoAnswer, LT_TEXT("Engine", "No stable solution after {iterations} iterations."))
 LATHELIER_ERROR(NotABodyOfRevolution, "not_a_body_of_revolution", NoAnswer, LT_TEXT("Engine", "The {role} is not a body of revolution (residual {residual_mm} mm)."))

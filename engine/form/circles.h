@@ -1,5 +1,5 @@
 // The four reference circles of ISO 12181-1 and roundness deviations about them.
-// Definitions: shared with form.md section 1; MZCI by a minimax exchange with certificate.
+// MZCI and MICI by a minimax exchange, proved by branch and bound (circle_zone.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -39,7 +39,8 @@ struct FittedCircle {
     double RONq_um = std::numeric_limits<double>::quiet_NaN();  ///< root mean square of d - radius; LSCI only
     std::vector<CircleContact> contacts;                        ///< MZCI, MICI, MCCI
     std::optional<double> certified_gap_um;                     ///< MZCI, MICI: no circle is better by more than this
-    bool unique = true;                                         ///< MICI, MZCI: false when another centre does as well
+    bool unique = true;  ///< MICI, MZCI: false when another centre does as well (known with a certificate only)
+    bool held = false;   ///< MICI: held by the edge of the region allowed, not by points alone (arcs, sparse points)
 };
 
 struct ReferenceCircles {
@@ -51,19 +52,19 @@ struct ReferenceCircles {
 struct CircleOptions {
     bool certify = true;           ///< branch and bound for MZCI and MICI: about three times the work
     double certificate_um = 1e-6;  ///< the gap to reach, or `certificate_relative` of the deviation if larger
-    double certificate_relative = 1e-6;
+    double certificate_relative = 1e-8;
     int certificate_nodes = 20000;  ///< then the gap reached is stated
 };
 
 /// All four circles of 4 to 1e6 points in any order, any offset, partial arcs, duplicates. The points need not be
 /// uniform. Results do not depend on the order of the points beyond the last bits, nor on the number of threads.
-/// MICI: the centre is sought inside the convex hull, around LSCI's.
-/// Errors: TooFewPoints (fewer than 4 different ones), PointsDegenerate (`reason`: all equal, on a line). Throws
-/// Cancelled.
+/// MICI: the centre is sought inside the convex hull of the points and LSCI's centre. MZCI: within two radii of LSCI's.
+/// Errors: TooFewPoints (fewer than 4 different ones), PointsDegenerate (`found`: in one place, on a line),
+/// CoordinateTooLarge (also what is no number). Throws Cancelled.
 ReferenceCircles fitCircles(std::span<const Eigen::Vector2d> points_mm, const CircleOptions& options = {},
                             const Progress& progress = {});
 
-/// The geometric least-squares circle alone.
+/// The geometric least-squares circle alone, of three points or more. Errors as fitCircles().
 FittedCircle fitLeastSquaresCircle(std::span<const Eigen::Vector2d> points_mm);
 
 }  // namespace lathelier

@@ -1,0 +1,119 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "engine/form/circle_simple.h"
+
+namespace lathelier {
+namespace {
+
+constexpr Eigen::Index blockSize = 512;
+
+/// The sums of one pass: half the gradient and half the Hessian of Σ(d - R)² in centre and radius.
+struct Sums {
+    double squares = 0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();       ///< Newton's
+    Eigen::Matrix3d gauss_newton = Eigen::Matrix3d::Zero();  ///< never indefinite
+};
+
+Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
+{
+    using Block = Eigen::Array<double, blockSize, 1>;
+    Block ux, uy, e, q;
+    Sums s;
+    double sum_e = 0, sum_x = 0, sum_y = 0, sum_eq = 0, xx = 0, xy = 0, yy = 0, qxx = 0, qxy = 0, qyy = 0, ex = 0,
+           ey = 0;
+    for (Eigen::Index begin = 0; begin < points.x().size(); begin += blockSize) {
+        const Eigen::Index n = std::min(blockSize, points.x().size() - begin);
+        ux.head(n) = points.x().segment(begin, n) - circle[0];
+        uy.head(n) = points.y().segment(begin, n) - circle[1];
+        e.head(n) = (ux.head(n).square() + uy.head(n).square()).sqrt().max(1e-300);  // a point on the centre: u = 0
+        q.head(n) = e.head(n).inverse();
+        ux.head(n) *= q.head(n);
+        uy.head(n) *= q.head(n);
+        e.head(n) -= circle[2];
+        q.head(n) *= e.head(n);  // (d - R) / d
+        s.squares += e.head(n).square().sum();
+        sum_e += e.head(n).sum();
+        sum_x += ux.head(n).sum();
+        sum_y += uy.head(n).sum();
+        ex += (e.head(n) * ux.head(n)).sum();
+        ey += (e.head(n) * uy.head(n)).sum();
+        xx += ux.head(n).square().sum();
+        xy += (ux.head(n) * uy.head(n)).sum();
+        yy += uy.head(n).square().sum();
+        sum_eq += q.head(n).sum();
+        qxx += (q.head(n) * ux.head(n).square()).sum();
+        qxy += (q.head(n) * ux.head(n) * uy.head(n)).sum();
+        qyy += (q.head(n) * uy.head(n).square()).sum();
+    }
+    const auto count = static_cast<double>(points.size());
+    s.gradient = {-ex, -ey, -sum_e};
+    s.gauss_newton << xx, xy, sum_x, xy, yy, sum_y, sum_x, sum_y, count;
+    s.hessian = s.gauss_newton;
+    s.hessian(0, 0) += sum_eq - qxx;
+    s.hessian(0, 1) -= qxy;
+    s.hessian(1, 0) -= qxy;
+    s.hessian(1, 1) += sum_eq - qyy;
+    return s;
+}
+
+/// The circle that minimises Σ(d² - R²)²: near enough to start from.
+Eigen::Vector3d algebraicCircle(const CirclePoints& points)
+{
+    const double mx = points.x().mean(), my = points.y().mean();
+    const Eigen::ArrayXd x = points.x() - mx, y = points.y() - my, z = x.square() + y.square();
+    Eigen::Matrix2d m;
+    m << x.square().sum(), (x * y).sum(), (x * y).sum(), y.square().sum();
+    const Eigen::Vector2d centre = 0.5 * m.ldlt().solve(Eigen::Vector2d((x * z).sum(), (y * z).sum()));
+    return {centre.x() + mx, centre.y() + my, std::sqrt(centre.squaredNorm() + z.mean())};
+}
+
+}  // namespace
+
+LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
+{
+    constexpr double runaway = 1e7;  // radius in half sizes of the points; their sagitta is then lost in rounding
+    Eigen::Vector3d circle = algebraicCircle(points);
+    Sums now = sumsAt(points, circle);
+    double damping = 0;
+    for (int iteration = 0; iteration < 200; ++iteration) {
+        Eigen::Matrix3d matrix = now.hessian;
+        Eigen::LLT<Eigen::Matrix3d> factors(matrix);
+        if (damping > 0 || factors.info() != Eigen::Success) {
+            matrix = now.gauss_newton;
+            matrix.diagonal() *= 1 + damping;
+            factors.compute(matrix);
+        }
+        const Eigen::Vector3d step = factors.solve(-now.gradient);
+        if (!step.allFinite()) break;
+        const Eigen::Vector3d trial = circle + step;
+        const Sums next = sumsAt(points, trial);
+        const bool fine = step.norm() <= 1e-8 * std::abs(circle[2]);  // Newton's last step squares this
+        if (next.squares <= now.squares || fine) {
+            circle = trial;
+            now = next;
+            damping = damping > 1e-6 ? damping / 10 : 0;
+            if (fine) break;
+        } else {
+            damping = std::max(10 * damping, 1e-4);
+            if (damping > 1e12) break;
+        }
+        if (std::abs(circle[2]) > runaway) break;
+    }
+    // One more plain step: where Gauss-Newton stopped first, Newton finishes.
+    if (const Eigen::LLT<Eigen::Matrix3d> factors(now.hessian); factors.info() == Eigen::Success) {
+        const Eigen::Vector3d step = factors.solve(-now.gradient);
+        if (step.norm() <= 1e-6 * std::abs(circle[2])) {
+            circle += step;
+            now = sumsAt(points, circle);
+        }
+    }
+    if (!circle.allFinite() || std::abs(circle[2]) > runaway)
+        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+    return {circle.head<2>(), circle[2], std::sqrt(now.squares / static_cast<double>(points.size()))};
+}
+
+}  // namespace lathelier

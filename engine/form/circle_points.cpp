@@ -1,0 +1,128 @@
+#include "engine/form/circle_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+namespace {
+
+constexpr Eigen::Index blockSize = 512;
+constexpr double largest_mm = 1e12;
+
+void checkDifferent(std::span<const Eigen::Vector2d> points_mm, std::size_t least)
+{
+    std::vector<Eigen::Vector2d> different;
+    for (const Eigen::Vector2d& point : points_mm) {
+        if (std::find(different.begin(), different.end(), point) == different.end()) different.push_back(point);
+        if (different.size() == least) return;
+    }
+    if (different.size() == 1 && points_mm.size() >= least)
+        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
+    throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(different.size())},
+                                          {"minimum", static_cast<std::int64_t>(least)}});
+}
+
+/// Smallest width of the points across their principal direction.
+double widthAcross(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
+{
+    const double mean_x = x.mean(), mean_y = y.mean();
+    const double xx = (x - mean_x).square().sum(), yy = (y - mean_y).square().sum();
+    const double xy = ((x - mean_x) * (y - mean_y)).sum();
+    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    const Eigen::ArrayXd across = y * std::cos(angle) - x * std::sin(angle);
+    return across.maxCoeff() - across.minCoeff();
+}
+
+}  // namespace
+
+CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size_t least)
+{
+    checkDifferent(points_mm, least);
+    Eigen::Array2d low = points_mm.front(), high = points_mm.front();
+    for (const Eigen::Vector2d& point : points_mm) {
+        low = low.min(point.array());
+        high = high.max(point.array());
+    }
+    // Compared so that what is no number is refused as well: minima and maxima do not keep it.
+    for (const Eigen::Vector2d& point : points_mm)
+        if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largest_mm) || !point.allFinite())
+            throw Error(ErrorCode::CoordinateTooLarge, {{"found", size}, {"maximum", largest_mm}});
+    middle_mm_ = 0.5 * low + 0.5 * high;
+    const double half_mm = 0.5 * (high - low).maxCoeff();
+    scale_mm_ = std::ldexp(1.0, std::ilogb(half_mm) + 1);
+    extent_ = half_mm / scale_mm_;
+    const auto count = static_cast<Eigen::Index>(points_mm.size());
+    x_.resize(count);
+    y_.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Vector2d local = (points_mm[static_cast<std::size_t>(i)] - middle_mm_) / scale_mm_;
+        x_[i] = local.x();
+        y_[i] = local.y();
+    }
+    const double rounding = low.abs().max(high.abs()).maxCoeff() / scale_mm_ * std::numeric_limits<double>::epsilon();
+    if (widthAcross(x_, y_) <= std::max(1e-10, 16 * rounding))
+        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+}
+
+CirclePoints::Extremes CirclePoints::extremes(const Eigen::Vector2d& centre) const
+{
+    // Blocks keep the distances in the first cache and the comparisons in vector registers; the index is looked for
+    // in the one block that holds the extreme.
+    Eigen::Array<double, blockSize, 1> buffer;
+    const auto squares = [&](Eigen::Index begin, Eigen::Index length) {
+        buffer.head(length) =
+            (x_.segment(begin, length) - centre.x()).square() + (y_.segment(begin, length) - centre.y()).square();
+    };
+    double low = std::numeric_limits<double>::infinity(), high = -1;
+    Eigen::Index low_block = 0, high_block = 0;
+    for (Eigen::Index begin = 0; begin < x_.size(); begin += blockSize) {
+        const Eigen::Index length = std::min(blockSize, x_.size() - begin);
+        squares(begin, length);
+        const double block_low = buffer.head(length).minCoeff(), block_high = buffer.head(length).maxCoeff();
+        if (block_low < low) {
+            low = block_low;
+            low_block = begin;
+        }
+        if (block_high > high) {
+            high = block_high;
+            high_block = begin;
+        }
+    }
+    Eigen::Index low_index = 0, high_index = 0;
+    squares(low_block, std::min(blockSize, x_.size() - low_block));
+    while (buffer[low_index] != low) ++low_index;
+    squares(high_block, std::min(blockSize, x_.size() - high_block));
+    while (buffer[high_index] != high) ++high_index;
+    return {std::sqrt(low), std::sqrt(high), static_cast<std::size_t>(low_block + low_index),
+            static_cast<std::size_t>(high_block + high_index)};
+}
+
+std::array<CirclePoints::Sector, CirclePoints::sectorCount> CirclePoints::sectors(const Eigen::Vector2d& centre) const
+{
+    std::array<Sector, sectorCount> result;
+    for (Eigen::Index i = 0; i < x_.size(); ++i) {
+        const double dx = x_[i] - centre.x(), dy = y_[i] - centre.y();
+        const double sum = std::abs(dx) + std::abs(dy);
+        if (sum == 0) continue;
+        const double turn = dy >= 0 ? 1 - dx / sum : 3 + dx / sum;  // 0…4, grows with the angle
+        const auto index = std::min(static_cast<std::size_t>(turn * (sectorCount / 4.0)), sectorCount - 1);
+        Sector& sector = result[index];
+        const double square = dx * dx + dy * dy;
+        if (!sector.occupied || square < sector.nearest) {
+            sector.nearest = square;
+            sector.nearest_index = static_cast<std::uint32_t>(i);
+        }
+        if (!sector.occupied || square > sector.farthest) {
+            sector.farthest = square;
+            sector.farthest_index = static_cast<std::uint32_t>(i);
+        }
+        sector.occupied = true;
+    }
+    return result;
+}
+
+}  // namespace lathelier

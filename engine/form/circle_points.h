@@ -1,0 +1,55 @@
+// The points of a profile, centred and scaled for the fits of circles.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace lathelier {
+
+/// Points about the middle of their bounding box, in units of about half its size: a power of two, so that scaling
+/// costs no bit. All that follows counts in these units; toMm() leads back.
+class CirclePoints {
+public:
+    /// Errors: TooFewPoints (fewer than `least` different ones), PointsDegenerate, CoordinateTooLarge.
+    CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size_t least);
+
+    std::size_t size() const { return static_cast<std::size_t>(x_.size()); }
+    const Eigen::ArrayXd& x() const { return x_; }
+    const Eigen::ArrayXd& y() const { return y_; }
+    Eigen::Vector2d point(std::size_t index) const
+    {
+        const auto i = static_cast<Eigen::Index>(index);
+        return {x_[i], y_[i]};
+    }
+    double extent() const { return extent_; }  ///< half of the bounding box's longer side: 0.5…1
+    double scale_mm() const { return scale_mm_; }
+    Eigen::Vector2d toMm(const Eigen::Vector2d& centre) const { return middle_mm_ + scale_mm_ * centre; }
+
+    /// The points nearest to and farthest from a centre; the first of equal ones.
+    struct Extremes {
+        double nearest = 0, farthest = 0;
+        std::size_t nearest_index = 0, farthest_index = 0;
+
+        double width() const { return farthest - nearest; }
+    };
+    Extremes extremes(const Eigen::Vector2d& centre) const;
+
+    /// The same for each of `sectorCount` equal turns of direction (in the diamond's measure) as seen from a centre.
+    static constexpr std::size_t sectorCount = 64;
+    struct Sector {
+        bool occupied = false;
+        double nearest = 0, farthest = 0;  ///< squared
+        std::uint32_t nearest_index = 0, farthest_index = 0;
+    };
+    std::array<Sector, sectorCount> sectors(const Eigen::Vector2d& centre) const;
+
+private:
+    Eigen::ArrayXd x_, y_;
+    Eigen::Vector2d middle_mm_ = Eigen::Vector2d::Zero();
+    double scale_mm_ = 1;
+    double extent_ = 1;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,30 @@
+// The two reference circles without local optima: least squares and smallest enclosing.
+#pragma once
+
+#include <vector>
+
+#include "engine/form/circle_points.h"
+
+namespace lathelier {
+
+struct LeastSquaresCircle {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = 0;
+    double rms = 0;  ///< root mean square of distance - radius
+};
+
+/// Geometric least squares by Newton's method from the algebraic circle (Kåsa). Error PointsDegenerate when the
+/// points are so straight that the circle runs away.
+LeastSquaresCircle leastSquaresCircle(const CirclePoints& points);
+
+struct EnclosingCircle {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = 0;
+    std::vector<std::size_t> contacts;  ///< two or three
+};
+
+/// Smallest circle around all points: the farthest point joins the contacts until none is outside (Gärtner, "Fast
+/// and robust smallest enclosing balls", ESA 1999).
+EnclosingCircle enclosingCircle(const CirclePoints& points);
+
+}  // namespace lathelier

@@ -1,6 +1,7 @@
 // The two reference circles without local optima: least squares and smallest enclosing.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/form/circle_points.h"
@@ -23,8 +24,9 @@ struct EnclosingCircle {
     std::vector<std::size_t> contacts;  ///< two or three
 };
 
-/// Smallest circle around all points: the farthest point joins the contacts until none is outside (Gärtner, "Fast
-/// and robust smallest enclosing balls", ESA 1999).
+/// Smallest circle around all points, however few and wherever they lie (even all in one place): the farthest point
+/// joins the contacts until none is outside (Gärtner, "Fast and robust smallest enclosing balls", ESA 1999).
 EnclosingCircle enclosingCircle(const CirclePoints& points);
+EnclosingCircle enclosingCircle(std::span<const Eigen::Vector2d> points);
 
 }  // namespace lathelier

@@ -47,17 +47,15 @@ ZoneProblem::Measured ZoneProblem::measure(const Vector2d& centre)
     return {goal_ == MinimaxGoal::Width ? e.width() : -e.nearest, e.width(), grew};
 }
 
-double ZoneProblem::linearise(const Vector2d& centre)
+const LinearDistances<2>& ZoneProblem::linearise(const Vector2d& centre)
 {
     distances_.clear();
-    double smallest = std::numeric_limits<double>::infinity();
     for (const Vector2d& point : working_points_) {
         const Vector2d difference = point - centre;
         const double distance = std::sqrt(difference.squaredNorm());
-        smallest = std::min(smallest, distance);
         distances_.push(distance, distance > 0 ? Vector2d(difference / distance) : Vector2d::Zero());
     }
-    return smallest;
+    return distances_;
 }
 
 const std::vector<HalfPlane>& ZoneProblem::limitsNear(const Vector2d& centre, double reach)
@@ -71,47 +69,20 @@ const std::vector<HalfPlane>& ZoneProblem::limitsNear(const Vector2d& centre, do
 
 ZoneOptimum ZoneProblem::descend(const Vector2d& start)
 {
-    // Rounding of a distance; an improvement below it is none.
-    const double noise = 4e-16 * (1 + start.norm());
-    Vector2d centre = start;
-    Measured now = measure(centre);
-    double half = std::max(4 * now.width, 1e-12);
-    MinimaxStep plan;
-    constexpr int mostSteps = 200;
-    for (int iteration = 0, idle = 0; iteration < mostSteps && idle < 4; ++iteration) {
-        linearise(centre);
-        plan = minimax(distances_, goal_, half, limitsNear(centre, 1.5 * half));
-        const double length = plan.step.lpNorm<Eigen::Infinity>();
-        if (!(length > 1e-17)) break;
-        const Vector2d trial = centre + plan.step;
-        const Measured next = measure(trial);
-        if (next.value < now.value) {
-            idle = next.value < now.value - noise ? 0 : idle + 1;
-            if (length > 0.99 * half) half *= 2;
-            centre = trial;
-            now = next;
-        } else if (!next.grew) {
-            // All that matters is in the working set: the tangents reached too far, or nothing is left to gain.
-            if (now.value - plan.value <= noise) ++idle;
-            half = std::min(half, length) / 4;
-            if (half < 1e-16) break;
-        }
-    }
+    const double half = std::max(4 * measure(start).width, 1e-12);
+    const ExchangeResult<2> found = exchange<2>(*this, start, half);
     ZoneOptimum result;
-    result.centre = centre;
-    result.value = now.value;
-    result.width = now.width;
-    linearise(centre);
-    plan = minimax(distances_, goal_, std::max(half, 1e-9), limitsNear(centre, 2e-9 + 1.5 * half));
+    result.centre = found.place;
+    result.value = found.value;
+    result.width = points_.extremes(found.place).width();
     const auto addTo = [](std::vector<std::size_t>& list, std::size_t index) {
         if (std::find(list.begin(), list.end(), index) == list.end()) list.push_back(index);
     };
-    for (const MinimaxStep::Active& active : plan.active) {
+    for (const MinimaxStep<2>::Active& active : found.plan.active) {
         if (!(active.weight > 1e-9)) continue;
         result.held = result.held || active.limit;
-        if (active.inner == MinimaxStep::none) continue;
-        addTo(result.inner, working_[active.inner]);
-        if (active.outer != MinimaxStep::none) addTo(result.outer, working_[active.outer]);
+        if (active.inner != MinimaxStep<2>::none) addTo(result.inner, working_[active.inner]);
+        if (active.outer != MinimaxStep<2>::none) addTo(result.outer, working_[active.outer]);
     }
     return result;
 }

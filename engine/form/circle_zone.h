@@ -12,7 +12,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/form/circle_points.h"
-#include "engine/form/linear_minimax.h"
+#include "engine/form/minimax_exchange.h"
 
 namespace lathelier {
 
@@ -46,12 +46,19 @@ public:
     /// Proves `best` over the square around `middle`, or finds a better one and proves that.
     ZoneProof prove(ZoneOptimum& best, const Eigen::Vector2d& middle, double half, double tolerance, int most_nodes);
 
-private:
     struct Measured {
         double value = 0;
         double width = 0;
         bool grew = false;
     };
+    // What exchange() asks for.
+    Measured measure(const Eigen::Vector2d& centre);  ///< on all points; the working set grows by the extremes
+    const LinearDistances<2>& linearise(const Eigen::Vector2d& centre);
+    const std::vector<HalfPlane>& limitsNear(const Eigen::Vector2d& centre, double reach);
+    MinimaxGoal goal() const { return goal_; }
+    double noise(const Eigen::Vector2d& centre) const { return 4e-16 * (1 + centre.norm()); }
+
+private:
     struct Cell {
         Eigen::Vector2d centre;
         double half;
@@ -59,10 +66,7 @@ private:
     };
     struct Search;
 
-    Measured measure(const Eigen::Vector2d& centre);  ///< on all points; the working set grows by the extremes
     bool add(std::size_t index);
-    double linearise(const Eigen::Vector2d& centre);  ///< the working set; returns its smallest distance
-    const std::vector<HalfPlane>& limitsNear(const Eigen::Vector2d& centre, double reach);
     bool isOutside(const Eigen::Vector2d& centre, double reach) const;
     double boundOf(const Cell& cell, Search& search);
     void visit(const Eigen::Vector2d& centre, const Measured& measured, double curvature, Search& search);
@@ -73,7 +77,7 @@ private:
     Progress progress_;
     std::vector<std::size_t> working_;
     std::vector<Eigen::Vector2d> working_points_;
-    LinearDistances distances_;
+    LinearDistances<2> distances_;
     std::vector<HalfPlane> limits_;
 };
 

@@ -60,10 +60,9 @@ double ZoneProblem::boundOf(const Cell& cell, Search& search)
 {
     const double reach = cell.half * std::sqrt(2.0);
     if (isOutside(cell.centre, reach)) return std::numeric_limits<double>::infinity();
-    double smallest = linearise(cell.centre);
-    double largest = 0;
-    if (goal_ == MinimaxGoal::Width)
-        for (const double a : distances_.a) largest = std::max(largest, a);
+    const std::vector<double>& distances = linearise(cell.centre).a;
+    double smallest = *std::min_element(distances.begin(), distances.end());
+    const double largest = *std::max_element(distances.begin(), distances.end());
     // A distance changes by no more than the step (Lipschitz).
     double bound = goal_ == MinimaxGoal::Width ? largest - smallest - 2 * reach : -smallest - reach;
     if (bound >= search.threshold() || reach > 0.4 * smallest) return bound;
@@ -80,7 +79,8 @@ double ZoneProblem::boundOf(const Cell& cell, Search& search)
         const Measured measured = measure(centre);
         visit(centre, measured, curvature, search);
         if (working_.size() == before) break;
-        smallest = linearise(cell.centre);
+        linearise(cell.centre);
+        smallest = *std::min_element(distances.begin(), distances.end());
     }
     return bound;
 }

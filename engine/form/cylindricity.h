@@ -38,8 +38,8 @@ struct CylindricityResult {
     std::size_t points = 0;
     FittedCylinder LSCY;
     FittedCylinder MZCY;  ///< minimum zone, locally optimal from several starts
-    double axis_straightness_um = std::numeric_limits<double>::quiet_NaN();  ///< STRt of the section centres, when
-                                                                             ///< the points lie in sections
+    double axis_straightness_um = std::numeric_limits<double>::quiet_NaN();  ///< of the section centres, when the
+                                                                             ///< points lie in sections z = const
     double length_mm = 0;
     std::optional<FormVerdict> verdict;
     Notes notes;
@@ -52,11 +52,15 @@ CylindricityResult cylindricity(std::span<const Eigen::Vector3d> points_mm,
 
 /// Straightness of points in space: the axis of a stack of sections.
 struct StraightnessResult {
-    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< of the least-squares line
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-    double STRt_LSLI_um = 0;  ///< 2 × largest distance from the least-squares line
-    double STRt_MZLI_um = 0;  ///< diameter of the smallest cylinder about the points (2 × MCC radius of the residuals)
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< of the least-squares line: the points' mean
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< toward + on its dominant coordinate
+    double axis_straightness_um = 0;  ///< diameter of the smallest cylinder about the points along the least-squares
+                                      ///< line: 2 × MCC radius of the residuals
+    double STRt_LSLI_um = 0;          ///< 2 × largest distance from the least-squares line
+    double STRt_MZLI_um = 0;          ///< diameter of the smallest cylinder about the points, of any direction
 };
+
+/// Errors: TooFewPoints (fewer than 2), PointsDegenerate (all in one place).
 StraightnessResult straightness(std::span<const Eigen::Vector3d> points_mm);
 
 }  // namespace lathelier

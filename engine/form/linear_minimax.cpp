@@ -1,40 +1,41 @@
 #include "engine/form/linear_minimax.h"
 
-#include <Eigen/Geometry>
-
+#include <Eigen/LU>
 #include <cmath>
 
 namespace lathelier {
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-/// normal · (step / half, value) ≥ bound. Steps are counted in halves of the square, so that all normals are of
-/// like size however small it is.
+/// normal · (step / half, value) ≥ bound. Steps are counted in halves of the cube, so that all normals are of like
+/// size however small it is.
+template <int N>
 struct Constraint {
-    Vector3d normal = Vector3d::Zero();
+    Eigen::Vector<double, N + 1> normal = Eigen::Vector<double, N + 1>::Zero();
     double bound = 0;
-    std::size_t outer = MinimaxStep::none, inner = MinimaxStep::none;
+    std::size_t outer = MinimaxStep<N>::none, inner = MinimaxStep<N>::none;
     bool limit = false;
 };
 
+template <int N>
 class Program {
 public:
-    Program(const LinearDistances& distances, MinimaxGoal goal, double half, const std::vector<HalfPlane>& limits)
+    using Step = Eigen::Vector<double, N>;
+
+    Program(const LinearDistances<N>& distances, MinimaxGoal goal, double half, const std::vector<Limit<N>>& limits)
         : distances_(distances), goal_(goal), half_(half), limits_(limits)
     {
     }
 
     /// The piece of the goal that is largest at `step`: value ≥ piece.
-    Constraint largestPiece(const Vector2d& step) const
+    Constraint<N> largestPiece(const Step& step) const
     {
-        const Vector2d s = half_ * step;
+        const Step s = half_ * step;
         const std::size_t count = distances_.size();
         double low = std::numeric_limits<double>::infinity(), high = -low;
         std::size_t inner = 0, outer = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            const double value = distances_.a[i] - distances_.ux[i] * s.x() - distances_.uy[i] * s.y();
+            double value = distances_.a[i];
+            for (std::size_t k = 0; k < N; ++k) value -= distances_.u[k][i] * s[static_cast<int>(k)];
             if (value < low) {
                 low = value;
                 inner = i;
@@ -44,32 +45,35 @@ public:
                 outer = i;
             }
         }
-        Constraint result;
-        result.inner = inner;
-        Vector2d gradient = direction(inner);
-        result.bound = -distances_.a[inner];
-        if (goal_ == MinimaxGoal::Width) {
+        Constraint<N> result;
+        Step gradient = Step::Zero();
+        if (goal_ != MinimaxGoal::Farthest) {
+            result.inner = inner;
+            result.bound -= distances_.a[inner];
+            gradient += distances_.slope(inner);
+        }
+        if (goal_ != MinimaxGoal::Nearest) {
             result.outer = outer;
-            gradient -= direction(outer);
             result.bound += distances_.a[outer];
+            gradient -= distances_.slope(outer);
         }
         result.normal << -half_ * gradient, 1;
         return result;
     }
 
-    /// A side of the square or a limit that `step` oversteps; false when there is none.
-    bool oversteps(const Vector2d& step, Constraint& found) const
+    /// A side of the cube or a limit that `step` oversteps; false when there is none.
+    bool oversteps(const Step& step, Constraint<N>& found) const
     {
         constexpr double slack = 1e-12;
         double worst = slack;
-        for (int axis = 0; axis < 2; ++axis)
+        for (int axis = 0; axis < N; ++axis)
             if (const double over = std::abs(step[axis]) - 1; over > worst) {
                 worst = over;
                 found = {};
                 found.normal[axis] = step[axis] > 0 ? -1 : 1;
                 found.bound = -1;
             }
-        for (const HalfPlane& limit : limits_) {
+        for (const Limit<N>& limit : limits_) {
             const double bound = -limit.offset / half_;
             if (const double over = limit.normal.dot(step) + bound; over > worst) {
                 worst = over;
@@ -83,76 +87,108 @@ public:
     }
 
 private:
-    Vector2d direction(std::size_t i) const { return {distances_.ux[i], distances_.uy[i]}; }
-
-    const LinearDistances& distances_;
+    const LinearDistances<N>& distances_;
     MinimaxGoal goal_;
     double half_;
-    const std::vector<HalfPlane>& limits_;
+    const std::vector<Limit<N>>& limits_;
 };
 
-/// Three constraints with their normals as rows, and the inverse.
+/// N + 1 constraints and the inverse of the matrix whose rows are their normals.
+template <int N>
 struct Basis {
-    std::array<Constraint, 3> constraints;
-    Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();
+    using Vector = Eigen::Vector<double, N + 1>;
+
+    std::array<Constraint<N>, N + 1> constraints;
+    Eigen::Matrix<double, N + 1, N + 1> inverse;
 
     bool invert()
     {
-        const Vector3d &a = constraints[0].normal, &b = constraints[1].normal, &c = constraints[2].normal;
-        const double determinant = a.dot(b.cross(c));
-        if (!(std::abs(determinant) > 1e-300)) return false;
-        inverse.col(0) = b.cross(c) / determinant;
-        inverse.col(1) = c.cross(a) / determinant;
-        inverse.col(2) = a.cross(b) / determinant;
-        return true;
+        Eigen::Matrix<double, N + 1, N + 1> normals;
+        for (int k = 0; k <= N; ++k) normals.row(k) = at(k).normal.transpose();
+        inverse = normals.inverse();
+        return inverse.allFinite();
     }
-    Vector3d point() const
+    Vector point() const
     {
-        return inverse * Vector3d(constraints[0].bound, constraints[1].bound, constraints[2].bound);
+        Vector bounds;
+        for (int k = 0; k <= N; ++k) bounds[k] = at(k).bound;
+        return inverse * bounds;
     }
-    /// How `normal` is made of the three.
-    Vector3d weightsOf(const Vector3d& normal) const { return inverse.transpose() * normal; }
+    /// How `normal` is made of those of the constraints.
+    Vector weightsOf(const Vector& normal) const { return inverse.transpose() * normal; }
+    Vector weights() const { return weightsOf(Vector::Unit(N)).cwiseMax(0); }
+
+    Constraint<N>& at(int k) { return constraints[static_cast<std::size_t>(k)]; }
+    const Constraint<N>& at(int k) const { return constraints[static_cast<std::size_t>(k)]; }
 };
+
+/// The constraint that has to leave for `normal` to enter: the first whose multiplier falls to zero. -1: none.
+template <int N>
+int leavingFor(const Basis<N>& basis, const Eigen::Vector<double, N + 1>& normal)
+{
+    const auto parts = basis.weightsOf(normal).eval();
+    const auto weights = basis.weights().eval();
+    int leaving = -1;
+    double ratio = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= N; ++k) {
+        if (!(parts[k] > 1e-11)) continue;
+        const double r = weights[k] / parts[k];
+        if (r < ratio || (r == ratio && leaving >= 0 && parts[k] > parts[leaving])) {
+            ratio = r;
+            leaving = k;
+        }
+    }
+    return leaving;
+}
 
 }  // namespace
 
-void LinearDistances::clear()
+template <int N>
+void LinearDistances<N>::clear()
 {
     a.clear();
-    ux.clear();
-    uy.clear();
+    for (auto& column : u) column.clear();
 }
 
-void LinearDistances::push(double distance, const Vector2d& direction)
+template <int N>
+void LinearDistances<N>::push(double distance, const Eigen::Vector<double, N>& slope)
 {
     a.push_back(distance);
-    ux.push_back(direction.x());
-    uy.push_back(direction.y());
+    for (std::size_t k = 0; k < N; ++k) u[k].push_back(slope[static_cast<int>(k)]);
 }
 
-MinimaxStep minimax(const LinearDistances& distances, MinimaxGoal goal, double half,
-                    const std::vector<HalfPlane>& limits, double enough)
+template <int N>
+Eigen::Vector<double, N> LinearDistances<N>::slope(std::size_t index) const
 {
-    const Program program(distances, goal, half, limits);
-    MinimaxStep result;
-    Basis basis;
-    // Start in the corner of the square to which the largest piece falls.
-    basis.constraints[0] = program.largestPiece(Vector2d::Zero());
-    for (int axis = 0; axis < 2; ++axis) {
-        Constraint& side = basis.constraints[static_cast<std::size_t>(axis) + 1];
-        side.normal[axis] = basis.constraints[0].normal[axis] > 0 ? -1 : 1;
+    Eigen::Vector<double, N> result;
+    for (std::size_t k = 0; k < N; ++k) result[static_cast<int>(k)] = u[k][index];
+    return result;
+}
+
+template <int N>
+MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, double half,
+                       const std::vector<Limit<N>>& limits, double enough)
+{
+    using Step = Eigen::Vector<double, N>;
+    const Program<N> program(distances, goal, half, limits);
+    MinimaxStep<N> result;
+    Basis<N> basis;
+    // Start in the corner of the cube to which the largest piece falls.
+    basis.at(0) = program.largestPiece(Step::Zero());
+    for (int axis = 0; axis < N; ++axis) {
+        Constraint<N>& side = basis.at(axis + 1);
+        side.normal[axis] = basis.at(0).normal[axis] > 0 ? -1 : 1;
         side.bound = -1;
     }
     basis.invert();
-    Vector3d weights = basis.weightsOf(Vector3d::UnitZ()).cwiseMax(0);
-    constexpr int mostExchanges = 200;
+    constexpr int mostExchanges = 300;
     for (int exchange = 0; exchange < mostExchanges; ++exchange) {
-        const Vector3d point = basis.point();
-        const Vector2d step = point.head<2>();
-        result.value = point[2];
+        const auto point = basis.point().eval();
+        const Step step = point.template head<N>();
+        result.value = point[N];
         result.step = half * step;
         if (result.value > enough) break;
-        Constraint entering;
+        Constraint<N> entering;
         if (!program.oversteps(step, entering)) {
             entering = program.largestPiece(step);
             const double violation = entering.bound - entering.normal.dot(point);
@@ -161,35 +197,34 @@ MinimaxStep minimax(const LinearDistances& distances, MinimaxGoal goal, double h
                 break;
             }
         }
-        const Vector3d parts = basis.weightsOf(entering.normal);
-        int leaving = -1;
-        double ratio = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < 3; ++k) {
-            if (!(parts[k] > 1e-11)) continue;
-            const double r = weights[k] / parts[k];
-            if (r < ratio || (r == ratio && leaving >= 0 && parts[k] > parts[leaving])) {
-                ratio = r;
-                leaving = k;
-            }
-        }
+        const int leaving = leavingFor<N>(basis, entering.normal);
         if (leaving < 0) {
-            result.feasible = entering.normal[2] != 0;  // a piece can always be met by a larger value
+            result.feasible = entering.normal[N] != 0;  // a piece can always be met by a larger value
             break;
         }
-        const Basis before = basis;
-        basis.constraints[static_cast<std::size_t>(leaving)] = entering;
+        const Constraint<N> left = basis.at(leaving);
+        basis.at(leaving) = entering;
         if (!basis.invert()) {
-            basis = before;
+            basis.at(leaving) = left;
+            basis.invert();
             break;
         }
-        weights = basis.weightsOf(Vector3d::UnitZ()).cwiseMax(0);
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Constraint& c = basis.constraints[k];
-        const double weight = weights[static_cast<Eigen::Index>(k)];
-        result.active[k] = {c.outer, c.inner, c.limit, c.inner == MinimaxStep::none ? weight / half : weight};
+    const auto weights = basis.weights().eval();
+    for (int k = 0; k <= N; ++k) {
+        const Constraint<N>& c = basis.at(k);
+        auto& active = result.active[static_cast<std::size_t>(k)];
+        active = {c.outer, c.inner, c.limit, weights[k]};
+        if (!active.isPiece()) active.weight /= half;
     }
     return result;
 }
+
+template struct LinearDistances<2>;
+template struct LinearDistances<4>;
+template MinimaxStep<2> minimax<2>(const LinearDistances<2>&, MinimaxGoal, double, const std::vector<Limit<2>>&,
+                                   double);
+template MinimaxStep<4> minimax<4>(const LinearDistances<4>&, MinimaxGoal, double, const std::vector<Limit<4>>&,
+                                   double);
 
 }  // namespace lathelier

@@ -1,4 +1,4 @@
-// The smallest largest value of linear functions over a square of the plane: one step of a minimax fit.
+// The smallest largest value of linear functions over a cube of N dimensions: one step of a minimax fit.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,46 +8,57 @@
 
 namespace lathelier {
 
-/// normal · c ≤ offset, the normal of length one.
-struct HalfPlane {
-    Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+/// normal · step ≤ offset, the normal of length one.
+template <int N>
+struct Limit {
+    Eigen::Vector<double, N> normal = Eigen::Vector<double, N>::Zero();
     double offset = 0;
 };
+using HalfPlane = Limit<2>;
 
-/// Distances of points from a centre, linear in its step: a - u · step.
+/// Distances of points from a circle's centre or an axis, linear in its step: a - u · step.
+template <int N>
 struct LinearDistances {
-    std::vector<double> a, ux, uy;
+    std::vector<double> a;
+    std::array<std::vector<double>, N> u;
 
     std::size_t size() const { return a.size(); }
     void clear();
-    void push(double distance, const Eigen::Vector2d& direction);
+    void push(double distance, const Eigen::Vector<double, N>& slope);
+    Eigen::Vector<double, N> slope(std::size_t index) const;
 };
 
 enum class MinimaxGoal {
-    Width,   ///< the largest distance minus the smallest
-    Nearest  ///< minus the smallest distance
+    Width,    ///< the largest distance minus the smallest
+    Nearest,  ///< minus the smallest distance
+    Farthest  ///< the largest distance
 };
 
+template <int N>
 struct MinimaxStep {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    /// A constraint that holds the solution, with its multiplier: a pair of distances (Width), one distance (Nearest),
-    /// a limit, or none of these: a side of the square.
+    /// A constraint that holds the solution, with its multiplier: the largest and the smallest distance or one of them,
+    /// as the goal has it; a limit; or none of these: a side of the cube.
     struct Active {
         std::size_t outer = none, inner = none;
         bool limit = false;
         double weight = 0;
+
+        bool isPiece() const { return outer != none || inner != none; }
     };
 
-    Eigen::Vector2d step = Eigen::Vector2d::Zero();
+    Eigen::Vector<double, N> step = Eigen::Vector<double, N>::Zero();
     double value = 0;      ///< of the goal at the step; if not `solved`, a lower bound of it
     bool solved = false;   ///< false: stopped above `enough`, or lost in rounding
-    bool feasible = true;  ///< false: the limits leave nothing of the square
-    std::array<Active, 3> active;
+    bool feasible = true;  ///< false: the limits leave nothing of the cube
+    std::array<Active, N + 1> active;
 };
 
-/// Minimises the goal over |step| ≤ half in both coordinates and within the limits, by a dual exchange of three
-/// active constraints whose value only grows: it may stop as soon as it is above `enough`.
-MinimaxStep minimax(const LinearDistances& distances, MinimaxGoal goal, double half,
-                    const std::vector<HalfPlane>& limits = {}, double enough = std::numeric_limits<double>::infinity());
+/// Minimises the goal over |step| ≤ half in every coordinate and within the limits, by a dual exchange of N + 1
+/// active constraints whose value only grows: it may stop as soon as it is above `enough`. For N = 2 and 4.
+template <int N>
+MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, double half,
+                       const std::vector<Limit<N>>& limits = {},
+                       double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace lathelier

@@ -21,6 +21,12 @@ LATHELIER_ERROR(UnitUnknown, "unit_unknown", InputRejected, LT_TEXT("Engine", "T
 LATHELIER_ERROR(NoPoints, "no_points", InputRejected, LT_TEXT("Engine", "The file holds no usable point."))
 LATHELIER_ERROR(CoordinateTooLarge, "coordinate_too_large", InputRejected, LT_TEXT("Engine", "The coordinate {found} is out of reach; expected at most {maximum}."))
 
+// --- records
+LATHELIER_ERROR(ColumnsUnknown, "columns_unknown", InputRejected, LT_TEXT("Engine", "The columns cannot be told: found “{found}”, expected {expected}."))
+LATHELIER_ERROR(NominalRadiusMissing, "nominal_radius_missing", InputRejected, LT_TEXT("Engine", "The file holds deviations only, from {minimum} to {maximum}. State the nominal radius."))
+LATHELIER_ERROR(PartnerMissing, "partner_missing", InputRejected, LT_TEXT("Engine", "The record is not complete: {partner} is not beside it."))
+LATHELIER_ERROR(RecordContradicts, "record_contradicts", InputRejected, LT_TEXT("Engine", "The record contradicts itself ({check}): found {found}, expected {expected}."))
+
 // --- no answer
 LATHELIER_ERROR(TooFewPoints, "too_few_points", NoAnswer, LT_TEXT("Engine", "{found} points are too few; at least {minimum} are needed."))
 LATHELIER_ERROR(PointsDegenerate, "points_degenerate", NoAnswer, LT_TEXT("Engine", "The points all lie {found}; no answer follows from that."))

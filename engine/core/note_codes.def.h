@@ -10,6 +10,26 @@ LATHELIER_NOTE(CountDiffers, "count_differs", Warning, LT_TEXT("Engine", "{path}
 LATHELIER_NOTE(NormalsUnusable, "normals_unusable", Warning, LT_TEXT("Engine", "{path}: {count} normals have no direction; the normals are not used."))
 LATHELIER_NOTE(UnitNotUsed, "unit_not_used", Warning, LT_TEXT("Engine", "{path}: the file states {unit}; the given unit {given} is not used."))
 
+// --- records
+LATHELIER_NOTE(ProfilePlane, "profile_plane", Info, LT_TEXT("Engine", "{path}: the points lie in the plane {plane} at {at_mm} mm; read as a profile in it."))
+LATHELIER_NOTE(CoordinateIgnored, "coordinate_ignored", Warning, LT_TEXT("Engine", "{path}: {coordinate} runs from {from_mm} to {to_mm} mm; all points were read as one section."))
+LATHELIER_NOTE(ColumnsGuessed, "columns_guessed", Warning, LT_TEXT("Engine", "{path}: the columns have no names; read as {columns}."))
+LATHELIER_NOTE(AngleUnitGuessed, "angle_unit_guessed", Warning, LT_TEXT("Engine", "{path}: no unit of the angle is stated; read as rad because it runs over {extent}."))
+LATHELIER_NOTE(AnglesUniform, "angles_uniform", Info, LT_TEXT("Engine", "{path}: no angles are stated; {count} values were spread evenly over one turn."))
+LATHELIER_NOTE(SizeFromNominal, "size_from_nominal", Info, LT_TEXT("Engine", "{path}: deviations laid on the nominal radius of {radius_mm} mm; the size is not measured."))
+LATHELIER_NOTE(NominalNotUsed, "nominal_not_used", Info, LT_TEXT("Engine", "{path}: the file holds radii; the nominal radius of {radius_mm} mm is not used."))
+LATHELIER_NOTE(TimeUnitAssumed, "time_unit_assumed", Warning, LT_TEXT("Engine", "{path}: no unit of the time is stated; read as seconds."))
+LATHELIER_NOTE(TimeIrregular, "time_irregular", Warning, LT_TEXT("Engine", "{path}: {count} time steps differ from {step_s} s, the first at line {line}."))
+LATHELIER_NOTE(TimeCoarse, "time_coarse", Warning, LT_TEXT("Engine", "{path}: the times are written too coarsely; {rate_hz} frames a second were used instead."))
+LATHELIER_NOTE(RateUnknown, "rate_unknown", Warning, LT_TEXT("Engine", "{path}: neither times nor a rate are stated."))
+LATHELIER_NOTE(SamplesMissing, "samples_missing", Warning, LT_TEXT("Engine", "{path}: {count} samples of {channel} are missing."))
+LATHELIER_NOTE(ChannelUnitUnknown, "channel_unit_unknown", Warning, LT_TEXT("Engine", "{path}: no unit of {channel} is stated."))
+LATHELIER_NOTE(ConverterRateWrong, "converter_rate_wrong", Info, LT_TEXT("Engine", "{path}: the stated converter rate of {stated_kHz} kHz does not fit {channels} channels; {used_kHz} kHz was used."))
+LATHELIER_NOTE(ConverterDelayDiffers, "converter_delay_differs", Info, LT_TEXT("Engine", "{path}: the stated delay of {stated_ms} ms does not fit the rates; {used_ms} ms from channel to channel was used."))
+LATHELIER_NOTE(FullScaleAssumed, "full_scale_assumed", Info, LT_TEXT("Engine", "{path}: {code} converter codes of {device} were read as {volts} V."))
+LATHELIER_NOTE(FullScaleUnknown, "full_scale_unknown", Warning, LT_TEXT("Engine", "{path}: the recorder {device} is not known; the values are converter codes. State the full scale."))
+LATHELIER_NOTE(RecordInSegments, "record_in_segments", Warning, LT_TEXT("Engine", "{path}: the recording has {count} segments; there may be gaps between them."))
+
 // --- registration
 LATHELIER_NOTE(RollNotDetermined, "roll_not_determined", Info, LT_TEXT("Engine", "Roll about the axis is not determined by the geometry; the smallest rotation was kept."))
 LATHELIER_NOTE(MotionNotDetermined, "motion_not_determined", Warning, LT_TEXT("Engine", "A {kind} is not determined by the geometry; the initial pose was kept along it."))

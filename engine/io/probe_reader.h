@@ -29,8 +29,25 @@ struct ProbeFile {
 };
 
 /// True when `path` looks like a probe record (for `inspect`): an L-Graph .par or its .dat, or a table whose headings
-/// are those of a record.
+/// are those of a record. Never throws for a file that is none.
 bool isProbeRecord(const std::string& path);
+
+/// The files that a record consists of.
+struct RecordFiles {
+    enum class Kind { Table, LGraph };
+    Kind kind = Kind::Table;
+    std::string par;  ///< of an L-Graph; empty when it is not there
+    std::string dat;
+};
+
+/// Finds the partner of `path`, whose content is `bytes`: the same name with .par or .dat in any case.
+RecordFiles findRecordFiles(const std::string& path, std::string_view bytes);
+
+/// Error PartnerMissing (`path` of the file that is there, `partner`) when one of an L-Graph pair is not there.
+void requirePartner(const RecordFiles& files);
+
+/// True for a table whose headings are those of a probe record.
+bool isProbeTable(std::string_view bytes, const ImportOptions& options = {});
 
 /// Reads a record. CSV, raw: `t_s, marker_V (or angle_deg), X3_um, …`; averaged: `section, z_mm, i, angle_deg, X3_um…`;
 /// key=value remarks are kept. L-Graph: NAME.dat or NAME.par, either of the pair may be given.
@@ -41,9 +58,10 @@ bool isProbeRecord(const std::string& path);
 ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options = {},
                           const RecorderOptions& recorder = {}, const Progress& progress = {});
 
-/// An L-Graph pair from memory; `name` stands for the path of the .par in messages.
+/// An L-Graph pair from memory; `name` stands for the path of the .par in messages, `datName` for that of the .dat.
 ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
-                     const RecorderOptions& recorder = {}, const Progress& progress = {});
+                     const RecorderOptions& recorder = {}, const Progress& progress = {},
+                     const std::string& datName = {});
 
 /// A table from memory.
 ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "engine/core/parallel.h"
+#include "engine/io/unit_choice.h"
 
 namespace lathelier {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
 constexpr std::size_t listedRows = 100;
-constexpr double smallestGuess = 1;
-constexpr double largestGuess = 10000;
 
 struct Box {
     Eigen::Array3d min = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
@@ -108,27 +107,6 @@ void normalise(RawScan& raw, const Progress& progress)
     raw.notes.push_back({NoteCode::NormalsUnusable, {{"count", unusable}}});
 }
 
-LengthScale settleUnit(RawScan& raw, const std::string& path, double extent, const ImportOptions& options)
-{
-    FileFacts& facts = raw.facts;
-    const std::optional<LengthScale> given = lengthScale(options.unit);
-    if (raw.statedUnit) {
-        facts.unit_source = "stated";
-        if (given && given->key != raw.statedUnit->key)
-            raw.notes.push_back({NoteCode::UnitNotUsed, {{"unit", raw.statedUnit->key}, {"given", given->key}}});
-        return *raw.statedUnit;
-    }
-    if (given) {
-        facts.unit_source = "given";
-        return *given;
-    }
-    if (!(extent >= smallestGuess && extent <= largestGuess))
-        throw Error(ErrorCode::UnitUnknown, {{"path", path}, {"extent", extent}});
-    facts.unit_source = "guessed";
-    raw.notes.push_back({NoteCode::UnitGuessed, {{"unit", std::string("mm")}, {"extent", extent}}});
-    return {"mm", 1};
-}
-
 void checkSize(const RawScan& raw, const Box& box, double largest)
 {
     if (box.min.minCoeff() >= -largest && box.max.maxCoeff() <= largest) return;
@@ -148,12 +126,6 @@ std::array<double, 3> toArray(const Eigen::Array3d& a)
 
 }  // namespace
 
-double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options)
-{
-    const std::optional<LengthScale> known = stated ? stated : lengthScale(options.unit);
-    return known ? largestCoordinate_mm / known->mm : largestCoordinate_mm;
-}
-
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress)
 {
     Box box = boxOf(raw.scan.points_mm, progress);
@@ -166,7 +138,7 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
     normalise(raw, progress);
 
     checkSize(raw, box, largestCoordinate(raw.statedUnit, options));
-    const LengthScale unit = settleUnit(raw, path, (box.max - box.min).maxCoeff(), options);
+    const LengthScale unit = settleUnit(raw.statedUnit, options, (box.max - box.min).maxCoeff(), raw.facts, raw.notes);
     if (unit.mm != 1) {
         auto& points = raw.scan.points_mm;
         parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
@@ -178,7 +150,6 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
 
     FileFacts& facts = raw.facts;
     facts.path = path;
-    facts.unit = unit.key;
     facts.min_mm = toArray(box.min);
     facts.max_mm = toArray(box.max);
     set(facts.details, "points", static_cast<std::int64_t>(raw.scan.points_mm.size()));

@@ -7,12 +7,10 @@
 
 #include "engine/io/encoding.h"
 #include "engine/io/scan_reader.h"
-#include "engine/io/units.h"
+#include "engine/io/unit_choice.h"
 
 namespace lathelier {
 
-/// Coordinates beyond this are refused: 1000 km, where a double still resolves 0.1 µm.
-inline constexpr double largestCoordinate_mm = 1e9;
 /// What a reader is given. Text formats read `text`, binary ones `bytes`.
 struct ScanSource {
     std::string_view bytes;
@@ -43,9 +41,6 @@ struct RawScan {
 /// Leaves out points that are not finite and triangles without area, settles the unit, scales to mm, fills in what the
 /// facts of all formats share. Errors: NoPoints, CoordinateTooLarge, UnitUnknown.
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress);
-
-/// largestCoordinate_mm in the unit of the file, mm when that is still to be guessed.
-double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options);
 
 RawScan readTextScan(const ScanSource& source);
 RawScan readPly(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "engine/io/file.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/number.h"
 #include "engine/io/ply_header.h"
 #include "engine/io/raw_scan.h"
@@ -17,54 +18,7 @@ namespace {
 
 constexpr std::size_t headBytes = 65536;
 
-struct Magic {
-    std::string_view start;
-    Text what;
-};
-
-/// Files that a person may well drop here, and that must not be mistaken for a cloud.
-const Magic foreign[] = {
-    {"\x89PNG", LT_TEXT("Engine", "a PNG picture")},
-    {"\xFF\xD8\xFF", LT_TEXT("Engine", "a JPEG picture")},
-    {"GIF8", LT_TEXT("Engine", "a GIF picture")},
-    {"%PDF", LT_TEXT("Engine", "a PDF document")},
-    {"PK\x03\x04", LT_TEXT("Engine", "a ZIP archive or an Office document")},
-    {"\x1F\x8B", LT_TEXT("Engine", "a gzip archive")},
-    {"7z\xBC\xAF", LT_TEXT("Engine", "a 7z archive")},
-    {"\x28\xB5\x2F\xFD", LT_TEXT("Engine", "a zstd archive")},
-    {"\xFD"
-     "7zXZ",
-     LT_TEXT("Engine", "an xz archive")},
-    {"ASTM-E57", LT_TEXT("Engine", "an E57 scan")},
-    {"LASF", LT_TEXT("Engine", "a LAS scan")},
-    {"ISO-10303-21", LT_TEXT("Engine", "a STEP file")},
-    {"# vtk DataFile", LT_TEXT("Engine", "a VTK file")},
-    {"OFF\n", LT_TEXT("Engine", "an OFF mesh")},
-    {"OFF\r", LT_TEXT("Engine", "an OFF mesh")},
-    {"{\\rtf", LT_TEXT("Engine", "an RTF document")},
-    {"<?xml", LT_TEXT("Engine", "an XML document")},
-    {"<!DOCTYPE", LT_TEXT("Engine", "an HTML document")},
-    {"<!doctype", LT_TEXT("Engine", "an HTML document")},
-    {"<html", LT_TEXT("Engine", "an HTML document")},
-    {"<HTML", LT_TEXT("Engine", "an HTML document")},
-    {"\x7F"
-     "ELF",
-     LT_TEXT("Engine", "a program")},
-    {"SQLite format", LT_TEXT("Engine", "a database")},
-};
-
-[[noreturn]] void throwUnknown(Text found)
-{
-    throw Error(ErrorCode::FormatUnknown, {{"byte", std::int64_t{0}},
-                                           {"found", found},
-                                           {"expected", LT_TEXT("Engine", "points as text, PLY, PCD, STL or OBJ")}});
-}
-
-void refuseForeign(std::string_view bytes)
-{
-    for (const Magic& magic : foreign)
-        if (bytes.starts_with(magic.start)) throwUnknown(magic.what);
-}
+constexpr Text expectedKinds = LT_TEXT("Engine", "points as text, PLY, PCD, STL or OBJ");
 
 /// The word in front of the first line that is neither blank nor a remark.
 std::string_view firstWord(std::string_view text)
@@ -164,13 +118,10 @@ Reader textReader(std::string_view text)
 RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Progress& progress)
 {
     if (bytes.empty()) throw Error(ErrorCode::FileEmpty, {});
-    refuseForeign(bytes);
+    refuseForeign(bytes, expectedKinds);
     if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
     if (isDamagedBinaryStl(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
-    if (!looksLikeText(bytes)) throwUnknown(LT_TEXT("Engine", "binary data"));
-    const DecodedText text = decodeText(bytes, options.encoding, progress);
-    if (text.view().empty()) throw Error(ErrorCode::FileEmpty, {});
-    refuseForeign(trimmed(text.view().substr(0, headBytes)));
+    const DecodedText text = readableText(bytes, options.encoding, expectedKinds, progress);
     return textReader(text.view())({bytes, text.view(), text.encoding(), options, progress});
 }
 

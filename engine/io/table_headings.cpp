@@ -26,9 +26,10 @@ std::vector<Heading> splitHeadings(std::string_view line, char delimiter)
     for (const Cell cell : splitNames(line, delimiter)) {
         // "X (in) Y (in)": the bracket belongs to the name before it.
         const bool bracketed = !cell.empty() && (cell.front() == '(' || cell.front() == '[');
-        if (delimiter == ' ' && bracketed && !headings.empty())
+        if (delimiter == ' ' && bracketed && !headings.empty()) {
             headings.back().unit = lengthUnit(cell);
-        else
+            headings.back().written += ' ' + std::string(cell);
+        } else
             headings.push_back(parseHeading(cell));
     }
     return headings;
@@ -54,13 +55,23 @@ std::vector<Heading> readLine(std::string_view line, char delimiter, const Table
     return best;
 }
 
+/// True for words such as "s V um um": units, half of them at least.
+bool isUnitLine(const std::vector<Cell>& cells, const TableExpectation& expectation)
+{
+    const auto units = std::count_if(cells.begin(), cells.end(), [&expectation](Cell cell) {
+        return expectation.knowsUnit ? expectation.knowsUnit(cell) : lengthUnit(cell).has_value();
+    });
+    return units > 0 && static_cast<std::size_t>(units) * 2 >= cells.size();
+}
+
 struct NamesFound {
     std::vector<Heading> headings;
     std::size_t prefaceIndex = 0;
     std::size_t known = 0;
+    bool areUnits = false;  ///< a row of units, taken for want of anything better
 };
 
-/// The line with most known names; without any, the lowest line that is no remark.
+/// The line with most known names; without any, the lowest line that is no remark, best one that is no row of units.
 NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
 {
     NamesFound best;
@@ -68,25 +79,27 @@ NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, co
         if (preface[i].text.size() > longestNames) continue;
         std::vector<Heading> headings = readLine(preface[i].text, delimiter, expectation);
         const std::size_t known = countKnown(headings, expectation);
-        if (known > best.known || (best.headings.empty() && !preface[i].isRemark && headings.size() > 1))
-            best = {std::move(headings), i, known};
+        const bool areUnits = isUnitLine(splitNames(preface[i].text, delimiter), expectation);
+        const bool isWanted = best.headings.empty() || (best.areUnits && best.known == 0 && !areUnits);
+        if (known > best.known || (isWanted && !preface[i].isRemark && headings.size() > 1))
+            best = {std::move(headings), i, known, areUnits};
     }
     return best;
 }
 
 /// A line of units, one for each column; angles and the like have others.
-void applyUnitLine(const std::vector<PrefaceLine>& preface, TableLayout& layout)
+void applyUnitLine(const std::vector<PrefaceLine>& preface, const TableExpectation& expectation, TableLayout& layout)
 {
     const std::size_t first = preface.size() - std::min(preface.size(), searchedLines);
     for (std::size_t i = first; i < preface.size(); ++i)
         for (const char delimiter : {layout.style.delimiter, ' '}) {
             const PrefaceLine& line = preface[i];
             const std::vector<Cell> cells = splitNames(line.text, delimiter);
-            const auto isUnit = [](Cell cell) { return lengthUnit(cell).has_value(); };
-            const auto units = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), isUnit));
-            if (cells.size() != layout.columns.size() || units == 0 || units * 2 < cells.size()) continue;
-            for (std::size_t k = 0; k < cells.size(); ++k)
+            if (cells.size() != layout.columns.size() || !isUnitLine(cells, expectation)) continue;
+            for (std::size_t k = 0; k < cells.size(); ++k) {
+                layout.columns[k].unitWord = cells[k];
                 if (auto unit = lengthUnit(cells[k])) layout.columns[k].unit = std::move(unit);
+            }
             return;
         }
 }
@@ -100,7 +113,7 @@ std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimite
 
 void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectation& expectation, TableLayout& layout)
 {
-    applyUnitLine(preface, layout);
+    applyUnitLine(preface, expectation, layout);
     const NamesFound names = findNames(preface, layout.style.delimiter, expectation);
     const std::size_t columns = layout.columns.size();
     if (names.headings.empty()) return;
@@ -114,6 +127,7 @@ void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectati
     layout.hasNames = true;
     for (std::size_t k = 0; k + shift < columns && k < names.headings.size(); ++k) {
         layout.columns[k + shift].name = names.headings[k].name;
+        layout.columns[k + shift].heading = names.headings[k].written;
         if (names.headings[k].unit) layout.columns[k + shift].unit = names.headings[k].unit;
     }
     layout.skipped[preface[names.prefaceIndex].skippedIndex].reason = LT_TEXT("Engine", "column names");

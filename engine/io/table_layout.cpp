@@ -99,17 +99,29 @@ bool isDataRow(const std::vector<Cell>& cells, const TableLayout& layout)
     return true;
 }
 
-/// Commas between whole numbers only: "26,74906,6,90735,-16,07329" may be three numbers or six.
-void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& options, std::size_t namedColumns,
-                 StyleFound& found)
+/// What can stand behind a decimal comma.
+bool isFraction(Cell cell, bool withExponent)
 {
-    if (found.style.delimiter != ',' || found.columns < 4 || found.columns % 2 != 0 || namedColumns == found.columns)
+    const std::size_t digits = cell.find_first_not_of("0123456789");
+    return digits == Cell::npos || (withExponent && digits > 0 && (cell[digits] | 0x20) == 'e');
+}
+
+/// Commas between whole numbers only: "26,74906,6,90735,-16,07329" may be three numbers or six, and where one column
+/// will do, "0,250" may be one or two.
+void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& options, const TableExpectation& expected,
+                 std::size_t namedColumns, StyleFound& found)
+{
+    const bool oneWillDo = expected.minimumColumns == 1 && options.delimiter == Delimiter::Auto;
+    const std::size_t fewest = oneWillDo ? 2 : 4;
+    if (found.style.delimiter != ',' || found.columns < fewest || found.columns % 2 != 0 ||
+        namedColumns == found.columns)
         return;
     std::vector<Cell> cells;
     const SampleLine* first = nullptr;
     Cell firstCell;
     bool sameLength = true;
     bool leadingZero = false;
+    bool negativeZero = false;  // nobody writes the whole number 0 so
     std::size_t length = 0;
     for (const SampleLine& line : sample) {
         splitCells(line.text, found.style, cells);
@@ -117,7 +129,7 @@ void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& opt
         if (cells.size() != found.columns || countNumbers(cells, found.style) != found.columns) continue;
         for (std::size_t k = 0; k < cells.size(); k += 2) {
             const Cell fraction = cells[k + 1];
-            if (!wholeInteger(cells[k]) || fraction.find_first_not_of("0123456789") != Cell::npos) return;
+            if (!wholeInteger(cells[k]) || !isFraction(fraction, oneWillDo)) return;
             if (!first) {
                 first = &line;
                 firstCell = Cell(cells[k].data(),
@@ -126,15 +138,17 @@ void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& opt
             }
             sameLength = sameLength && fraction.size() == length;
             leadingZero = leadingZero || (fraction.size() > 1 && fraction.front() == '0');
+            negativeZero = negativeZero || cells[k] == "-0";
         }
     }
     if (!first || options.decimal == Decimal::Point) return;
-    const bool certain =
-        options.decimal == Decimal::Comma || namedColumns * 2 == found.columns || (sameLength && leadingZero);
+    const bool certain = options.decimal == Decimal::Comma || namedColumns * 2 == found.columns ||
+                         (sameLength && leadingZero) || (oneWillDo && negativeZero);
     if (!certain) throw ambiguousNumber(first->number, first->text, firstCell);
     found.style.decimal = ',';
-    found.style.paired = true;
+    found.style.paired = found.columns > 2;
     found.columns /= 2;
+    if (found.columns == 1) found.style.delimiter = '\t';
 }
 
 std::string_view withoutMark(std::string_view line)
@@ -299,8 +313,8 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
     requireNumbers(sample, expectation, layout);
     Above above;
     if (!findBody(text, layout, above)) throwNoRows(sample, expectation, settled);
-    settlePairs(sample, settled, countHeadings(above.preface, layout.style.delimiter, expectation), found);
-    if (found.style.paired) {
+    settlePairs(sample, settled, expectation, countHeadings(above.preface, layout.style.delimiter, expectation), found);
+    if (found.columns != layout.columns.size()) {
         layout.style = found.style;
         layout.columns = studyColumns(sample, found);
         if (!findBody(text, layout, above)) throwNoRows(sample, expectation, settled);

@@ -117,7 +117,9 @@ StyleFound findStyle(const std::vector<SampleLine>& sample, std::string_view who
     Fit best;
     for (const char delimiter : delimitersToTry(options.delimiter)) {
         const Fit fit = fitOf(delimiter, sample, minimumColumns);
-        if (fit.quality > best.quality) {
+        // Where one column will do, "1,250" and "1 250" may still be two: a comma or a blank inside comes first.
+        const bool splitsMore = best.columns == 1 && fit.columns > 1 && fit.quality >= best.quality;
+        if (fit.quality > best.quality || splitsMore) {
             best = fit;
             result.style.delimiter = delimiter;
         }

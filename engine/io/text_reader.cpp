@@ -4,6 +4,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/io/raw_scan.h"
+#include "engine/io/table_facts.h"
 #include "engine/io/text_table.h"
 
 namespace lathelier {
@@ -161,12 +162,6 @@ RawScan readTextScan(const ScanSource& source)
     RawScan raw;
     raw.statedUnit = unitOf(layout, columns);
     raw.facts.format = "xyz_text";
-    raw.facts.encoding = source.encoding;
-    raw.facts.delimiter = delimiterName(layout.style);
-    raw.facts.decimal = decimalName(layout.style);
-    raw.facts.columns = static_cast<std::int64_t>(layout.columns.size());
-    raw.facts.skipped = layout.skipped;
-
     const double largest = largestCoordinate(raw.statedUnit, source.options);
     std::vector<WantedColumn> wanted;
     for (const int k : columns.point) wanted.push_back({static_cast<std::size_t>(k), largest, false});
@@ -187,16 +182,10 @@ RawScan readTextScan(const ScanSource& source)
             reading);
         points.resize(rows.rows);
     }
-    raw.facts.rows = static_cast<std::int64_t>(rows.rows);
+    describeTable(layout, rows, source.encoding, raw.facts, raw.notes);
     raw.notFinite = rows.notFinite;
-    raw.skippedCount = rows.skippedCount + static_cast<std::int64_t>(layout.skipped.size());
-    raw.facts.skipped.insert(raw.facts.skipped.end(), rows.skipped.begin(), rows.skipped.end());
-    if (raw.facts.skipped.size() > 100) raw.facts.skipped.resize(100);
+    raw.skippedCount = countSkipped(layout, rows);
     raw.places.firstLine = layout.bodyLine;
-    if (rows.footers > 0) raw.notes.push_back({NoteCode::RowsSkipped, {{"count", rows.footers}}});
-    const std::int64_t read = static_cast<std::int64_t>(rows.rows) + rows.notFinite;
-    if (layout.announcedRows && *layout.announcedRows < read)
-        raw.notes.push_back({NoteCode::CountDiffers, {{"announced", *layout.announcedRows}, {"found", read}}});
     return raw;
 }
 

@@ -22,10 +22,14 @@ struct TableExpectation {
     std::size_t minimumColumns = 1;  ///< of numbers
     /// True for headings (lower case, without unit) that the caller can use; picks the line of column names.
     std::function<bool(const std::string& name)> knowsName;
+    /// True for words that are units in a row of units; empty: units of length.
+    std::function<bool(std::string_view word)> knowsUnit;
 };
 
 struct TableColumn {
     std::string name;                 ///< lower case, without unit; empty when the file names no columns
+    std::string heading;              ///< as written, with the unit: "marker_V", "X3 (mm)"
+    std::string unitWord;             ///< of a row of units, as written: "V"
     std::optional<LengthScale> unit;  ///< from the heading, a row of units, or behind the numbers
     bool isNumber = true;             ///< false: text such as a point's label
     bool isCount = false;             ///< whole numbers that go up by one: a row number

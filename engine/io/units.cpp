@@ -162,8 +162,8 @@ std::optional<LengthScale> lengthScale(LengthUnit unit)
 Heading parseHeading(std::string_view cell)
 {
     cell = trimmed(cell);
-    const auto named = [](std::string_view name, std::optional<LengthScale> unit) {
-        return Heading{lowerCase(trimmed(name)), std::move(unit)};
+    const auto named = [cell](std::string_view name, std::optional<LengthScale> unit) {
+        return Heading{lowerCase(trimmed(name)), std::move(unit), std::string(cell)};
     };
     const std::size_t open = cell.find_first_of("([{<");
     if (open != std::string_view::npos && open > 0) {

@@ -28,6 +28,7 @@ std::optional<LengthScale> lengthScale(LengthUnit unit);
 struct Heading {
     std::string name;  ///< lower case, without the unit: "x"
     std::optional<LengthScale> unit;
+    std::string written;  ///< as it stands in the file: "X (in)"
 };
 Heading parseHeading(std::string_view cell);
 

@@ -1,0 +1,105 @@
+// The entry for probe records: a recorder's pair of files, or a table?
+#include "engine/io/probe_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/io/encoding.h"
+#include "engine/io/file.h"
+#include "engine/io/lgraph_header.h"
+#include "engine/io/units.h"
+
+namespace lathelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extensionOf(const std::string& path)
+{
+    return lowerCase(fs::path(path).extension().string());
+}
+
+std::string stemOf(const fs::path& path)
+{
+    return path.stem().string();
+}
+
+/// The file beside `path` with the same name and this extension, in whatever case; the same case comes first.
+std::optional<std::string> findBeside(const std::string& path, const std::string& extension)
+{
+    const fs::path given(path);
+    const fs::path folder = given.has_parent_path() ? given.parent_path() : fs::path(".");
+    const std::string stem = stemOf(given);
+    std::vector<std::pair<int, std::string>> candidates;
+    std::error_code problem;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const fs::path& beside = entry->path();
+        if (extensionOf(beside.string()) != extension || lowerCase(stemOf(beside)) != lowerCase(stem)) continue;
+        const fs::path asGiven = given.has_parent_path() ? beside : beside.filename();
+        const bool isUpper = given.extension().string() != extensionOf(path);
+        const bool sameCase = (beside.extension().string() != extension) == isUpper;
+        candidates.emplace_back((stemOf(beside) == stem ? 0 : 2) + (sameCase ? 0 : 1), asGiven.string());
+    }
+    if (candidates.empty()) return std::nullopt;
+    return std::min_element(candidates.begin(), candidates.end())->second;
+}
+
+/// True when the file starts as the .par of an L-Graph.
+bool isLGraphPar(const std::string& path)
+{
+    try {
+        return hasLGraphSignature(FileBytes(path).view());
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+RecordFiles findRecordFiles(const std::string& path, std::string_view bytes)
+{
+    const std::string extension = extensionOf(path);
+    if (hasLGraphSignature(bytes) || (extension == ".par" && !looksLikeText(bytes))) {
+        const auto dat = findBeside(path, ".dat");
+        return {RecordFiles::Kind::LGraph, path, dat.value_or("")};
+    }
+    if (extension != ".dat") return {};
+    const auto par = findBeside(path, ".par");
+    if (par && isLGraphPar(*par)) return {RecordFiles::Kind::LGraph, *par, path};
+    if (looksLikeText(bytes)) return {};
+    return {RecordFiles::Kind::LGraph, par.value_or(""), path};
+}
+
+void requirePartner(const RecordFiles& files)
+{
+    if (files.kind != RecordFiles::Kind::LGraph || (!files.par.empty() && !files.dat.empty())) return;
+    const std::string& given = files.par.empty() ? files.dat : files.par;
+    const fs::path partner = fs::path(given).replace_extension(files.par.empty() ? ".par" : ".dat");
+    throw Error(ErrorCode::PartnerMissing,
+                {{"path", given}, {"byte", std::int64_t{0}}, {"partner", partner.filename().string()}});
+}
+
+bool isProbeRecord(const std::string& path)
+{
+    try {
+        const FileBytes file(path);
+        return findRecordFiles(path, file.view()).kind == RecordFiles::Kind::LGraph || isProbeTable(file.view());
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options, const RecorderOptions& recorder,
+                          const Progress& progress)
+{
+    const FileBytes file(path, progress);
+    const RecordFiles files = findRecordFiles(path, file.view());
+    if (files.kind == RecordFiles::Kind::Table) return readProbeTable(path, file.view(), options, progress);
+    requirePartner(files);
+    const bool isPar = files.par == path;
+    const FileBytes partner(isPar ? files.dat : files.par, progress);
+    return readLGraph(files.par, isPar ? file.view() : partner.view(), isPar ? partner.view() : file.view(), recorder,
+                      progress, files.dat);
+}
+
+}  // namespace lathelier

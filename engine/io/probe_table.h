@@ -1,0 +1,42 @@
+// The two shapes of probe records in text tables.
+#pragma once
+
+#include <span>
+
+#include "engine/io/probe_columns.h"
+#include "engine/io/probe_reader.h"
+
+namespace lathelier {
+
+/// A table of a record whose rows have been read.
+struct ProbeTable {
+    std::string name;  ///< stands for the path in messages
+    TableLayout layout;
+    std::vector<ProbeColumn> columns;  ///< of the file
+    std::vector<std::size_t> read;     ///< places of the columns that were read
+    std::vector<double> values;        ///< row by row
+    TableRows rows;
+    Values header;
+    const ImportOptions& options;
+
+    std::size_t width() const { return read.size(); }
+    double at(std::size_t row, std::size_t k) const { return values[row * width() + k]; }
+    const ProbeColumn& column(std::size_t k) const { return columns[read[k]]; }
+};
+
+/// A continuous recording. Errors ColumnsUnknown, Malformed (times that go back).
+ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& progress);
+
+/// Sections of averages. Errors ColumnsUnknown, Malformed, UnitUnknown.
+AveragedRecord toAveragedRecord(const ProbeTable& table, const Progress& progress);
+
+/// The unit of displacements that the header states: `unit_disp`, `unit` or a remark.
+std::optional<QuantityUnit> statedDisplacementUnit(const ProbeTable& table);
+
+/// The same, else the given one: for displacements whose headings state none.
+std::optional<QuantityUnit> displacementUnit(const ProbeTable& table);
+
+/// Error Malformed at a row, for a value that fits no record.
+Error malformedRow(const ProbeTable& table, std::size_t row, std::size_t k, Text expected);
+
+}  // namespace lathelier

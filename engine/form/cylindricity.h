@@ -17,7 +17,9 @@ namespace lathelier {
 struct FittedCylinder {
     Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();    ///< on the axis, nearest to the points' centroid
     Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitZ();  ///< toward + on its dominant coordinate
-    double radius_mm = 0;
+    double radius_mm = 0;                                       ///< MZCY: mean of inner and outer
+    double inner_radius_mm = 0;                                 ///< smallest distance of a point from the axis
+    double outer_radius_mm = 0;                                 ///< largest
     double CYLt_um = 0;
     double CYLp_um = std::numeric_limits<double>::quiet_NaN();  ///< LSCY only
     double CYLv_um = std::numeric_limits<double>::quiet_NaN();
@@ -28,6 +30,7 @@ struct FittedCylinder {
 struct CylindricityParameters {
     std::optional<double> tolerance_um;
     DecisionRule decision = DecisionRule::Simple;
+    std::optional<double> probe_uncertainty_um;  ///< one standard deviation of a point; needed for the guarded decision
 };
 
 template <>
@@ -40,13 +43,16 @@ struct CylindricityResult {
     FittedCylinder MZCY;  ///< minimum zone, locally optimal from several starts
     double axis_straightness_um = std::numeric_limits<double>::quiet_NaN();  ///< of the section centres, when the
                                                                              ///< points lie in sections z = const
-    double length_mm = 0;
+    std::size_t sections = 0;  ///< planes z = const (or x, y: the axis' dominant coordinate) that the points lie in
+    double length_mm = 0;      ///< of the points along the axis
+    double CYLt_expanded_uncertainty_um = std::numeric_limits<double>::quiet_NaN();  ///< k = 2, of MZCY, to first order
     std::optional<FormVerdict> verdict;
     Notes notes;
 };
 
-/// Points of a cylindrical surface in any order and any pose. Errors: TooFewPoints (6), PointsDegenerate,
-/// NotConverged. Throws Cancelled.
+/// Points of a cylindrical surface in any order and any pose. The verdict is MZCY's.
+/// Errors: TooFewPoints (6), PointsDegenerate (`found`: in one place, on a line, in a plane),
+/// NotConverged, CoordinateTooLarge, ValueNotUnderstood (guarded without an uncertainty). Throws Cancelled.
 CylindricityResult cylindricity(std::span<const Eigen::Vector3d> points_mm,
                                 const CylindricityParameters& parameters = {}, const Progress& progress = {});
 

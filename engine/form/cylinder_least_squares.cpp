@@ -1,0 +1,224 @@
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/core/random.h"
+#include "engine/form/cylinder_fits.h"
+
+namespace lathelier {
+namespace {
+
+using Eigen::Vector3d;
+using Vector5d = Eigen::Vector<double, 5>;
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+
+constexpr double largest_mm = 1e12;
+constexpr double runaway = 1e5;  // radius over size: a plane
+
+struct Sums {
+    double squares = 0;
+    Vector5d gradient = Vector5d::Zero();
+    Matrix5d matrix = Matrix5d::Zero();
+
+    Sums& operator+=(const Sums& other)
+    {
+        squares += other.squares;
+        gradient += other.gradient;
+        matrix += other.matrix;
+        return *this;
+    }
+};
+
+Sums sumsAt(const CylinderPoints& points, const AxisParameters& axis, double radius, const Progress& progress)
+{
+    return parallelReduce(
+        points.size(), 16384, progress, Sums{},
+        [&](std::size_t begin, std::size_t end) {
+            Sums part;
+            for (std::size_t i = begin; i < end; ++i) {
+                const AxisDistance d = distanceFrom(axis, points.point(i));
+                Vector5d row;
+                row << d.gradient, -1;
+                const double residual = d.distance - radius;
+                part.squares += residual * residual;
+                part.gradient += residual * row;
+                part.matrix.triangularView<Eigen::Lower>() += row * row.transpose();
+            }
+            return part;
+        },
+        [](Sums all, const Sums& part) { return all += part; });
+}
+
+/// Circle of the points as seen along z, and how badly it fits.
+LeastSquaresCylinder circleAlongAxis(const CylinderPoints& points)
+{
+    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3d p = points.point(i), row(p.x(), p.y(), 1);
+        m += row * row.transpose();
+        right += row * p.head<2>().squaredNorm();
+    }
+    const Vector3d solution = m.ldlt().solve(right);
+    LeastSquaresCylinder result;
+    result.axis << 0.5 * solution.x(), 0.5 * solution.y(), 0, 0;
+    result.radius = std::sqrt(std::max(solution.z() + result.axis.head<2>().squaredNorm(), 0.0));
+    double squares = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double residual = (points.point(i).head<2>() - result.axis.head<2>()).norm() - result.radius;
+        squares += residual * residual;
+    }
+    result.rms = std::sqrt(squares / static_cast<double>(points.size()));
+    if (!(result.radius < runaway)) result.rms = std::numeric_limits<double>::infinity();
+    return result;
+}
+
+struct Shape {
+    Vector3d mean = Vector3d::Zero();
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    double size_mm = 0;
+};
+
+/// Mean and principal axes; refuses points that lie in one place, on a line or in a plane.
+Shape shapeOf(std::span<const Vector3d> points_mm, const Progress& progress)
+{
+    constexpr std::size_t least = 6;
+    if (points_mm.size() < least)
+        throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(points_mm.size())},
+                                              {"minimum", static_cast<std::int64_t>(least)}});
+    struct Moments {
+        Vector3d sum = Vector3d::Zero();
+        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+        double largest = 0;
+    };
+    const Vector3d origin = points_mm.front();
+    const Moments moments = parallelReduce(
+        points_mm.size(), 16384, progress, Moments{},
+        [&](std::size_t begin, std::size_t end) {
+            Moments part;
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vector3d p = points_mm[i] - origin;
+                part.sum += p;
+                part.squares += p * p.transpose();
+                part.largest = points_mm[i].allFinite() ? std::max(part.largest, points_mm[i].cwiseAbs().maxCoeff())
+                                                        : std::numeric_limits<double>::infinity();
+            }
+            return part;
+        },
+        [](Moments all, const Moments& part) {
+            all.sum += part.sum;
+            all.squares += part.squares;
+            all.largest = std::max(all.largest, part.largest);
+            return all;
+        });
+    if (!(moments.largest <= largest_mm))
+        throw Error(ErrorCode::CoordinateTooLarge, {{"found", moments.largest}, {"maximum", largest_mm}});
+    const auto count = static_cast<double>(points_mm.size());
+    const Vector3d mean = moments.sum / count;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.squares / count - mean * mean.transpose());
+    const Vector3d spread = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+    const double rounding = 1e-7 * spread[2] + 1e-14 * moments.largest;
+    const auto refuse = [](Text where) { throw Error(ErrorCode::PointsDegenerate, {{"found", where}}); };
+    if (!(spread[2] > 1e-14 * moments.largest)) refuse(LT_TEXT("Engine", "in one place"));
+    if (!(spread[1] > rounding)) refuse(LT_TEXT("Engine", "on a line"));
+    if (!(spread[0] > rounding)) refuse(LT_TEXT("Engine", "in a plane"));
+    return {origin + mean, solver.eigenvectors(), 2 * spread[2]};
+}
+
+/// Principal axes first, then directions spread over the half sphere.
+std::vector<Vector3d> directionsToTry(const Eigen::Matrix3d& axes)
+{
+    std::vector<Vector3d> directions{axes.col(0), axes.col(1), axes.col(2)};
+    constexpr int spread = 120;
+    for (int k = 0; k < spread; ++k) {
+        const double z = (k + 0.5) / spread, r = std::sqrt(1 - z * z),
+                     turn = std::numbers::pi * (3 - std::sqrt(5.0)) * k;
+        directions.push_back(axes * Vector3d(r * std::cos(turn), r * std::sin(turn), z));
+    }
+    return directions;
+}
+
+}  // namespace
+
+LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const LeastSquaresCylinder& start,
+                                          const Progress& progress)
+{
+    LeastSquaresCylinder fit = start;
+    Sums now = sumsAt(points, fit.axis, fit.radius, progress);
+    double damping = 0;
+    constexpr int mostSteps = 200;
+    for (int iteration = 0; iteration < mostSteps; ++iteration) {
+        Matrix5d matrix = now.matrix.selfadjointView<Eigen::Lower>();
+        matrix.diagonal() *= 1 + damping + 1e-15;
+        const Vector5d step = matrix.ldlt().solve(-now.gradient);
+        if (!step.allFinite() || !(step.norm() < 1e12)) break;
+        const AxisParameters axis = fit.axis + step.head<4>();
+        const double radius = fit.radius + step[4];
+        const Sums next = sumsAt(points, axis, radius, progress);
+        const double size = step.norm() / (1 + radius);
+        if (next.squares <= now.squares) {
+            fit.axis = axis;
+            fit.radius = radius;
+            now = next;
+            damping = damping > 1e-6 ? damping / 10 : 0;
+        } else {
+            damping = std::max(10 * damping, 1e-4);
+        }
+        if (size < 1e-14 || (size < 1e-10 && damping > 0)) {  // the last steps only stir the rounding
+            fit.converged = true;
+            break;
+        }
+        if (damping > 1e10) break;
+    }
+    fit.converged = fit.converged && std::abs(fit.radius) < runaway;
+    fit.rms = std::sqrt(now.squares / static_cast<double>(points.size()));
+    return fit;
+}
+
+CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress& progress)
+{
+    const Shape shape = shapeOf(points_mm, progress);
+    constexpr std::size_t enough = 400;
+    std::vector<Vector3d> some;
+    if (points_mm.size() <= enough)
+        some.assign(points_mm.begin(), points_mm.end());
+    else
+        for (std::size_t i = 0; i < enough; ++i) some.push_back(points_mm[randomBits(1, 0, i) % points_mm.size()]);
+
+    std::vector<std::pair<double, Vector3d>> trials;
+    for (const Vector3d& direction : directionsToTry(shape.axes))
+        trials.emplace_back(circleAlongAxis(CylinderPoints(some, shape.mean, direction, shape.size_mm)).rms, direction);
+    std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    constexpr std::size_t refined = 8;
+    CylinderGuess guess{shape.mean, shape.axes.col(2), shape.size_mm, {}};
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < refined; ++k) {
+        Vector3d direction = trials[k].second;
+        // The parameters suit axes near z: turn the coordinates until the axis found is there.
+        constexpr int mostTurns = 6;
+        for (int turn = 0; turn < mostTurns; ++turn) {
+            progress.check();
+            const CylinderPoints points(some, shape.mean, direction, shape.size_mm);
+            const LeastSquaresCylinder fit = leastSquaresCylinder(points, circleAlongAxis(points), progress);
+            const Vector3d next = points.directionOf(fit.axis);
+            if (!next.allFinite() || !(std::abs(fit.radius) < runaway)) break;
+            if (next.dot(direction) > 0.9999) {
+                if (fit.rms < best) {
+                    best = fit.rms;
+                    guess.direction = direction;
+                    guess.cylinder = fit;
+                }
+                break;
+            }
+            direction = next;
+        }
+    }
+    if (!std::isfinite(best)) throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{200}}});
+    return guess;
+}
+
+}  // namespace lathelier

@@ -28,7 +28,7 @@ int exitCode(ErrorKind kind)
 int exitCode(const Answer& answer, bool strict)
 {
     if (!answer.errors.empty()) return exitCode(kind(answer.errors.front().code()));
-    return strict && answer.pass == false ? exitOutOfTolerance : exitAnswered;
+    return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
 }
 
 /// What every verb's object begins and ends with.

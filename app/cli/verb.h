@@ -47,8 +47,9 @@ struct Answer {
     std::function<Document()> report;  ///< empty for verbs without one
     std::string summary;               ///< for people
     Notes notes;
-    std::vector<Error> errors;  ///< inputs refused while others could be answered
-    std::optional<bool> pass;   ///< the verdict, where there is one
+    std::vector<Error> errors;   ///< inputs refused while others could be answered
+    std::optional<bool> pass;    ///< the verdict, where there is one
+    bool always_strict = false;  ///< a verdict against it is exit code 1 even without --strict
 };
 
 struct Verb {

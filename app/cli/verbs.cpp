@@ -5,7 +5,7 @@ namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
 {
-    static const std::vector<Verb> all{sampleVerb(), inspectVerb(), compareVerb()};
+    static const std::vector<Verb> all{sampleVerb(), inspectVerb(), compareVerb(), verifyVerb()};
     return all;
 }
 

@@ -8,5 +8,6 @@ namespace lathelier::cli {
 Verb sampleVerb();
 Verb inspectVerb();
 Verb compareVerb();
+Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -1,0 +1,25 @@
+#include "engine/form/verify_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace lathelier {
+
+Json toJson(const VerifyResult& result)
+{
+    Json json;
+    json["kinds"] = Json::array();
+    for (const VerifyKind& kind : result.kinds)
+        json["kinds"].push_back({{"kind", kind.kind},
+                                 {"sets", kind.sets},
+                                 {"largest_deviation",
+                                  std::isfinite(kind.largest_deviation) ? Json(kind.largest_deviation) : Json(nullptr)},
+                                 {"unit", kind.unit.empty() ? "1" : kind.unit.english},
+                                 {"limit", kind.limit},
+                                 {"pass", kind.pass}});
+    json["nist_directory"] = result.nist_directory.empty() ? Json(nullptr) : Json(result.nist_directory);
+    json["verdict"] = result.pass ? "pass" : "fail";
+    return json;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,70 @@
+#include "engine/form/verify.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "engine/core/error.h"
+#include "engine/form/verify_kinds.h"
+#include "tests/engine/form/form_data.h"
+
+namespace lathelier {
+namespace {
+
+TEST(Verify, EveryKindPasses)
+{
+    const VerifyResult result = verify();
+    EXPECT_TRUE(result.pass);
+    EXPECT_GE(result.kinds.size(), 11U);
+    std::set<std::string> names;
+    for (const VerifyKind& kind : result.kinds) {
+        EXPECT_TRUE(kind.pass) << kind.kind << " " << kind.largest_deviation << " of " << kind.limit;
+        EXPECT_GT(kind.sets, 0) << kind.kind;
+        EXPECT_GE(kind.limit, kind.largest_deviation);
+        EXPECT_TRUE(names.insert(kind.kind).second);
+        RecordProperty(kind.kind, std::to_string(kind.largest_deviation));
+    }
+}
+
+TEST(Verify, TakesTheNistSetsOfADirectory)
+{
+    if (!hasFormData()) GTEST_SKIP() << "no shared data";
+    const VerifyResult result = verify((formData() / "nist_circles").string());
+    EXPECT_EQ(result.kinds.back().kind, "nist_circle");
+    EXPECT_EQ(result.kinds.back().sets, 10);
+    EXPECT_TRUE(result.kinds.back().pass) << result.kinds.back().largest_deviation;
+}
+
+TEST(Verify, SaysWhatIsWrongWithADirectory)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nist";
+    EXPECT_THROW(verify((folder / "missing").string()), Error);
+    std::filesystem::create_directories(folder);
+    EXPECT_FALSE(verify(folder.string()).pass);  // asked for, but empty: nothing was proved
+    std::ofstream(folder / "a.ds") << "3\n1 2 0\n3 4 zero\n";
+    std::ofstream(folder / "a.fit") << "1 2 3 0 0 1 4\n";
+    EXPECT_THROW(verify(folder.string()), Error);
+    // A wrong answer is seen: the circle through these has the diameter 2.
+    std::ofstream(folder / "a.ds") << "3\n1 0 0\n0 1 0\n-1 0 0\n";
+    std::ofstream(folder / "a.fit") << "0 0 0 0 0 1 2.0001\n";
+    const VerifyResult wrong = verify(folder.string());
+    EXPECT_FALSE(wrong.pass);
+    EXPECT_NEAR(wrong.kinds.back().largest_deviation, 5e-5, 1e-6);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Verify, WhatIsNoNumberFails)
+{
+    VerifyTally tally("kind", {}, {}, 1);
+    tally.nextSet();
+    tally.compare(std::nan(""), 0);
+    tally.compare(0, 0);
+    EXPECT_FALSE(tally.done().pass);
+    VerifyTally empty("kind", {}, {}, 1);
+    EXPECT_FALSE(empty.done().pass);
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -1,6 +1,7 @@
 // inspect FILE...: what was understood of each file.
 #include <nlohmann/json.hpp>
 
+#include "app/cli/records.h"
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/texts.h"
@@ -47,6 +48,27 @@ Section factsSection(const std::vector<FileFacts>& files)
     return section;
 }
 
+/// What is in a file decides who reads it; whatever looks like nothing else is a cloud.
+FileFacts readFacts(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+                    Answer& answer)
+{
+    const std::string_view bytes = inputs.open(path, progress);
+    switch (kindOf(path, bytes, request)) {
+        case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
+        case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;
+        case RecordKind::None: break;
+    }
+    return readScan(path, bytes, request, progress, answer).facts;
+}
+
+std::vector<Option> readingOptions()
+{
+    std::vector<Option> options = optionsOf<ImportOptions>();
+    for (const std::vector<Option>& more : {optionsOf<ProfileOptions>(), optionsOf<RecorderOptions>()})
+        options.insert(options.end(), more.begin(), more.end());
+    return options;
+}
+
 void runInspect(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
 {
     auto files = std::make_shared<std::vector<FileFacts>>();
@@ -60,7 +82,7 @@ void runInspect(const Request& request, Inputs& inputs, const Progress& progress
         const double done = static_cast<double>(i) * share;
         try {
             const Progress part = progress.part(done, done + share, LT_TEXT("Engine", "Reading"));
-            files->push_back(readScan(request.operands[i], request, inputs, part, answer).facts);
+            files->push_back(readFacts(request.operands[i], request, inputs, part, answer));
         } catch (const Error& error) {  // the other files are answered all the same
             answer.errors.push_back(error);
         }
@@ -81,9 +103,12 @@ Verb inspectVerb()
 {
     return {"inspect",
             "Say what was understood of files: format, units, columns, rows, extent.",
-            {{"FILE", "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ).", true}},
+            {{"FILE",
+              "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, or a probe record "
+              "(CSV, L-Graph .dat/.par).",
+              true}},
             {},
-            optionsOf<ImportOptions>(),
+            readingOptions(),
             {},
             true,
             runInspect};

@@ -5,7 +5,12 @@ namespace lathelier::cli {
 ScanFile readScan(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
                   Answer& answer)
 {
-    const std::string_view bytes = inputs.open(path, progress);
+    return readScan(path, inputs.open(path, progress), request, progress, answer);
+}
+
+ScanFile readScan(const std::string& path, std::string_view bytes, const Request& request, const Progress& progress,
+                  Answer& answer)
+{
     ScanFile file = lathelier::readScan(path, bytes, fromValues<ImportOptions>(request.parameters), progress);
     answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
     return file;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "engine/io/windows1252.h"
+
 namespace lathelier {
 namespace {
 
@@ -128,16 +130,12 @@ std::string plainUtf8(std::string_view bytes, const Progress& progress)
 /// Windows-1252, which is what "Latin-1" files are in practice: 0x80…0x9F are printable there.
 std::string fromLatin1(std::string_view bytes, const Progress& progress)
 {
-    constexpr std::array<char16_t, 32> windows = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
-                                                  0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
-                                                  0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                                  0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
     std::string result;
     result.reserve(bytes.size() + bytes.size() / 16);
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         if ((i & checkMask) == 0) progress.check();
         const unsigned char c = byteAt(bytes, i);
-        appendUtf8(result, plainCharacter(c >= 0x80 && c < 0xA0 ? windows[c - 0x80] : c));
+        appendUtf8(result, plainCharacter(c >= 0x80 && c < 0xA0 ? windows1252[c - 0x80] : c));
     }
     return result;
 }

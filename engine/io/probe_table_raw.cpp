@@ -93,40 +93,56 @@ double resolutionOf(const std::vector<double>& times)
     return resolution;
 }
 
+/// The median of at most a million of the steps.
+double medianOf(const std::vector<double>& steps)
+{
+    const std::size_t stride = steps.size() / 1'000'000 + 1;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < steps.size(); i += stride) some.push_back(steps[i]);
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+}
+
 /// Sets times and rate from column `k`.
-void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& notes)
+void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& notes, const Progress& progress)
 {
     const std::size_t count = table.rows.rows;
     const double scale = timeScale(table, k, notes);
     std::vector<double> written(count);
-    for (std::size_t i = 0; i < count; ++i) written[i] = table.at(i, k);
+    parallelFor(count, grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) written[i] = table.at(i, k);
+    });
     if (count < 2) return;
     const double mean = (written.back() - written.front()) / static_cast<double>(count - 1);
     const double resolution = resolutionOf(written);
     double farthest = 0;
     std::vector<double> steps(count - 1);
     for (std::size_t i = 1; i < count; ++i) {
+        if (i % grain == 0) progress.check();
         steps[i - 1] = written[i] - written[i - 1];
         if (steps[i - 1] < 0) throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
         farthest = std::max(farthest, std::abs(written[i] - (written.front() + static_cast<double>(i) * mean)));
     }
-    std::vector<double> sorted = steps;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double period = medianOf(steps);
+    const double rounding = 1e-6 * period + 1e-15 * std::abs(written.back());
+    const auto isPeriod = [=](double step) { return std::abs(step - period) <= rounding; };
+    const auto equal = std::count_if(steps.begin(), steps.end(), isPeriod);
+    const bool areExact = static_cast<double>(equal) >= 0.9 * static_cast<double>(steps.size());
     // Times rounded to more than a tenth of a step are worth less than the rate that they give together.
-    const bool isCoarse = resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;
+    const bool isCoarse = !areExact && resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;
     if (isCoarse) {
         record.rate_hz = 1 / (mean * scale);
         notes.push_back({NoteCode::TimeCoarse, {{"rate_hz", record.rate_hz}}});
         return;
     }
-    const double period = *middle;
+    const double tolerance = irregularShare * period + (areExact ? 0 : resolution);
     std::int64_t irregular = 0;
     std::size_t first = 0;
     for (std::size_t i = 1; i < count; ++i) {
         if (steps[i - 1] == 0)
             throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
-        if (std::abs(steps[i - 1] - period) <= irregularShare * period + resolution) continue;
+        if (std::abs(steps[i - 1] - period) <= tolerance) continue;
         if (irregular++ == 0) first = i;
     }
     record.rate_hz = 1 / ((irregular == 0 ? mean : period) * scale);
@@ -165,7 +181,7 @@ ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& p
     for (std::size_t k = 0; k < table.width(); ++k) {
         progress.report(static_cast<double>(k) / static_cast<double>(table.width()));
         if (table.column(k).role == Role::Time && !hasTimes) {
-            takeTimes(table, k, record, notes);
+            takeTimes(table, k, record, notes, progress);
             hasTimes = true;
         } else {
             record.channels.push_back(takeChannel(table, k, notes, progress));

@@ -146,8 +146,9 @@ double settleRadii(RawProfile& raw, const ImportOptions& import, const ProfileOp
     const bool isUnitKnown = stated || lengthScale(import.unit);
     bool areDeviations = raw.choice.areDeviations || extent.smallest <= 0;
     if (isUnitKnown || !areDeviations) {
-        // Radii that differ by half their size are deviations with an offset, for all one can know without a unit.
-        if (!isUnitKnown && extent.span() > 0.5 * extent.largest) throwNominalMissing(raw, extent);
+        // Radii that differ much are deviations with an offset, for all one can know without a unit.
+        const double share = raw.choice.shape == Shape::Trace ? 0.1 : 0.5;
+        if (!isUnitKnown && extent.span() > share * extent.largest) throwNominalMissing(raw, extent);
         unit = settleUnit(stated, import, 2 * extent.largest, facts, raw.file.notes);
         areDeviations = areDeviations || extent.largest * unit.mm < smallestRadius_mm ||
                         (nominal && extent.largest * unit.mm < largestDeviationShare * *nominal);
@@ -286,6 +287,18 @@ ProfileFile readProfile(const std::string& path, const ImportOptions& options, c
 {
     const FileBytes file(path, progress);
     return readProfile(path, file.view(), options, profile, progress);
+}
+
+bool isProfileTable(std::string_view bytes, const ImportOptions& options)
+{
+    try {
+        const std::string_view head = bytes.substr(0, std::size_t{1} << 20);
+        const DecodedText text = readableText(head, options.encoding, expectedKind, {});
+        const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
+        return chooseProfileColumns(layout, ProfileColumns::Auto).shape != Shape::Xyz;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 }  // namespace lathelier

@@ -41,4 +41,8 @@ ProfileFile readProfile(const std::string& path, const ImportOptions& options = 
 ProfileFile readProfile(const std::string& name, std::string_view bytes, const ImportOptions& options,
                         const ProfileOptions& profile, const Progress& progress = {});
 
+/// True for a table that can only be a profile (for `inspect`): x and y without z, angle and r or deviations, or no
+/// more than two columns of numbers. Three coordinates are a cloud.
+bool isProfileTable(std::string_view bytes, const ImportOptions& options = {});
+
 }  // namespace lathelier

@@ -127,6 +127,14 @@ RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Prog
 
 }  // namespace
 
+bool hasScanFormat(std::string_view bytes)
+{
+    if (binaryReader(bytes) || isDamagedBinaryStl(bytes)) return true;
+    if (!looksLikeText(bytes)) return false;
+    const DecodedText text = decodeText(bytes.substr(0, std::size_t{1} << 20), Encoding::Auto);
+    return textReader(text.view()) != readTextScan;
+}
+
 ScanFile readScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
                   const Progress& progress)
 {

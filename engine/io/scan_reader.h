@@ -30,4 +30,7 @@ ScanFile readScan(const std::string& path, const ImportOptions& options = {}, co
 ScanFile readScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
                   const Progress& progress = {});
 
+/// True when the content is of a format that only scans have: PLY, PCD, STL or OBJ. Text tables may hold anything.
+bool hasScanFormat(std::string_view bytes);
+
 }  // namespace lathelier

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/io/file.h"
+#include "engine/io/probe_reader.h"
 #include "engine/io/scan_reader.h"
 
 namespace {
@@ -38,6 +39,43 @@ void readTextFile(benchmark::State& state)
     std::filesystem::remove(path);
 }
 BENCHMARK(readTextFile)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+/// A raw record of five channels, 2 million frames (about 90 MB).
+void readRecordFile(benchmark::State& state)
+{
+    const std::string path = (std::filesystem::temp_directory_path() / "lathelier_record_bench.csv").string();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> signal(-99, 99);
+    std::string text = "t_s,marker_V,X3_um,Y3_um,Xp_um,Yp_um\n";
+    char row[120];
+    for (int i = 0; i < 2'000'000; ++i) {
+        const double a = signal(random), b = signal(random), c = signal(random), d = signal(random);
+        text.append(row, static_cast<std::size_t>(std::snprintf(row, sizeof(row), "%.7f,%.3f,%.3f,%.3f,%.3f,%.3f\n",
+                                                                i / 6500.0, 0.5, a, b, c, d)));
+    }
+    writeFile(path, text);
+    for (auto _ : state) benchmark::DoNotOptimize(readProbeRecord(path).facts.rows);
+    state.counters["MB"] = static_cast<double>(text.size()) / 1e6;
+    state.counters["MB_per_s"] = benchmark::Counter(
+        static_cast<double>(text.size()) / 1e6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    std::filesystem::remove(path);
+}
+BENCHMARK(readRecordFile)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+void readPracticeRecord(benchmark::State& state)
+{
+    const std::string folder = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
+    const char* const names[] = {"section01_raw.csv", "section01_lgraph1.dat", "averaged_20x200.csv",
+                                 "LGraph2_sample.dat"};
+    const std::string path = folder + names[state.range(0)];
+    if (!std::filesystem::exists(path)) {
+        state.SkipWithError("no shared data");
+        return;
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(readProbeRecord(path).facts.rows);
+    state.SetLabel(names[state.range(0)]);
+}
+BENCHMARK(readPracticeRecord)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 void readBinaryPly(benchmark::State& state)
 {

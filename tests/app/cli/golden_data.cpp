@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "engine/project/sample.h"
+#include "tests/engine/io/lgraph_files.h"
 
 namespace lathelier::golden {
 namespace {
@@ -45,6 +46,44 @@ Scan thinScan(const ShaftModel& shaft, std::uint64_t seed, double tilt_deg)
     return scan;
 }
 
+/// Profiles and probe records, whole and broken.
+void makeRecords(const std::function<void(const std::string& name, const std::string& content)>& write)
+{
+    std::string xy = "# unit=mm\nx,y\n";
+    std::string polar = "angle_deg;r_mm\n";
+    std::string trace = "Units: um\nFilter: 1-50 UPR\n";
+    for (int i = 0; i < 36; ++i) {
+        const double angle = i * std::numbers::pi / 18;
+        const double deviation_um = 3 * std::cos(3 * angle);
+        const double r = 25 + deviation_um / 1000;
+        xy += fmt::format("{:.9f},{:.9f}\n", r * std::cos(angle), r * std::sin(angle));
+        std::string row = fmt::format("{};{:.6f}\n", i * 10, r);
+        for (char& c : row) c = c == '.' ? ',' : c;
+        polar += row;
+        trace += fmt::format("{:.6f}\n", deviation_um);
+    }
+    write("profile_xy.csv", xy);
+    write("profile_polar.csv", polar);
+    write("trace.txt", trace);
+    write("record.csv", "# rpm=975; D_mm=50\nt_s,marker_V,X3_um,Y3_um\n0,0.1,1,2\n0.5,0.2,2,3\n1,0.3,3,4\n");
+    write("averaged.csv",
+          "section,z_mm,i,angle_deg,X3_um,Y3_um,Xp_um,Yp_um\n1,5,0,0,1,2,3,4\n1,5,1,180,1,2,3,4\n"
+          "2,10,0,0,1,2,3,4\n2,10,1,180,1,2,3,4\n");
+    testing::LGraphSetup setup;
+    write("pair.par", testing::makePar(setup));
+    write("pair.dat", testing::makeDat(setup.frames, setup.active.size()));
+    write("cut.par", testing::makePar(setup));
+    write("cut.dat", testing::makeDat(setup.frames / 2, setup.active.size()));
+    write("alone.dat", testing::makeDat(setup.frames, setup.active.size()));
+    setup.version = testing::Made::After2008;
+    std::string par = testing::makePar(setup);
+    write("late.PAR", par);
+    write("late.DAT", testing::makeDat(setup.frames, setup.active.size()));
+    testing::put<double>(par, 109, 11);  // another rate per channel
+    write("rate.par", par);
+    write("rate.dat", testing::makeDat(setup.frames, setup.active.size()));
+}
+
 }  // namespace
 
 void makeData(const std::string& folder)
@@ -72,6 +111,8 @@ void makeData(const std::string& folder)
     std::filesystem::create_directory(folder + "/folder");
     ::mkfifo((folder + "/silent.pipe").c_str(), 0666);
     ::mkfifo((folder + "/fed.pipe").c_str(), 0666);
+
+    makeRecords(write);
 
     write("shaft.xyz", rows(thinScan(nominalShaft(), 1, 0.3)));
     write("copy.xyz", rows(thinScan(copiedShaft(), 2, 4)));

@@ -1,11 +1,14 @@
 // Probe records from tables: raw and averaged, as the practice data write them and as others may.
 #include "engine/io/probe_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
+#include "engine/io/header_lines.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -71,6 +74,181 @@ TEST(ProbeReader, practiceAverages)
     EXPECT_DOUBLE_EQ(record.sections[0].sYp_um[2], 0.6510);
     EXPECT_DOUBLE_EQ(record.sections[0].angle_deg[2], 3.6);
     EXPECT_EQ(std::get<std::string>(*find(record.header, "D_mm")), "50");
+}
+
+ProbeFile read(const std::string& text, const ImportOptions& options = {})
+{
+    return readProbeTable("test", text, options);
+}
+
+ProbeRecord raw(const std::string& text, const ImportOptions& options = {})
+{
+    return std::get<ProbeRecord>(read(text, options).record);
+}
+
+Error refusal(const std::string& text, const ImportOptions& options = {})
+{
+    try {
+        read(text, options);
+    } catch (const Error& error) {
+        EXPECT_TRUE(find(error.values(), "path"));
+        return error;
+    }
+    ADD_FAILURE() << "no error for " << text.substr(0, 200);
+    return Error(ErrorCode::UnknownOption, {});
+}
+
+TEST(ProbeReader, headingsInManyDisguises)
+{
+    const std::string point = "0,0.1,1.5,2.5\n0.5,0.2,1.6,2.6\n1.0,0.3,1.7,2.7\n";
+    std::string comma;
+    for (const char c : point) comma += c == ',' ? ';' : c == '.' ? ',' : c;
+    for (const std::string& text :
+         {"t_s,marker_V,X3_um,Y3_um\n" + point, "time [s],marker [V],X3 [µm],Y3 [um]\n" + point,
+          "Time (s),marker (V),X3 (micron),Y3 (µm)\n" + point, "t;marker;X3;Y3\ns;V;µm;µm\n" + comma,
+          "# unit_time=s; unit_disp=um\nt,marker_V,X3,Y3\n" + point, "# t_s,marker_V,X3_um,Y3_um\n" + point}) {
+        const ProbeRecord record = raw(text);
+        ASSERT_EQ(record.channels.size(), 3U) << text;
+        EXPECT_EQ(record.channels[0].name, "marker") << text;
+        EXPECT_EQ(record.channels[0].unit, ProbeChannel::Unit::Volt) << text;
+        EXPECT_EQ(record.channels[1].name, "X3");
+        EXPECT_EQ(record.channels[1].unit, ProbeChannel::Unit::Micrometre) << text;
+        EXPECT_EQ(record.channels[2].values[1], 2.6);
+        EXPECT_DOUBLE_EQ(record.rate_hz, 2);
+    }
+}
+
+TEST(ProbeReader, unitsOfChannels)
+{
+    const ProbeRecord record = raw(
+        "t_ms,marker_mV,X3 (mm),Y3_inch,angle_deg,phi_rad,X4_nm,other\n0,500,0.5,1,90,1,500,7\n1,0,0.25,0,91,2,0,8\n"
+        "2,0,0.25,0,92,3,0,9\n");
+    const auto& c = record.channels;
+    ASSERT_EQ(c.size(), 7U);
+    EXPECT_DOUBLE_EQ(c[0].values[0], 0.5);
+    EXPECT_EQ(c[1].unit, ProbeChannel::Unit::Millimetre);
+    EXPECT_EQ(c[1].values[0], 0.5);
+    EXPECT_DOUBLE_EQ(c[2].values[0], 25400);
+    EXPECT_EQ(c[3].unit, ProbeChannel::Unit::Degree);
+    EXPECT_EQ(c[3].values[0], 90);
+    EXPECT_NEAR(c[4].values[0], 180 / 3.14159265358979, 1e-9);
+    EXPECT_DOUBLE_EQ(c[5].values[0], 0.5);
+    EXPECT_EQ(c[6].unit, ProbeChannel::Unit::Unknown);
+    EXPECT_NEAR(record.rate_hz, 1000, 1e-9);
+    ImportOptions mm;
+    mm.unit = LengthUnit::Millimetre;
+    EXPECT_EQ(raw("t_s,X3,Y3\n0,1,2\n1,2,3\n", mm).channels[0].unit, ProbeChannel::Unit::Millimetre);
+    EXPECT_TRUE(contains(read("t_s,X3,Y3\n0,1,2\n1,2,3\n").notes, NoteCode::ChannelUnitUnknown));
+}
+
+TEST(ProbeReader, whatTheHeaderSays)
+{
+    const ProbeRecord record =
+        raw("# lagrang-raw v1; rpm=975; D_mm=50,5\n# tool=CNMG 120408, feed_mm_rev=0.1\n# channel_skew_s=3.07e-05 "
+            "(channel k "
+            "at t+k*skew, k=0..4); note=a (b; c=d)\nt_s,X3_um,Y3_um\n0,1,2\n1,2,3\n2,3,4\n");
+    const auto word = [&record](const char* key) { return std::get<std::string>(*find(record.header, key)); };
+    EXPECT_EQ(word("rpm"), "975");
+    EXPECT_EQ(word("D_mm"), "50,5");
+    EXPECT_EQ(headerNumber(record.header, "d_MM"), 50.5);
+    EXPECT_EQ(word("tool"), "CNMG 120408");
+    EXPECT_EQ(word("feed_mm_rev"), "0.1");
+    EXPECT_EQ(word("note"), "a (b; c=d)");
+    EXPECT_EQ(record.channel_skew_s, 3.07e-05);
+    EXPECT_FALSE(headerNumber(record.header, "tool"));
+    EXPECT_FALSE(headerNumber({{"a", std::string("1,234")}}, "a"));
+}
+
+std::string timed(int rows, const std::function<double(int)>& time, int decimals)
+{
+    std::string text = "t_s,X3_um,Y3_um\n";
+    for (int i = 0; i < rows; ++i) text += fmt::format("{:.{}f},1,2\n", time(i), decimals);
+    return text;
+}
+
+TEST(ProbeReader, times)
+{
+    const auto even = [](int i) { return i / 6500.0; };
+    ProbeFile file = read(timed(2000, even, 7));
+    EXPECT_TRUE(file.notes.empty());
+    EXPECT_NEAR(std::get<ProbeRecord>(file.record).rate_hz, 6500, 1e-2);
+    EXPECT_EQ(std::get<ProbeRecord>(file.record).time_s.size(), 2000U);
+    // Rounded to 0.1 ms, the single times say less than all of them together.
+    file = read(timed(2000, even, 4));
+    EXPECT_TRUE(contains(file.notes, NoteCode::TimeCoarse));
+    EXPECT_NEAR(std::get<ProbeRecord>(file.record).rate_hz, 6500, 2);
+    EXPECT_TRUE(std::get<ProbeRecord>(file.record).time_s.empty());
+    // A gap.
+    file = read(timed(
+        2000, [&](int i) { return even(i < 1000 ? i : i + 5); }, 7));
+    ASSERT_TRUE(contains(file.notes, NoteCode::TimeIrregular));
+    EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "count")), 1);
+    EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "line")), 1002);
+    EXPECT_NEAR(std::get<ProbeRecord>(file.record).rate_hz, 6500, 5);
+    // Times that go back, or stand still.
+    const Error back = refusal(timed(
+        2000, [&](int i) { return even(i < 1000 ? i : i - 100); }, 7));
+    EXPECT_EQ(back.code(), ErrorCode::Malformed);
+    EXPECT_EQ(testing::integerOf(back, "line"), 1002);
+    EXPECT_EQ(refusal(timed(
+                          2000, [&](int i) { return even(i == 1000 ? 999 : i); }, 7))
+                  .code(),
+              ErrorCode::Malformed);
+    EXPECT_TRUE(contains(read("time,X3_um,Y3_um\n0,1,2\n1,1,2\n2,1,2\n").notes, NoteCode::TimeUnitAssumed));
+    EXPECT_TRUE(contains(read("X3_um,Y3_um\n0.5,1\n1,1\n2,1\n").notes, NoteCode::RateUnknown));
+    EXPECT_EQ(raw("# rate_kHz=6.5\nX3_um,Y3_um\n0.5,1\n1,1\n2,1\n").rate_hz, 6500);
+}
+
+TEST(ProbeReader, lostSamplesStayAsHoles)
+{
+    const ProbeFile file = read("t_s,X3_um,Y3_um\n0,1,2\n1,nan,3\n2,3,\n3,4,5\n");
+    const auto& record = std::get<ProbeRecord>(file.record);
+    ASSERT_EQ(record.frames(), 4U);
+    EXPECT_TRUE(std::isnan(record.channels[0].values[1]));
+    EXPECT_TRUE(std::isnan(record.channels[1].values[2]));
+    EXPECT_TRUE(contains(file.notes, NoteCode::SamplesMissing));
+    // A frame without its time has no place.
+    std::string rows = "t_s,X3_um,Y3_um\n0,1,2\nnan,2,3\n";
+    for (int i = 2; i < 20; ++i) rows += fmt::format("{},1,2\n", i);
+    const ProbeFile timeless = read(rows);
+    EXPECT_EQ(std::get<ProbeRecord>(timeless.record).frames(), 19U);
+    EXPECT_EQ(std::get<ProbeRecord>(timeless.record).rate_hz, 1);
+    EXPECT_TRUE(contains(timeless.notes, NoteCode::TimeIrregular));
+}
+
+TEST(ProbeReader, averages)
+{
+    const std::string head = "section,z_mm,i,angle_deg,X3_um,Y3_um,Xp_um,Yp_um\n";
+    const ProbeFile file = read(head + "2,10,0,0,1,2,3,4\n2,10,1,180,5,6,7,8\n1,5,0,0,9,8,7,6\n");
+    const auto& record = std::get<AveragedRecord>(file.record);
+    ASSERT_EQ(record.sections.size(), 2U);
+    EXPECT_EQ(record.sections[0].section, 2);
+    EXPECT_EQ(record.sections[0].Yp_um, (std::vector<double>{4, 8}));
+    EXPECT_EQ(record.sections[1].z_mm, 5);
+    EXPECT_TRUE(record.sections[0].sX3_um.empty());
+    EXPECT_EQ(refusal(head + "1,5,0,0,1,2,3,4\n1,6,1,180,5,6,7,8\n").code(), ErrorCode::Malformed);
+    EXPECT_EQ(refusal(head + "1.5,5,0,0,1,2,3,4\n2,6,1,180,5,6,7,8\n").code(), ErrorCode::Malformed);
+    EXPECT_EQ(refusal("section,angle_deg,X3_um,Y3_um\n1,0,1,2\n1,1,5,6\n").code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal("section,angle_deg,X3,Y3,Xp,Yp\n1,0,1,2,3,4\n1,1,5,6,7,8\n").code(), ErrorCode::UnitUnknown);
+    const auto mm =
+        std::get<AveragedRecord>(read("section,angle_rad,X3_mm,Y3_mm,Xp_mm,Yp_mm\n1,0,1,2,3,4\n1,1,5,6,7,8\n").record);
+    EXPECT_DOUBLE_EQ(mm.sections[0].X3_um[1], 5000);
+    EXPECT_NEAR(mm.sections[0].angle_deg[1], 57.29577951, 1e-8);
+    EXPECT_TRUE(std::isnan(mm.sections[0].z_mm));
+}
+
+TEST(ProbeReader, whatIsNoRecord)
+{
+    EXPECT_EQ(refusal("").code(), ErrorCode::FileEmpty);
+    EXPECT_EQ(refusal("x,y,z\n1,2,3\n4,5,6\n").code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal("angle_deg,r\n1,2\n4,5\n").code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal("t_s,n\n0,1\n1,2\n").code(), ErrorCode::ColumnsUnknown);
+    const Error broken = refusal("t_s,X3_um\n0,1\n1,two\n2,3\n");
+    EXPECT_EQ(broken.code(), ErrorCode::Malformed);
+    EXPECT_EQ(testing::integerOf(broken, "line"), 3);
+    EXPECT_FALSE(isProbeTable("x,y,z\n1,2,3\n4,5,6\n"));
+    EXPECT_FALSE(isProbeTable("t,x,y,z\n1,2,3,4\n4,5,6,7\n"));
+    EXPECT_TRUE(isProbeTable("t,marker,x,y\n1,2,3,4\n4,5,6,7\n"));
 }
 
 }  // namespace

@@ -1,31 +1,96 @@
 // Measured profiles: what the columns mean, in which unit, and what is refused.
 #include "engine/io/profile_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <numbers>
 
+#include "engine/io/header_lines.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
 namespace {
 
 const std::string practice = LATHELIER_SOURCE_DIR "/../shared/data/form/";
+constexpr double turn = 2 * std::numbers::pi;
+
+ProfileFile read(const std::string& text, const ProfileOptions& profile = {}, const ImportOptions& import = {})
+{
+    return readProfile("test", text, import, profile);
+}
+
+Error refusal(const std::string& text, const ProfileOptions& profile = {}, const ImportOptions& import = {})
+{
+    try {
+        read(text, profile, import);
+    } catch (const Error& error) {
+        EXPECT_TRUE(find(error.values(), "path"));
+        return error;
+    }
+    ADD_FAILURE() << "no error for " << text.substr(0, 200);
+    return Error(ErrorCode::UnknownOption, {});
+}
+
+constexpr int count = 72;
+
+/// Three lobes of 3 µm on a radius of 25 mm.
+double radius_mm(int i)
+{
+    return 25 + 0.003 * std::cos(3 * turn * i / count);
+}
+
+/// One row for each of 72 even angles.
+std::string rows(const std::function<std::string(int i, double angle_deg, double r_mm)>& row)
+{
+    std::string text;
+    for (int i = 0; i < count; ++i) text += row(i, 360.0 * i / count, radius_mm(i)) + "\n";
+    return text;
+}
+
+std::string xyRows(const std::string& delimiter = ",", double scale = 1)
+{
+    return rows([&](int, double angle_deg, double r) {
+        const double a = angle_deg * turn / 360;
+        return fmt::format("{:.9f}{}{:.9f}", scale * r * std::cos(a), delimiter, scale * r * std::sin(a));
+    });
+}
+
+std::string commas(std::string text)
+{
+    for (char& c : text) c = c == '.' ? ',' : c;
+    return text;
+}
+
+/// The points are those of the three lobes.
+void expectLobes(const ProfileFile& file, double tolerance_mm = 1e-8)
+{
+    ASSERT_EQ(file.profile.points_mm.size(), static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double a = turn * i / count;
+        const Eigen::Vector2d expected = radius_mm(i) * Eigen::Vector2d(std::cos(a), std::sin(a));
+        ASSERT_LT((file.profile.points_mm[static_cast<std::size_t>(i)] - expected).norm(), tolerance_mm) << i;
+    }
+}
 
 TEST(ProfileReader, practiceProfiles)
 {
     if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
-    int read = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(practice)) {
-        if (entry.path().extension() != ".csv") continue;
-        const ProfileFile file = readProfile(entry.path().string());
+    const std::map<std::string, std::size_t> expected = {{"p05_lobe5_n200.csv", 200},  {"p07_ellipse_n200.csv", 200},
+                                                         {"p10_turned_n200.csv", 200}, {"p13_outliers_n200.csv", 200},
+                                                         {"p17_8pts.csv", 8},          {"p19_keyway_n3600.csv", 3520}};
+    for (const auto& [name, points] : expected) {
+        const ProfileFile file = readProfile(practice + name);
         EXPECT_EQ(file.facts.format, "profile_xy");
         EXPECT_EQ(file.facts.unit_source, "stated");
         EXPECT_TRUE(file.notes.empty());
-        for (const Eigen::Vector2d& point : file.profile.points_mm) ASSERT_NEAR(point.norm(), 25, 25);
-        ++read;
+        EXPECT_NEAR(static_cast<double>(file.profile.points_mm.size()), static_cast<double>(points), 2) << name;
+        EXPECT_EQ(file.profile.name, name);
     }
-    EXPECT_EQ(read, 6);
 }
 
 TEST(ProfileReader, circlesInCoordinatePlanes)
@@ -39,6 +104,198 @@ TEST(ProfileReader, circlesInCoordinatePlanes)
     EXPECT_EQ(zx.profile.points_mm[0], Eigen::Vector2d(423.62282, -823.57962));
     const ProfileFile xy = readProfile(practice + "nist_circles/cir2d9.ds");
     EXPECT_EQ(xy.profile.points_mm[0], Eigen::Vector2d(114.49663, 95.6036));
+    for (int i = 1; i <= 10; ++i)
+        EXPECT_GE(readProfile(practice + fmt::format("nist_circles/cir2d{}.ds", i)).profile.points_mm.size(), 3U);
+}
+
+TEST(ProfileReader, coordinatesInManyDisguises)
+{
+    const std::string plain = xyRows();
+    const std::string quoted = rows([](int, double a, double r) {
+        return fmt::format("\"{:.9f}\",\"{:.9f}\"", r * std::cos(a * turn / 360), r * std::sin(a * turn / 360));
+    });
+    const std::string fortran = rows([](int, double a, double r) {
+        std::string row = fmt::format("{:.12E} {:.12E}", r * std::cos(a * turn / 360), r * std::sin(a * turn / 360));
+        for (char& c : row) c = c == 'E' ? 'D' : c;
+        return row;
+    });
+    std::string utf16 = "\xFF\xFE";
+    for (const char c : "# unit=mm\nx,y\n" + plain) utf16 += std::string{c, '\0'};
+    std::string carriage = "x,y\n" + plain;
+    for (char& c : carriage) c = c == '\n' ? '\r' : c;
+    for (const std::string& text :
+         {"# unit=mm\nx,y\n" + plain, "x_mm;y_mm\n" + commas(xyRows(";")), "X [mm]\tY [mm]\r\n" + xyRows("\t"), quoted,
+          fortran, plain, utf16, carriage, "\xEF\xBB\xBFx|y\n" + xyRows("|"), xyRows(" "), commas(xyRows(" ")),
+          "sep=;\nx;y\n" + xyRows(";"), "# measured 2015\n\n" + plain + "\n# end\n"})
+        expectLobes(read(text));
+}
+
+TEST(ProfileReader, otherColumnsAreLeftOutByName)
+{
+    const auto point = [](double a, double r) {
+        return fmt::format("{:.9f},{:.9f}", r * std::cos(a * turn / 360), r * std::sin(a * turn / 360));
+    };
+    expectLobes(
+        read("index,x,y\n" + rows([&](int i, double a, double r) { return std::to_string(i) + "," + point(a, r); })));
+    expectLobes(read(rows([&](int i, double a, double r) { return std::to_string(i + 1) + "," + point(a, r); })));
+    const ProfileFile file = read("x,y,z\n" + rows([&](int, double a, double r) { return point(a, r) + ",12.5"; }));
+    expectLobes(file);
+    EXPECT_FALSE(contains(file.notes, NoteCode::CoordinateIgnored));
+    const ProfileFile stack =
+        read("x,y,z\n" + rows([&](int i, double a, double r) { return point(a, r) + "," + std::to_string(i); }));
+    expectLobes(stack);
+    EXPECT_TRUE(contains(stack.notes, NoteCode::CoordinateIgnored));
+    expectLobes(read("y,x\n" + rows([](int, double a, double r) {
+                         return fmt::format("{:.9f},{:.9f}", r * std::sin(a * turn / 360),
+                                            r * std::cos(a * turn / 360));
+                     })));
+}
+
+TEST(ProfileReader, anglesAndRadii)
+{
+    const auto polar = [](double scale) {
+        return rows([=](int, double a, double r) { return fmt::format("{},{:.9f}", a * scale, r); });
+    };
+    for (const std::string& text :
+         {"angle_deg,r_mm\n" + polar(1), "theta [rad],radius [mm]\n" + polar(turn / 360), "phi,r\n" + polar(1),
+          "Winkel (°),Radius\n" + polar(1), polar(1), "angle_mrad,r\n" + polar(turn / 360 * 1000)}) {
+        const ProfileFile file = read(text);
+        EXPECT_EQ(file.facts.format, "profile_polar");
+        expectLobes(file);
+    }
+    // A whole turn of 6.28 can only be radians.
+    const ProfileFile guessed = read("angle,r\n" + polar(turn / 360));
+    expectLobes(guessed);
+    EXPECT_TRUE(contains(guessed.notes, NoteCode::AngleUnitGuessed));
+    // Half a turn without names: angles or coordinates?
+    const std::string half = rows([](int, double a, double r) { return fmt::format("{},{:.9f}", a / 2, r); });
+    EXPECT_EQ(refusal(half).code(), ErrorCode::ColumnsUnknown);
+    ProfileOptions options;
+    options.columns = ProfileColumns::AngleRadius;
+    EXPECT_EQ(read(half, options).facts.format, "profile_polar");
+    options.columns = ProfileColumns::Xy;
+    EXPECT_EQ(read(half, options).facts.format, "profile_xy");
+}
+
+TEST(ProfileReader, units)
+{
+    expectLobes(read("# unit=um\nx,y\n" + xyRows(",", 1000)), 1e-6);
+    expectLobes(read("x_um,y_um\n" + xyRows(",", 1000)), 1e-6);
+    expectLobes(read("x (inch),y (inch)\n" + xyRows(",", 1 / 25.4)), 1e-6);
+    // 25 000 fits no guess.
+    EXPECT_EQ(refusal(xyRows(",", 1000)).code(), ErrorCode::UnitUnknown);
+    ImportOptions um;
+    um.unit = LengthUnit::Micrometre;
+    expectLobes(read(xyRows(",", 1000), {}, um), 1e-6);
+    const ProfileFile guessed = read(xyRows());
+    EXPECT_EQ(guessed.facts.unit_source, "guessed");
+    EXPECT_TRUE(contains(guessed.notes, NoteCode::UnitGuessed));
+    const ProfileFile stated = read("# unit=mm\nx,y\n" + xyRows(), {}, um);
+    EXPECT_TRUE(contains(stated.notes, NoteCode::UnitNotUsed));
+    expectLobes(stated);
+    EXPECT_EQ(refusal("x_mm,y_um\n" + xyRows()).code(), ErrorCode::Malformed);
+}
+
+TEST(ProfileReader, deviationsNeedARadius)
+{
+    const std::string table = "# unit=um\nangle_deg,r\n" + rows([](int, double a, double r) {
+                                  return fmt::format("{},{:.6f}", a, (r - 25) * 1000);
+                              });
+    const std::string named = "angle_deg,deviation_um\n" + rows([](int, double a, double r) {
+                                  return fmt::format("{},{:.6f}", a, (r - 25) * 1000 + 20);
+                              });
+    EXPECT_EQ(refusal(table).code(), ErrorCode::NominalRadiusMissing);
+    EXPECT_EQ(refusal(named).code(), ErrorCode::NominalRadiusMissing);
+    ProfileOptions options;
+    options.nominal_radius_mm = 25;
+    const ProfileFile file = read(table, options);
+    expectLobes(file);
+    EXPECT_TRUE(file.profile.size_is_nominal);
+    EXPECT_TRUE(contains(file.notes, NoteCode::SizeFromNominal));
+    options.nominal_radius_mm = 24.98;
+    expectLobes(read(named, options));
+    // The file itself may state the radius.
+    expectLobes(read("# D_mm=50\n" + table));
+    // Without a unit neither µm nor mm is likelier.
+    const std::string bare = table.substr(table.find('\n') + 1);
+    options.nominal_radius_mm = 25;
+    EXPECT_EQ(refusal(bare, options).code(), ErrorCode::UnitUnknown);
+    // Radii need no nominal, and do not become deviations by one.
+    const ProfileFile radii =
+        read("angle_deg,r_mm\n" + rows([](int, double a, double r) { return fmt::format("{},{}", a, r); }), options);
+    expectLobes(radii);
+    EXPECT_FALSE(radii.profile.size_is_nominal);
+    EXPECT_TRUE(contains(radii.notes, NoteCode::NominalNotUsed));
+}
+
+TEST(ProfileReader, tracesOfRoundnessInstruments)
+{
+    const auto values = [](double offset_um) {
+        return rows([=](int, double, double r) { return fmt::format("{:.6f}", (r - 25) * 1000 + offset_um); });
+    };
+    const std::string head = "Instrument: roundness tester\nUnits: µm\nFilter: 1-50 UPR\nNominal\t25\n";
+    ProfileOptions options;
+    options.nominal_radius_mm = 25;
+    const ProfileFile file = read(head + values(0), options);
+    EXPECT_EQ(file.facts.format, "roundness_trace");
+    EXPECT_EQ(file.facts.delimiter, "");
+    expectLobes(file);
+    EXPECT_TRUE(contains(file.notes, NoteCode::AnglesUniform));
+    EXPECT_EQ(*headerWord(file.header, "filter"), "1-50 UPR");
+    EXPECT_EQ(refusal(head + values(0)).code(), ErrorCode::NominalRadiusMissing);
+    expectLobes(read(head + commas(values(0)), options));
+    EXPECT_EQ(refusal(values(10)).code(), ErrorCode::NominalRadiusMissing);
+    options.nominal_radius_mm = 24.99;
+    expectLobes(read(head + values(10), options));
+}
+
+TEST(ProfileReader, oneColumnOrTwo)
+{
+    ProfileOptions options;
+    options.nominal_radius_mm = 25;
+    ImportOptions um;
+    um.unit = LengthUnit::Micrometre;
+    // "0,250" may be a quarter, or a point; leading zeros behind the comma tell.
+    EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).profile.points_mm.size(), 4U);
+    EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).facts.format, "roundness_trace");
+    EXPECT_EQ(refusal("1,250\n2,251\n3,250\n4,249\n").code(), ErrorCode::NumberAmbiguous);
+    EXPECT_EQ(refusal("10,25\n20,251\n30,5\n40,249\n").code(), ErrorCode::NumberAmbiguous);
+    EXPECT_EQ(read("x,y\n10,25\n20,25\n30,5\n10,2\n").profile.points_mm[0], Eigen::Vector2d(10, 25));
+    um.delimiter = Delimiter::Comma;
+    EXPECT_EQ(read("10,25\n20,25\n30,5\n10,2\n", {}, um).profile.points_mm.size(), 4U);
+    um.delimiter = Delimiter::Auto;
+    um.decimal = Decimal::Comma;
+    EXPECT_EQ(read("10,25\n20,25\n30,5\n10,2\n", options, um).facts.format, "roundness_trace");
+    EXPECT_EQ(read("1 250\n2 251\n1 250\n4 249\n").facts.format, "profile_xy");
+}
+
+TEST(ProfileReader, whatIsNoProfile)
+{
+    EXPECT_EQ(refusal("").code(), ErrorCode::FileEmpty);
+    EXPECT_EQ(refusal("# nothing\n").code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal("nan,nan\nnan,nan\nnan,nan\n").code(), ErrorCode::NoPoints);
+    EXPECT_EQ(refusal("x,y\n1,2\n3,four\n5,6\n").code(), ErrorCode::Malformed);
+    EXPECT_EQ(testing::integerOf(refusal("x,y\n1,2\n3,four\n5,6\n"), "line"), 3);
+    EXPECT_EQ(refusal("t_s,X3_um,Y3_um\n0,1,2\n1,2,3\n2,3,4\n").code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal("a,b,c,d\n1.5,2,3,4\n5,6,7,8\n").code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal("x,w\n1.5,2\n5,6\n").code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal("1.5 2 3\n5 6.5 7\n5 1 9.5\n").code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal("x_mm,y_mm\n1e30,0\n0,1e30\n-1e30,0\n").code(), ErrorCode::CoordinateTooLarge);
+    EXPECT_EQ(refusal("5\n1,2,3\n4,5,3\n7,8,3\n").code(), ErrorCode::Truncated);
+    EXPECT_EQ(refusal(std::string("\x89PNG\r\n\x1a\n\0\0", 10)).code(), ErrorCode::FormatUnknown);
+    const ProfileFile holes = read("x_mm,y_mm\n1,2\nnan,3\n3,4\n");
+    EXPECT_EQ(holes.profile.points_mm.size(), 2U);
+    EXPECT_TRUE(contains(holes.notes, NoteCode::PointsNotFinite));
+}
+
+TEST(ProfileReader, cloudsAreNotTakenForProfiles)
+{
+    EXPECT_FALSE(isProfileTable("1 2 3\n4 5 6\n7 8 9\n"));
+    EXPECT_FALSE(isProfileTable("x,y,z\n1,2,3\n4,5,6\n"));
+    EXPECT_FALSE(isProfileTable("1 2 3 4 5 6\n4 5 6 7 8 9\n"));
+    EXPECT_FALSE(isProfileTable(""));
+    EXPECT_TRUE(isProfileTable("x,y\n1,2\n4,5\n"));
+    EXPECT_TRUE(isProfileTable("angle,r\n1,2\n4,5\n"));
 }
 
 }  // namespace

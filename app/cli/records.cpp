@@ -1,0 +1,67 @@
+#include "app/cli/records.h"
+
+#include "engine/io/scan_reader.h"
+
+namespace lathelier::cli {
+namespace {
+
+void addNotes(const Notes& notes, Answer& answer)
+{
+    answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
+}
+
+}  // namespace
+
+ProfileFile readProfile(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+                        Answer& answer)
+{
+    return readProfile(path, inputs.open(path, progress), request, progress, answer);
+}
+
+ProfileFile readProfile(const std::string& path, std::string_view bytes, const Request& request,
+                        const Progress& progress, Answer& answer)
+{
+    const Values& given = request.parameters;
+    ProfileFile file = lathelier::readProfile(path, bytes, fromValues<ImportOptions>(given),
+                                              fromValues<ProfileOptions>(given), progress);
+    addNotes(file.notes, answer);
+    return file;
+}
+
+ProbeFile readRecord(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+                     Answer& answer)
+{
+    return readRecord(path, inputs.open(path, progress), request, inputs, progress, answer);
+}
+
+ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, Inputs& inputs,
+                     const Progress& progress, Answer& answer)
+{
+    const Values& given = request.parameters;
+    const RecordFiles files = findRecordFiles(path, bytes);
+    requirePartner(files);
+    ProbeFile file;
+    if (files.kind == RecordFiles::Kind::Table) {
+        file = readProbeTable(path, bytes, fromValues<ImportOptions>(given), progress);
+    } else {
+        const bool isPar = files.par == path;
+        const std::string_view partner = inputs.open(isPar ? files.dat : files.par, progress);
+        file = readLGraph(files.par, isPar ? bytes : partner, isPar ? partner : bytes,
+                          fromValues<RecorderOptions>(given), progress, files.dat);
+    }
+    addNotes(file.notes, answer);
+    return file;
+}
+
+RecordKind kindOf(const std::string& path, std::string_view bytes, const Request& request)
+{
+    const auto options = fromValues<ImportOptions>(request.parameters);
+    const RecordFiles files = findRecordFiles(path, bytes);
+    const bool isPair = files.kind == RecordFiles::Kind::LGraph;
+    if (isPair && !files.par.empty()) return RecordKind::ProbeRecord;
+    if (hasScanFormat(bytes)) return RecordKind::None;
+    if (isPair || isProbeTable(bytes, options)) return RecordKind::ProbeRecord;
+    return isProfileTable(bytes, options) ? RecordKind::Profile : RecordKind::None;
+}
+
+}  // namespace lathelier::cli

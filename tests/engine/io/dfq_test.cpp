@@ -1,0 +1,149 @@
+// Q-DAS files: what is written comes back, bit for bit.
+#include "engine/io/dfq_writer.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "engine/io/windows1252.h"
+
+namespace lathelier {
+namespace {
+
+QdasFile example()
+{
+    QdasFile file;
+    file.part_number = "shaft 7";
+    file.part_description = "Gehäuse Ø50";
+    file.machine = "16K20";
+    file.measured = "21.04.2015/12:00:00";
+    file.characteristics.push_back({"1", "RONt(MZCI), G 1-50 UPR", "µm", 3, 0.0, std::nullopt, 10.0, {5.25, 6.0}});
+    file.characteristics.push_back({"2", "Diameter", "mm", 5, 50.0, 49.99, 50.01, {50.0004}});
+    return file;
+}
+
+void expectEqual(const QdasFile& a, const QdasFile& b)
+{
+    EXPECT_EQ(a.part_number, b.part_number);
+    EXPECT_EQ(a.part_description, b.part_description);
+    EXPECT_EQ(a.machine, b.machine);
+    EXPECT_EQ(a.measured, b.measured);
+    ASSERT_EQ(a.characteristics.size(), b.characteristics.size());
+    for (std::size_t i = 0; i < a.characteristics.size(); ++i) {
+        const QdasCharacteristic& p = a.characteristics[i];
+        const QdasCharacteristic& q = b.characteristics[i];
+        EXPECT_EQ(p.number, q.number);
+        EXPECT_EQ(p.description, q.description);
+        EXPECT_EQ(p.unit, q.unit);
+        EXPECT_EQ(p.decimals, q.decimals);
+        EXPECT_EQ(p.nominal, q.nominal);
+        EXPECT_EQ(p.lower_limit, q.lower_limit);
+        EXPECT_EQ(p.upper_limit, q.upper_limit);
+        ASSERT_EQ(p.values.size(), q.values.size());
+        for (std::size_t k = 0; k < p.values.size(); ++k)
+            EXPECT_TRUE(p.values[k] == q.values[k] || (std::isnan(p.values[k]) && std::isnan(q.values[k])));
+    }
+}
+
+TEST(Dfq, theFieldsOfTheTransferFormat)
+{
+    const std::string written = toDfq(example());
+    EXPECT_EQ(written,
+              "K0100 2\r\nK1001 shaft 7\r\nK1002 Geh\xE4use \xD8"
+              "50\r\nK1082 16K20\r\n"
+              "K2001/1 1\r\nK2002/1 RONt(MZCI), G 1-50 UPR\r\nK2004/1 0\r\nK2022/1 3\r\nK2101/1 0\r\nK2111/1 10\r\n"
+              "K2142/1 \xB5m\r\n"
+              "K2001/2 2\r\nK2002/2 Diameter\r\nK2004/2 0\r\nK2022/2 5\r\nK2101/2 50\r\nK2110/2 49.99\r\n"
+              "K2111/2 50.01\r\nK2142/2 mm\r\n"
+              "K0001/1 5.25\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n"
+              "K0001/2 50.0004\r\nK0002/2 0\r\nK0004/2 21.04.2015/12:00:00\r\n"
+              "K0001/1 6\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n");
+    expectEqual(readDfq("test", written), example());
+}
+
+TEST(Dfq, valuesThatAreNoneAreMarkedInvalid)
+{
+    QdasFile file = example();
+    file.characteristics[0].values = {1.5, std::nan(""), std::numeric_limits<double>::infinity()};
+    const QdasFile back = readDfq("test", toDfq(file));
+    ASSERT_EQ(back.characteristics[0].values.size(), 3U);
+    EXPECT_EQ(back.characteristics[0].values[0], 1.5);
+    EXPECT_TRUE(std::isnan(back.characteristics[0].values[1]));
+    EXPECT_TRUE(std::isnan(back.characteristics[0].values[2]));
+    EXPECT_EQ(toDfq(file).find("nan"), std::string::npos);
+}
+
+TEST(Dfq, lettersOutsideWindows1252)
+{
+    QdasFile file = example();
+    file.part_description = "wałek, вал";
+    const std::string written = toDfq(file);
+    EXPECT_TRUE(written.starts_with("\xEF\xBB\xBF"));
+    expectEqual(readDfq("test", written), file);
+    // Letters whose bytes would pass for UTF-8 do not come back as another letter.
+    file.part_description = "Ã¤";
+    expectEqual(readDfq("test", toDfq(file)), file);
+    EXPECT_EQ(toWindows1252("€ …"), "\x80 \x85");
+}
+
+TEST(Dfq, lineEndsInTextsCannotForgeFields)
+{
+    QdasFile file = example();
+    file.part_number = "7\r\nK0001/1 99";
+    EXPECT_EQ(readDfq("test", toDfq(file)).characteristics[0].values.size(), 2U);
+}
+
+RC_GTEST_PROP(Dfq, roundTrip, ())
+{
+    const auto word = rc::gen::map(rc::gen::container<std::string>(rc::gen::elementOf(std::string("aZ09-_/.,;#%xµ"))),
+                                   [](std::string s) {
+                                       // µ is two bytes: keep them together or not at all
+                                       std::erase_if(s, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+                                       return s;
+                                   });
+    QdasFile file;
+    file.part_number = *word;
+    file.machine = *word;
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+        QdasCharacteristic c;
+        c.number = *word;
+        c.unit = "µm";
+        c.nominal = *rc::gen::arbitrary<double>();
+        c.values = *rc::gen::arbitrary<std::vector<double>>();
+        file.characteristics.push_back(c);
+    }
+    const QdasFile back = readDfq("test", toDfq(file));
+    RC_ASSERT(back.part_number == file.part_number);
+    RC_ASSERT(back.characteristics.size() == file.characteristics.size());
+    for (std::size_t i = 0; i < file.characteristics.size(); ++i) {
+        RC_ASSERT(back.characteristics[i].number == file.characteristics[i].number);
+        RC_ASSERT(back.characteristics[i].nominal == file.characteristics[i].nominal);
+        RC_ASSERT(back.characteristics[i].values == file.characteristics[i].values);
+    }
+}
+
+TEST(Dfq, whatIsNoneIsRefusedAtItsLine)
+{
+    const auto refused = [](const std::string& text) {
+        try {
+            readDfq("test", text);
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::Internal;
+    };
+    EXPECT_EQ(refused(""), ErrorCode::FileEmpty);
+    EXPECT_EQ(refused("\r\n\r\n"), ErrorCode::FileEmpty);
+    EXPECT_EQ(refused("K0100 1\r\nx,y\r\n"), ErrorCode::Malformed);
+    EXPECT_EQ(refused("K0100 1\r\nK0001/1 abc\r\n"), ErrorCode::Malformed);
+    EXPECT_EQ(refused("K0100 1\r\nK0001/2 5\r\n"), ErrorCode::Malformed);
+    EXPECT_EQ(refused("K0100 3\r\nK0001/1 5\r\n"), ErrorCode::Truncated);
+    EXPECT_EQ(refused("K0100 1\r\nK0002/1 255\r\n"), ErrorCode::Malformed);
+    EXPECT_EQ(refused("K0001/99999999999 5\r\n"), ErrorCode::Malformed);
+    EXPECT_EQ(refused(std::string("\x89PNG\r\n\x1a\n", 8)), ErrorCode::FormatUnknown);
+}
+
+}  // namespace
+}  // namespace lathelier

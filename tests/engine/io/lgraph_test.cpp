@@ -1,0 +1,268 @@
+// L-Graph pairs: all versions, volts by device, and every contradiction named.
+#include "tests/engine/io/lgraph_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/io/lgraph_header.h"
+#include "engine/io/probe_reader.h"
+#include "tests/engine/io/reading.h"
+
+namespace lathelier {
+namespace {
+
+using testing::LGraphSetup;
+using testing::Made;
+using testing::makeDat;
+using testing::makePar;
+using testing::put;
+
+const std::string practice = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
+
+ProbeFile readMade(const LGraphSetup& setup, const RecorderOptions& options = {})
+{
+    return readLGraph("made.par", makePar(setup), makeDat(setup.frames, setup.active.size()), options);
+}
+
+const ProbeRecord& record(const ProbeFile& file)
+{
+    return std::get<ProbeRecord>(file.record);
+}
+
+Error refusal(const std::string& par, const std::string& dat)
+{
+    try {
+        readLGraph("made.par", par, dat, {}, {}, "made.dat");
+    } catch (const Error& error) {
+        EXPECT_TRUE(find(error.values(), "path"));
+        EXPECT_TRUE(find(error.values(), "byte"));
+        EXPECT_FALSE(text(error).empty());
+        return error;
+    }
+    ADD_FAILURE() << "no error";
+    return Error(ErrorCode::UnknownOption, {});
+}
+
+/// The check that an Error RecordContradicts names.
+std::string failedCheck(const std::string& par, const std::string& dat)
+{
+    const Error error = refusal(par, dat);
+    EXPECT_EQ(error.code(), ErrorCode::RecordContradicts);
+    return testing::wordOf(error, "check");
+}
+
+class LGraphVersions : public ::testing::TestWithParam<Made> {};
+INSTANTIATE_TEST_SUITE_P(LGraph, LGraphVersions, ::testing::Values(Made::One, Made::After2008, Made::Two));
+
+TEST_P(LGraphVersions, everySampleIsWhereItBelongs)
+{
+    LGraphSetup setup;
+    setup.version = GetParam();
+    setup.gainCodes[2] = 2;  // channel 3, × 4
+    setup.gainCodes[3] = 3;  // channel 4, × 8
+    const ProbeFile file = readMade(setup);
+    const ProbeRecord& made = record(file);
+    ASSERT_EQ(made.channels.size(), 3U);
+    EXPECT_EQ(made.channels[0].name, "channel 1");
+    EXPECT_EQ(made.channels[1].name, "channel 3");
+    EXPECT_EQ(made.channels[2].name, "channel 4");
+    EXPECT_EQ(made.channels[1].gain, 4);
+    ASSERT_EQ(made.frames(), 100U);
+    const int gains[] = {1, 4, 8};
+    for (std::size_t f = 0; f < 100; ++f)
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_DOUBLE_EQ(made.channels[c].values[f],
+                             (100.0 * static_cast<double>(f) - static_cast<double>(c)) * 5 / 2000 / gains[c]);
+    EXPECT_EQ(made.rate_hz, 10000);
+    EXPECT_NEAR(*made.channel_skew_s, 1 / 30000.0, 1e-9);
+    EXPECT_EQ(made.device, "L783");
+    EXPECT_EQ(made.recorded, "Tue Apr 21 12:00:00 2015");
+    EXPECT_TRUE(file.notes.empty());
+    const char* const formats[] = {"lgraph_1", "lgraph_2008", "lgraph_2"};
+    EXPECT_EQ(file.facts.format, formats[static_cast<int>(GetParam())]);
+    EXPECT_NEAR(std::get<double>(*find(file.facts.details, "duration_s")), 0.01, 1e-12);
+}
+
+TEST_P(LGraphVersions, contradictionsAreNamed)
+{
+    LGraphSetup setup;
+    setup.version = GetParam();
+    const bool wide = GetParam() == Made::After2008;
+    const std::string par = makePar(setup);
+    const std::string dat = makeDat(100, 3);
+    const auto changed = [&par](auto change) {
+        std::string bytes = par;
+        change(bytes);
+        return bytes;
+    };
+    EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int16_t>(p, 65, 33); }), dat), "number of channels");
+    EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int16_t>(p, 65, 0); }), dat), "number of channels");
+    EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int16_t>(p, 65, 2); }), dat), "active channels");
+    EXPECT_EQ(failedCheck(changed([&](auto& p) { put<std::uint8_t>(p, wide ? 277 : 159, 4); }), dat), "gain code");
+    EXPECT_EQ(failedCheck(
+                  changed([&](auto& p) { wide ? put<std::int64_t>(p, 75, 301) : put<std::int32_t>(p, 71, 301); }), dat),
+              "samples = frames × channels");
+    EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int32_t>(p, 67, 0); }), dat), "frames");
+    EXPECT_EQ(failedCheck(changed([&](auto& p) { wide ? put<double>(p, 109, 11) : put<float>(p, 91, 11); }), dat),
+              "total time = frames / rate");
+    EXPECT_EQ(
+        failedCheck(changed([&](auto& p) { wide ? put<double>(p, 109, std::nan("")) : put<float>(p, 91, -1); }), dat),
+        "rate per channel");
+    EXPECT_EQ(failedCheck(par, dat + "more"), "size of the .dat file");
+    EXPECT_EQ(failedCheck(par, dat + "m"), "size of the .dat file");
+    const Error cut = refusal(par, dat.substr(0, 301));
+    EXPECT_EQ(cut.code(), ErrorCode::Truncated);
+    EXPECT_EQ(testing::wordOf(cut, "path"), "made.dat");
+    EXPECT_EQ(testing::integerOf(cut, "found"), 50);
+    EXPECT_EQ(testing::integerOf(cut, "expected"), 100);
+    EXPECT_EQ(refusal(par, "").code(), ErrorCode::Truncated);
+    EXPECT_EQ(refusal(par.substr(0, 200), dat).code(), ErrorCode::Truncated);
+    EXPECT_EQ(refusal(changed([](auto& p) { p[0] = '9'; }), dat).code(), ErrorCode::FormatUnknown);
+    if (GetParam() == Made::Two) {
+        EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int64_t>(p, 227, 99); }), dat), "frames, stated twice");
+    } else {
+        EXPECT_EQ(failedCheck(par + "x", dat), "size of the .par file");
+        EXPECT_EQ(failedCheck(changed([&](auto& p) { wide ? put<double>(p, 93, 20) : put<float>(p, 83, 20); }), dat),
+                  "converter rate ≥ rate × channels");
+    }
+}
+
+TEST(LGraph, hostileCountsCostNothing)
+{
+    LGraphSetup setup;
+    setup.version = Made::After2008;
+    std::string par = makePar(setup);
+    const std::string dat = makeDat(100, 3);
+    put<std::int64_t>(par, 67, std::int64_t{1} << 61);  // frames × channels does not fit into 64 bits
+    put<std::int64_t>(par, 75, 100);
+    EXPECT_EQ(failedCheck(par, dat), "samples = frames × channels");
+    put<std::int64_t>(par, 67, std::int64_t{1} << 60);  // three channels of 2^60 frames: nothing is allocated
+    put<std::int64_t>(par, 75, 3 * (std::int64_t{1} << 60));
+    testing::putExtended(par, 83, static_cast<long double>(std::int64_t{1} << 60) / 10000);
+    EXPECT_EQ(refusal(par, dat).code(), ErrorCode::Truncated);
+    put<std::int64_t>(par, 67, -100);
+    EXPECT_EQ(failedCheck(par, dat), "frames");
+}
+
+TEST(LGraph, fullScaleByDeviceAndByOption)
+{
+    LGraphSetup setup;
+    setup.device = "L-761";
+    ProbeFile file = readMade(setup);
+    EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 5 / 8000);
+    EXPECT_TRUE(contains(file.notes, NoteCode::FullScaleAssumed));
+    file = readMade(setup, {4000, 10});
+    EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 10 / 4000);
+    EXPECT_TRUE(file.notes.empty());
+    setup.device = "E440";
+    file = readMade(setup);
+    EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Unknown);
+    EXPECT_EQ(record(file).channels[0].values[2], 200);
+    EXPECT_TRUE(contains(file.notes, NoteCode::FullScaleUnknown));
+    file = readMade(setup, {8000, 10});
+    EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Volt);
+    EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 10 / 8000);
+}
+
+TEST(LGraph, aFasterConverterPausesBetweenFrames)
+{
+    LGraphSetup setup;
+    setup.converter_kHz = 300;
+    setup.delay_ms = 0.1 - 2.0 / 300;  // the rest of the frame
+    ProbeFile file = readMade(setup);
+    EXPECT_NEAR(*record(file).channel_skew_s, 1 / 300e3, 1e-10);
+    EXPECT_TRUE(file.notes.empty());
+    setup.delay_ms = 0.02;
+    EXPECT_TRUE(contains(readMade(setup).notes, NoteCode::ConverterDelayDiffers));
+    setup.version = Made::Two;
+    file = readMade(setup);
+    EXPECT_NEAR(*record(file).channel_skew_s, 1 / 30e3, 1e-9);
+    EXPECT_TRUE(contains(file.notes, NoteCode::ConverterRateWrong));
+}
+
+TEST(LGraph, severalSegmentsAreNoted)
+{
+    LGraphSetup setup;
+    setup.version = Made::Two;
+    std::string par = makePar(setup);
+    put<std::int32_t>(par, 17131, 3);
+    EXPECT_TRUE(contains(readLGraph("made.par", par, makeDat(100, 3)).notes, NoteCode::RecordInSegments));
+}
+
+class LGraphFiles : public ::testing::Test {
+protected:
+    LGraphFiles() { std::filesystem::create_directories(folder_); }
+    ~LGraphFiles() override { std::filesystem::remove_all(folder_); }
+    std::string write(const std::string& name, const std::string& content) const
+    {
+        std::ofstream(folder_ / name, std::ios::binary) << content;
+        return (folder_ / name).string();
+    }
+    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "lathelier_lgraph_test";
+};
+
+TEST_F(LGraphFiles, eitherOfThePairInAnyCase)
+{
+    const LGraphSetup setup;
+    const std::string dat = write("run1.DAT", makeDat(100, 3));
+    const std::string par = write("run1.PAR", makePar(setup));
+    for (const std::string& path : {dat, par}) {
+        EXPECT_TRUE(isProbeRecord(path));
+        EXPECT_EQ(record(readProbeRecord(path)).frames(), 100U);
+    }
+    write("run1.par", makePar({}).replace(0, 1, "9"));  // the partner in the same case comes first
+    EXPECT_EQ(record(readProbeRecord(dat)).frames(), 100U);
+    const std::string mixed = write("Run2.dat", makeDat(100, 3));
+    write("RUN2.PAR", makePar(setup));
+    EXPECT_EQ(record(readProbeRecord(mixed)).frames(), 100U);
+}
+
+TEST_F(LGraphFiles, aMissingPartnerIsNamed)
+{
+    const std::string dat = write("a.dat", makeDat(100, 3));
+    const std::string par = write("b.par", makePar({}));
+    for (const std::string& path : {dat, par}) {
+        EXPECT_TRUE(isProbeRecord(path));
+        try {
+            readProbeRecord(path);
+            ADD_FAILURE();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::PartnerMissing);
+            EXPECT_EQ(testing::wordOf(error, "path"), path);
+            EXPECT_EQ(testing::wordOf(error, "partner"), path == dat ? "a.par" : "b.dat");
+        }
+    }
+}
+
+TEST_F(LGraphFiles, aTextNamedDatIsATable)
+{
+    const std::string dat = write("table.dat", "t_s,X3_um,Y3_um\n0,1,2\n0.1,2,3\n0.2,3,4\n");
+    EXPECT_EQ(record(readProbeRecord(dat)).channels.size(), 2U);
+    const std::string cloud = write("cloud.dat", "1 2 3\n4 5 6\n7 8 9\n");
+    EXPECT_FALSE(isProbeRecord(cloud));
+}
+
+TEST(LGraph, realRecordingOfLGraphTwo)
+{
+    if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
+    const ProbeFile file = readProbeRecord(practice + "LGraph2_sample.dat");
+    EXPECT_EQ(file.facts.format, "lgraph_2");
+    const ProbeRecord& real = record(file);
+    ASSERT_EQ(real.channels.size(), 2U);
+    EXPECT_EQ(real.channels[0].name, "channel 4");
+    EXPECT_EQ(real.channels[1].name, "channel 6");
+    EXPECT_EQ(real.frames(), 50000U);
+    EXPECT_EQ(real.rate_hz, 1e6);
+    EXPECT_EQ(real.device, "L783");
+    EXPECT_EQ(real.recorded, "02-03-2016 11:11:19");
+    EXPECT_DOUBLE_EQ(real.channels[0].values[0], 294 * 5.0 / 2000);
+    EXPECT_DOUBLE_EQ(real.channels[1].values[2], 290 * 5.0 / 2000);
+    EXPECT_NEAR(*real.channel_skew_s, 0.5e-6, 1e-12);  // two channels at 1 MHz, whatever the header says
+    EXPECT_TRUE(contains(file.notes, NoteCode::ConverterRateWrong));
+}
+
+}  // namespace
+}  // namespace lathelier

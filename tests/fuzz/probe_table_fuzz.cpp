@@ -1,0 +1,12 @@
+// Probe records as tables, with all options.
+#include "tests/fuzz/check_record.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace lathelier;
+    std::string_view bytes = fuzz::viewOf(data, size);
+    const ImportOptions options = fuzz::takeOptions(bytes);
+    fuzz::checkAnswer([&] { fuzz::checkRecord(readProbeTable("fuzz", bytes, options)); });
+    isProbeTable(bytes, options);
+    return 0;
+}

@@ -48,6 +48,7 @@ ProbeFile readRecord(const std::string& path, std::string_view bytes, const Requ
         const std::string_view partner = inputs.open(isPar ? files.dat : files.par, progress);
         file = readLGraph(files.par, isPar ? bytes : partner, isPar ? partner : bytes,
                           fromValues<RecorderOptions>(given), progress, files.dat);
+        file.facts.path = path;
     }
     addNotes(file.notes, answer);
     return file;

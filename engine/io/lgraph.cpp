@@ -148,7 +148,7 @@ ProbeFile readPair(const std::string& name, std::string_view par, std::string_vi
     set(facts.details, "duration_s", header.total_s);
     set(facts.details, "device", header.device);
     set(facts.details, "recorded", header.recorded);
-    set(facts.details, "channel_skew_s", *record.channel_skew_s);
+    set(facts.details, "channel_skew_us", *record.channel_skew_s * 1e6);
     for (Note& note : file.notes) set(note.values, "path", name);
     file.record = std::move(record);
     progress.report(1);

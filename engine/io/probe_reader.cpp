@@ -98,8 +98,10 @@ ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options,
     requirePartner(files);
     const bool isPar = files.par == path;
     const FileBytes partner(isPar ? files.dat : files.par, progress);
-    return readLGraph(files.par, isPar ? file.view() : partner.view(), isPar ? partner.view() : file.view(), recorder,
-                      progress, files.dat);
+    ProbeFile record = readLGraph(files.par, isPar ? file.view() : partner.view(), isPar ? partner.view() : file.view(),
+                                  recorder, progress, files.dat);
+    record.facts.path = path;
+    return record;
 }
 
 }  // namespace lathelier

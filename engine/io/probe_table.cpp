@@ -61,11 +61,10 @@ void readValues(std::string_view text, bool averaged, const Progress& progress, 
     table.rows = readRows(
         text, table.layout, wanted,
         [&table](std::size_t count) {
-            table.values.resize(count * table.width());
-            return table.values.data();
+            table.values = std::unique_ptr<double[]>(new double[count * table.width()]);  // not zeroed: it is large
+            return table.values.get();
         },
         progress);
-    table.values.resize(table.rows.rows * table.width());
 }
 
 std::string channelList(const ProbeRecord& record)
@@ -120,7 +119,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
             set(file.facts.details, "rate_kHz", record.rate_hz / 1000);
             set(file.facts.details, "duration_s", static_cast<double>(rows) / record.rate_hz);
         }
-        if (record.channel_skew_s) set(file.facts.details, "channel_skew_s", *record.channel_skew_s);
+        if (record.channel_skew_s) set(file.facts.details, "channel_skew_us", *record.channel_skew_s * 1e6);
         file.record = std::move(record);
     }
     finishTableNotes(table.layout, table.rows, name, file.facts, file.notes);

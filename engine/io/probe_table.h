@@ -1,7 +1,7 @@
 // The two shapes of probe records in text tables.
 #pragma once
 
-#include <span>
+#include <memory>
 
 #include "engine/io/probe_columns.h"
 #include "engine/io/probe_reader.h"
@@ -14,7 +14,7 @@ struct ProbeTable {
     TableLayout layout;
     std::vector<ProbeColumn> columns;  ///< of the file
     std::vector<std::size_t> read;     ///< places of the columns that were read
-    std::vector<double> values;        ///< row by row
+    std::unique_ptr<double[]> values;  ///< row by row
     TableRows rows;
     Values header;
     const ImportOptions& options;

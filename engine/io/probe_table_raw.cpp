@@ -13,7 +13,7 @@ namespace {
 using Kind = QuantityUnit::Kind;
 using Role = ProbeColumn::Role;
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t grain = 1 << 13;  ///< rows: a block of them stays in the cache
 constexpr double irregularShare = 0.1;  ///< of a time step
 
 /// The unit of a channel and what its values are multiplied by. Millimetres stay as they are; other lengths are told in
@@ -39,32 +39,56 @@ bool isDisplacement(const ProbeColumn& column)
     return plain == "x3" || plain == "y3" || plain == "xp" || plain == "yp" || plain == "x" || plain == "y";
 }
 
-ProbeChannel takeChannel(const ProbeTable& table, std::size_t k, Notes& notes, const Progress& progress)
+/// A column on its way to a channel.
+struct Taken {
+    std::size_t column = 0;  ///< among those that were read
+    double scale = 1;
+    ProbeChannel channel;
+};
+
+Taken startChannel(const ProbeTable& table, std::size_t k, Notes& notes)
 {
     const ProbeColumn& column = table.column(k);
-    ProbeChannel channel;
+    Taken taken{k, 1, {}};
+    ProbeChannel& channel = taken.channel;
     channel.name = column.name.empty() ? "channel " + std::to_string(table.read[k] + 1) : column.name;
     std::optional<QuantityUnit> unit = column.unit;
     if (!unit && column.role == Role::Angle) unit = QuantityUnit{Kind::Angle, "deg", 1};
     if (!unit && isDisplacement(column)) unit = displacementUnit(table);
-    double scale = 1;
-    applyUnit(unit, channel, scale);
+    applyUnit(unit, channel, taken.scale);
     if (channel.unit == ProbeChannel::Unit::Unknown)
         notes.push_back({NoteCode::ChannelUnitUnknown, {{"channel", channel.name}}});
     channel.values.resize(table.rows.rows);
-    const std::int64_t missing = parallelReduce(
-        table.rows.rows, grain, progress, std::int64_t{0},
+    return taken;
+}
+
+/// Turns rows into channels, a block of rows at a time, and notes the holes.
+void fillChannels(const ProbeTable& table, std::vector<Taken>& channels, Notes& notes, const Progress& progress)
+{
+    using Counts = std::vector<std::int64_t>;
+    const Counts missing = parallelReduce(
+        table.rows.rows, grain, progress, Counts(channels.size(), 0),
         [&](std::size_t begin, std::size_t end) {
-            std::int64_t count = 0;
-            for (std::size_t i = begin; i < end; ++i) {
-                channel.values[i] = table.at(i, k) * scale;
-                count += std::isnan(channel.values[i]) ? 1 : 0;
+            Counts counts(channels.size(), 0);
+            for (std::size_t k = 0; k < channels.size(); ++k) {
+                const std::size_t width = table.width();
+                const double scale = channels[k].scale;
+                const double* from = &table.values[begin * width + channels[k].column];
+                double* const to = channels[k].channel.values.data();
+                for (std::size_t i = begin; i < end; ++i, from += width) {
+                    to[i] = *from * scale;
+                    counts[k] += std::isnan(to[i]) ? 1 : 0;
+                }
             }
-            return count;
+            return counts;
         },
-        [](std::int64_t a, std::int64_t b) { return a + b; });
-    if (missing > 0) notes.push_back({NoteCode::SamplesMissing, {{"count", missing}, {"channel", channel.name}}});
-    return channel;
+        [](Counts sum, const Counts& counts) {
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
+            return sum;
+        });
+    for (std::size_t k = 0; k < channels.size(); ++k)
+        if (missing[k] > 0)
+            notes.push_back({NoteCode::SamplesMissing, {{"count", missing[k]}, {"channel", channels[k].channel.name}}});
 }
 
 /// Seconds per unit of the column of times: its heading's, the header's `unit_time`, else 1 with a note.
@@ -178,20 +202,23 @@ ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& p
     record.name = table.name.substr(table.name.find_last_of('/') + 1);
     record.header = table.header;
     bool hasTimes = false;
+    std::vector<Taken> channels;
     for (std::size_t k = 0; k < table.width(); ++k) {
-        progress.report(static_cast<double>(k) / static_cast<double>(table.width()));
+        progress.check();
         if (table.column(k).role == Role::Time && !hasTimes) {
             takeTimes(table, k, record, notes, progress);
             hasTimes = true;
         } else {
-            record.channels.push_back(takeChannel(table, k, notes, progress));
+            channels.push_back(startChannel(table, k, notes));
         }
     }
-    if (record.channels.empty())
+    if (channels.empty())
         throw Error(ErrorCode::ColumnsUnknown, {{"line", table.layout.bodyLine},
                                                 {"column", std::int64_t{1}},
                                                 {"found", LT_TEXT("Engine", "no column of signals")},
                                                 {"expected", LT_TEXT("Engine", "channels such as marker_V, X3_um")}});
+    fillChannels(table, channels, notes, progress);
+    for (Taken& taken : channels) record.channels.push_back(std::move(taken.channel));
     if (!hasTimes) takeStatedRate(record, notes);
     if (const auto skew = headerNumber(record.header, "channel_skew_s"); skew && *skew >= 0)
         record.channel_skew_s = *skew;

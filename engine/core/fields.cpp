@@ -107,7 +107,7 @@ void check(const FieldInfo& info, const Value& value)
             for (const Interval& interval : *intervals) {
                 checkRange(info, interval.from);
                 checkRange(info, interval.to);
-                if (interval.from > interval.to) reject(info, value);
+                if (interval.from > interval.to && !info.wraps) reject(info, value);
             }
             break;
         }

@@ -29,6 +29,7 @@ struct FieldInfo {
     double maximum = 0;            ///< Integer, Number and the ends of Intervals: inclusive range
     bool optional = false;         ///< may be "not given" (monostate)
     bool advanced = false;         ///< folded away in the form
+    bool wraps = false;            ///< Intervals of angles: 350:10 runs through 0
     std::vector<FieldChoice> choices;
 };
 

@@ -42,6 +42,21 @@ LATHELIER_NOTE(ZonesExcluded, "zones_excluded", Info, LT_TEXT("Engine", "{count}
 LATHELIER_NOTE(SignUndetermined, "sign_undetermined", Warning, LT_TEXT("Engine", "Inside and outside are not known (no normals, no closed surface): the deviation has no sign."))
 LATHELIER_NOTE(NotDistinguishable, "not_distinguishable", Warning, LT_TEXT("Engine", "The difference cannot be told from the scanner's accuracy of {scanner_accuracy_mm} mm."))
 
+// --- form
+LATHELIER_NOTE(Undersampled, "undersampled", Warning, LT_TEXT("Engine", "{points} points a turn are too few for {cutoff_upr} UPR by the rule of 7 points a wave; they carry {supported_upr} UPR. The answer is given all the same."))
+LATHELIER_NOTE(GapsInProfile, "gaps_in_profile", Info, LT_TEXT("Engine", "{count} gaps in the profile, the largest of {largest_deg}°: beside them filter and harmonics rest on the points that are there."))
+LATHELIER_NOTE(PartialArc, "partial_arc", Warning, LT_TEXT("Engine", "The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little."))
+LATHELIER_NOTE(AnglesUneven, "angles_uneven", Info, LT_TEXT("Engine", "The points are unevenly spread over the turn; filter and harmonics take that into account."))
+LATHELIER_NOTE(DuplicatePoints, "duplicate_points", Info, LT_TEXT("Engine", "{count} points lie where others do."))
+LATHELIER_NOTE(OutliersRemoved, "outliers_removed", Info, LT_TEXT("Engine", "{count} outliers were left out (Hampel)."))
+LATHELIER_NOTE(SectorsExcluded, "sectors_excluded", Info, LT_TEXT("Engine", "{count} points in the excluded sectors were left out."))
+LATHELIER_NOTE(MinimumZoneNotUnique, "minimum_zone_not_unique", Info, LT_TEXT("Engine", "Another centre gives the same minimum zone: RONt is sure, the centre is not."))
+LATHELIER_NOTE(InscribedNotUnique, "inscribed_not_unique", Info, LT_TEXT("Engine", "Another centre holds an equal maximum inscribed circle; RONt(MICI) depends on which is taken."))
+LATHELIER_NOTE(CertificateOpen, "certificate_open", Warning, LT_TEXT("Engine", "{circle} is proved to {gap_um} µm only."))
+LATHELIER_NOTE(NoiseNotKnown, "noise_not_known", Info, LT_TEXT("Engine", "Too few points to tell their noise from the form; state the uncertainty of a point for an uncertainty of the result."))
+LATHELIER_NOTE(SizeNominal, "size_nominal", Info, LT_TEXT("Engine", "The profile holds deviations from a nominal radius: form is measured, size is not."))
+LATHELIER_NOTE(RotationNotDetermined, "rotation_not_determined", Warning, LT_TEXT("Engine", "The form does not determine the angle between the profiles; several rotations fit as well."))
+
 // --- projects
 LATHELIER_NOTE(SourceChanged, "source_changed", Warning, LT_TEXT("Engine", "{path} has changed since the project was saved."))
 LATHELIER_NOTE(SourceMissing, "source_missing", Warning, LT_TEXT("Engine", "{path} is missing."))

@@ -36,7 +36,8 @@ struct RoundnessParameters {
 template <>
 const std::vector<Field<RoundnessParameters>>& fields<RoundnessParameters>();
 
-/// The band that the parameters ask for. Error ValueOutOfRange when both or a wrong one is given.
+/// The band that the parameters ask for; a lower end of 1 UPR or less damps nothing. Error ValueNotUnderstood when
+/// both are given, or more than one band, or an empty one.
 ProfileBand bandOf(const RoundnessParameters& parameters);
 
 /// Sizes measured across the section.
@@ -57,13 +58,13 @@ struct MethodRow {
 
 /// What the strongest harmonics usually mean on a lathe.
 struct RoundnessHint {
-    int upr = 0;
+    int upr = 0;  ///< 1: eccentricity from the origin of the coordinates, which is no form
     double amplitude_um = 0;
-    double share_percent = 0;  ///< of the form's variance
+    double share_percent = 0;  ///< of the form's variance; NaN for 1 UPR
     Text meaning;              ///< "oval: clamping between two jaws, or an out-of-round bore", …
 };
 
-/// The paper's own formulas about the origin of the coordinates; not roundness.
+/// The paper's own formulas about the origin of the coordinates; not roundness. NaN when the origin is outside.
 struct PaperValues {
     double run_out_um = 0;                                        ///< max R_i - min R_i about the origin
     Eigen::Vector2d limacon_centre_um = Eigen::Vector2d::Zero();  ///< 2ΣX/n, 2ΣY/n of the deviations from R0
@@ -79,22 +80,25 @@ struct RoundnessResult {
     std::vector<double> angle_rad;              ///< of each given point about the LSC centre of the raw profile
     std::vector<Eigen::Vector2d> evaluated_mm;  ///< the points that were judged: filtered, in order of angle
     std::vector<std::size_t> evaluated_index;   ///< the given point each belongs to (contacts count in given points)
-    bool resampled = false;                     ///< uneven angles were made even for the filter
+    FilterWay filter_way = FilterWay::Uniform;  ///< how uneven angles and gaps were filtered
     ReferenceCircles circles;                   ///< of the evaluated points; contacts index the given points
     TwoPointSize two_point;
     std::vector<Harmonic> harmonics;  ///< amplitudes in µm, of the unfiltered profile about its LSC centre
     std::vector<MethodRow> methods;
     std::vector<RoundnessHint> hints;
     PaperValues paper;
-    double RONt_expanded_uncertainty_um = 0;  ///< k = 2 (95 %), Monte Carlo over the points, for `parameters.circle`
-    double point_noise_um = 0;                ///< standard deviation of a point that went into it
-    std::optional<FormVerdict> verdict;       ///< with a tolerance
+    /// k = 2 (95 %): twice the root mean square by which RONt of `parameters.circle` changes when the points are
+    /// measured again with `point_noise_um` (Monte Carlo through the filter). NaN when that noise is not known.
+    double RONt_expanded_uncertainty_um = 0;
+    double point_noise_um = 0;           ///< standard deviation of a point: given, or found in the profile
+    std::optional<FormVerdict> verdict;  ///< with a tolerance
     Notes notes;
 };
 
-/// Evaluates `profile`. Deterministic.
-/// Notes: Undersampled, GapsFilled / AnglesUneven, DuplicatePoints, OutliersRemoved, MinimumZoneNotUnique,
-/// InscribedNotUnique, CertificateOpen, SizeNominal… Errors as fitCircles(); ValueOutOfRange. Throws Cancelled.
+/// Evaluates `profile` about its fitted centres, wherever the origin is. Deterministic. Without a filter the circles
+/// are those of the given points, untouched. Notes: Undersampled, GapsInProfile, PartialArc, AnglesUneven,
+/// DuplicatePoints, OutliersRemoved, SectorsExcluded, MinimumZoneNotUnique, InscribedNotUnique, CertificateOpen,
+/// NoiseNotKnown, SizeNominal. Errors as fitCircles(); ValueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
                           const Progress& progress = {});
 

@@ -17,13 +17,14 @@ struct SuperimposeParameters {
 };
 
 struct SuperimposeResult {
-    double rotation_deg = 0;  ///< of the second profile onto the first
+    /// A point p of the second profile lies at rotation · mirror · p + shift on the first; mirror turns y into -y.
+    double rotation_deg = 0;
     bool mirrored = false;
     Eigen::Vector2d shift_mm = Eigen::Vector2d::Zero();
     double radius_difference_mm = 0;  ///< second - first, taken out
-    std::vector<double> angle_deg;    ///< uniform
-    std::vector<double> first_um;     ///< deviations about the common centre
-    std::vector<double> second_um;
+    std::vector<double> angle_deg;    ///< uniform, in the first profile's coordinates
+    std::vector<double> first_um;     ///< deviations from the first's least-squares circle; NaN in gaps
+    std::vector<double> second_um;    ///< the same of the second, laid on the first
     double largest_difference_um = 0;
     double mean_difference_um = 0;  ///< mean of absolute differences
     double rms_difference_um = 0;
@@ -31,7 +32,8 @@ struct SuperimposeResult {
     Notes notes;  ///< RotationNotDetermined when the form says nothing of the angle
 };
 
-/// Rotation, centre and radius of `second` that bring it closest to `first` in the least-squares sense.
+/// Rotation, centre and radius of `second` that bring it closest to `first` in the least-squares sense: all rotations
+/// by cross-correlation, the best of them refined between the grid's angles. Errors as roundness(). Throws Cancelled.
 SuperimposeResult superimpose(const Profile& first, const Profile& second, const SuperimposeParameters& parameters = {},
                               const Progress& progress = {});
 

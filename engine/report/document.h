@@ -106,7 +106,8 @@ struct PolarPlot {
     std::vector<Trace> traces;
     std::vector<ReferenceLine> circles;
     std::vector<Mark> contacts;
-    std::optional<double> magnification;  ///< default: a round one that fits
+    /// So many times a deviation is drawn larger than the base circle's radius. Default: a round one that fits.
+    std::optional<double> magnification;
 };
 
 /// A ready picture (PNG bytes), such as a 3-D view.
@@ -121,7 +122,7 @@ struct Headline {
     std::optional<bool> verdict;  ///< nullopt: none
 };
 
-using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, ColourMap, Picture, Notes>;
+using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;
 
 /// An input of the report, for the audit.
 struct InputFile {

@@ -7,6 +7,7 @@
 #include "engine/report/html_style.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/png.h"
+#include "engine/report/polar_svg.h"
 #include "engine/report/svg.h"
 
 namespace lathelier {
@@ -78,6 +79,7 @@ public:
     }
 
     std::string operator()(const Plot& plot) const { return element("figure", toSvg(plot, language_)); }
+    std::string operator()(const PolarPlot& plot) const { return element("figure", toSvg(plot, language_)); }
     std::string operator()(const ColourMap& map) const { return element("figure", toSvg(map, language_)); }
 
     std::string operator()(const Picture& picture) const

@@ -1,6 +1,7 @@
 #include "engine/report/plot_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lathelier {
@@ -10,6 +11,13 @@ constexpr std::string_view gridColour = "#e3e7eb";
 constexpr std::string_view frameColour = "#7b8794";
 
 }  // namespace
+
+std::string_view plotColour(std::size_t number)
+{
+    static constexpr std::array<std::string_view, 6> colours{"#1f5fa8", "#c0362c", "#009e73",
+                                                             "#e69f00", "#7b4f9d", "#52606d"};
+    return colours[number % colours.size()];
+}
 
 bool isDrawable(double value)
 {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/report/plot_frame.h"
@@ -18,13 +17,9 @@ constexpr std::string_view markDashes = "6 4";
 constexpr double bandOpacity = 0.18;
 constexpr double barOpacity = 0.8;
 
-// Original blue, copy red (LOOK.md), then colours that stay apart for colour-blind eyes (Okabe and Ito).
-constexpr std::array<std::string_view, 6> colours{"#1f5fa8", "#c0362c", "#009e73", "#e69f00", "#7b4f9d", "#52606d"};
-
 std::string_view colourOf(const Curve& curve, std::size_t position)
 {
-    const std::size_t index = curve.colour >= 0 ? static_cast<std::size_t>(curve.colour) : position;
-    return colours[index % colours.size()];
+    return plotColour(curve.colour >= 0 ? static_cast<std::size_t>(curve.colour) : position);
 }
 
 /// The points a curve can be drawn from.

@@ -19,16 +19,30 @@ Headline headline(const CylindricityResult& result, const Language& language = {
 Section roundnessSummary(const RoundnessResult& result, const Language& language = {});
 Section cylindricitySummary(const CylindricityResult& result, const Language& language = {});
 
-/// Everything a result holds, the most wanted first: headline and verdict; polar plot with the four circles and their
-/// contact points; deviations; spectrum; method table; sizes; how sure; method and parameters; notes.
+/// Everything a result holds, the most wanted first: headline, deviations by the four circles, verdict, notes; polar
+/// plot with the circles and the contact points of the chosen one; spectrum and what it means; method table; sizes; how
+/// sure; method and parameters. Several results begin with a table of all.
 Document roundnessReport(const std::vector<RoundnessResult>& results, const std::vector<InputFile>& inputs,
                          const Language& language = {});
 Document cylindricityReport(const CylindricityResult& result, const std::vector<InputFile>& inputs,
                             const Language& language = {});
 
+/// Two profiles laid on one another: figures, both as deviations around the first's circle, and their difference.
+Section superimposeSection(const SuperimposeResult& result, const Language& language = {});
+
 /// Blocks that other reports share.
-PolarPlot roundnessPolarPlot(const RoundnessResult& result);
+Table harmonicsTable(const RoundnessResult& result);
+PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& language = {});
 Plot spectrumPlot(const RoundnessResult& result);
-Table methodTable(const RoundnessResult& result);
+Table methodTable(const RoundnessResult& result, const Language& language = {});
+
+/// "no filter", "G 1-50 UPR", "G 15-500 UPR": the filter as part of a result's name.
+std::string filterName(const ProfileBand& band, const Language& language = {});
+
+/// Decimals that show the first two digits of an uncertainty, one to three; two where there is none.
+int decimalsFor(double uncertainty_um);
+
+/// "pass", "fail", "not decided" as they stand in tables.
+Text verdictName(FormVerdict verdict);
 
 }  // namespace lathelier

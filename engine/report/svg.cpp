@@ -126,11 +126,13 @@ void Svg::rect(double x, double y, double width, double height, std::string_view
                         coordinate(x), coordinate(y), coordinate(width), coordinate(height), fill, stroke);
 }
 
-void Svg::path(std::string_view data, std::string_view stroke, double width, std::string_view fill, double opacity)
+void Svg::path(std::string_view data, std::string_view stroke, double width, std::string_view fill, double opacity,
+               std::string_view dashes)
 {
     out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"", data,
                         fill, stroke, coordinate(width));
     if (opacity < 1) out_ += fmt::format(" fill-opacity=\"{}\"", coordinate(opacity));
+    if (!dashes.empty()) out_ += fmt::format(" stroke-dasharray=\"{}\"", dashes);
     out_ += "/>\n";
 }
 

@@ -26,7 +26,7 @@ public:
               std::string_view dashes = {});
     void rect(double x, double y, double width, double height, std::string_view fill, std::string_view stroke = "none");
     void path(std::string_view data, std::string_view stroke, double width, std::string_view fill = "none",
-              double opacity = 1);
+              double opacity = 1, std::string_view dashes = {});
     void text(double x, double y, Anchor anchor, double size, std::string_view content, bool bold = false);
     void verticalText(double x, double y, double size, std::string_view content);  ///< reads upward, centred
     void png(double x, double y, double width, double height, std::string_view bytes);

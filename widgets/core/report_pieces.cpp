@@ -3,6 +3,7 @@
 #include "engine/core/texts.h"
 #include "engine/report/cells.h"
 #include "engine/report/plot_svg.h"
+#include "engine/report/polar_svg.h"
 
 namespace lathelier {
 namespace {
@@ -80,6 +81,7 @@ public:
         return piece;
     }
     Piece operator()(const Plot& plot) const { return drawing(toSvg(plot, language_)); }
+    Piece operator()(const PolarPlot& plot) const { return drawing(toSvg(plot, language_)); }
     Piece operator()(const ColourMap& map) const { return drawing(toSvg(map, language_)); }
     Piece operator()(const Picture& picture) const
     {

@@ -1,0 +1,46 @@
+#include "engine/form/circles_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lathelier {
+namespace {
+
+/// What all four have; a number that does not exist is null.
+Json common(const FittedCircle& circle)
+{
+    return {{"centre_x_mm", toJson(Value(circle.centre_mm.x()))},
+            {"centre_y_mm", toJson(Value(circle.centre_mm.y()))},
+            {"radius_mm", toJson(Value(circle.radius_mm))},
+            {"inner_radius_mm", toJson(Value(circle.inner_radius_mm))},
+            {"outer_radius_mm", toJson(Value(circle.outer_radius_mm))},
+            {"RONt_um", toJson(Value(circle.RONt_um))}};
+}
+
+/// What the exact ones have besides.
+Json exact(const FittedCircle& circle)
+{
+    Json json = common(circle);
+    json["contacts"] = Json::array();
+    for (const CircleContact& contact : circle.contacts)
+        json["contacts"].push_back(
+            {{"index", contact.index}, {"side", contact.side == CircleContact::Side::Outer ? "outer" : "inner"}});
+    json["certified_gap_um"] = circle.certified_gap_um ? toJson(Value(*circle.certified_gap_um)) : Json(nullptr);
+    json["unique"] = circle.unique;
+    return json;
+}
+
+}  // namespace
+
+Json toJson(const ReferenceCircles& circles)
+{
+    Json least_squares = common(circles.LSCI);
+    least_squares["RONp_um"] = toJson(Value(circles.LSCI.RONp_um));
+    least_squares["RONv_um"] = toJson(Value(circles.LSCI.RONv_um));
+    least_squares["RONq_um"] = toJson(Value(circles.LSCI.RONq_um));
+    return {{"LSCI", least_squares},
+            {"MZCI", exact(circles.MZCI)},
+            {"MICI", exact(circles.MICI)},
+            {"MCCI", exact(circles.MCCI)}};
+}
+
+}  // namespace lathelier

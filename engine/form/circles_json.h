@@ -1,0 +1,12 @@
+// Reference circles as JSON, as scripts know them (COMMAND_LINE.md).
+#pragma once
+
+#include "engine/core/json.h"
+#include "engine/form/circles.h"
+
+namespace lathelier {
+
+/// {"LSCI": {…}, "MZCI": {…}, "MICI": {…}, "MCCI": {…}}
+Json toJson(const ReferenceCircles& circles);
+
+}  // namespace lathelier

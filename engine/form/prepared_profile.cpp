@@ -1,0 +1,126 @@
+#include "engine/form/prepared_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/signal/hampel.h"
+
+namespace lathelier {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int mostRounds = 4;  ///< leaving points out moves the centre, and with it the angles
+
+std::vector<Vector2d> usedPoints(const Profile& profile, const std::vector<std::uint8_t>& used)
+{
+    std::vector<Vector2d> result;
+    result.reserve(used.size());
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) result.push_back(profile.points_mm[i]);
+    return result;
+}
+
+double angleAbout(const Vector2d& centre, const Vector2d& point)
+{
+    const Vector2d ray = point - centre;
+    return std::atan2(ray.y(), ray.x());
+}
+
+/// Fills what follows from `used`.
+void arrange(const Profile& profile, PreparedProfile& prepared)
+{
+    const std::vector<Vector2d> points = usedPoints(profile, prepared.used);
+    const FittedCircle circle = fitLeastSquaresCircle(points);
+    prepared.centre_mm = circle.centre_mm;
+    prepared.radius_mm = circle.radius_mm;
+    std::vector<double> angle;
+    angle.reserve(points.size());
+    for (const Vector2d& point : points) angle.push_back(angleAbout(circle.centre_mm, point));
+    prepared.sampling = sampleAngles(angle);
+    std::vector<std::size_t> given;
+    for (std::size_t i = 0; i < prepared.used.size(); ++i)
+        if (prepared.used[i]) given.push_back(i);
+    prepared.index.clear();
+    prepared.points_mm.clear();
+    prepared.distance_mm.clear();
+    for (std::size_t& i : prepared.sampling.order) {
+        prepared.index.push_back(given[i]);
+        prepared.points_mm.push_back(points[i]);
+        prepared.distance_mm.push_back((points[i] - circle.centre_mm).norm());
+        i = prepared.index.size() - 1;
+    }
+}
+
+/// Counts anew which points lie in the sectors; true when that changed anything.
+bool exclude(const Profile& profile, const std::vector<Interval>& sectors, PreparedProfile& prepared)
+{
+    bool changed = false;
+    prepared.excluded = 0;
+    for (std::size_t i = 0; i < prepared.used.size(); ++i) {
+        const Vector2d& point = profile.points_mm[i];
+        if (!point.allFinite()) continue;
+        const double angle = angleAbout(prepared.centre_mm, point) * 180 / std::numbers::pi;
+        const std::uint8_t counts = !isExcluded(angle, sectors);
+        prepared.excluded += !counts;
+        changed |= counts != prepared.used[i];
+        prepared.used[i] = counts;
+    }
+    return changed;
+}
+
+/// Leaves out what stands out; true when anything did.
+bool removeOutliers(PreparedProfile& prepared)
+{
+    const std::vector<std::uint8_t> found = hampelOutliers(prepared.distance_mm);
+    const auto count = static_cast<std::size_t>(std::count(found.begin(), found.end(), 1));
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i]) prepared.used[prepared.index[i]] = 0;
+    prepared.outliers += count;
+    return count > 0;
+}
+
+}  // namespace
+
+bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg)
+{
+    return std::any_of(sectors_deg.begin(), sectors_deg.end(), [&](const Interval& sector) {
+        double width = sector.to - sector.from;
+        if (width < 0) width += 360;
+        const double into = angle_deg - sector.from;
+        return into - 360 * std::floor(into / 360) <= width;
+    });
+}
+
+PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule)
+{
+    PreparedProfile prepared;
+    prepared.used.resize(profile.points_mm.size());
+    for (std::size_t i = 0; i < prepared.used.size(); ++i) {
+        prepared.used[i] = profile.points_mm[i].allFinite();
+        prepared.not_finite += !prepared.used[i];
+    }
+    arrange(profile, prepared);
+    if (!exclude_deg.empty())
+        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round)
+            arrange(profile, prepared);
+    if (rule == OutlierRule::Hampel)
+        for (int round = 0; round < mostRounds && removeOutliers(prepared); ++round) arrange(profile, prepared);
+    return prepared;
+}
+
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band)
+{
+    EvaluatedProfile result{prepared.points_mm, FilterWay::Uniform};
+    if (band.isAll()) return result;
+    const FilteredValues filtered = filterClosedAt(prepared.sampling.angle_rad, prepared.distance_mm, band);
+    result.way = filtered.way;
+    for (std::size_t i = 0; i < result.points_mm.size(); ++i) {
+        const double angle = prepared.sampling.angle_rad[i];
+        result.points_mm[i] = prepared.centre_mm + filtered.values[i] * Vector2d(std::cos(angle), std::sin(angle));
+    }
+    return result;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,37 @@
+// The points of a profile that count, about their least-squares centre and in order of angle.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/profile.h"
+#include "engine/form/roundness.h"
+#include "engine/signal/angular_sampling.h"
+
+namespace lathelier {
+
+struct PreparedProfile {
+    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();  ///< of the least-squares circle of the points that count
+    double radius_mm = 0;
+    std::vector<std::uint8_t> used;  ///< by given point
+    std::size_t not_finite = 0, excluded = 0, outliers = 0;
+    std::vector<std::size_t> index;          ///< given points that count, in order of angle
+    std::vector<Eigen::Vector2d> points_mm;  ///< in that order
+    std::vector<double> distance_mm;         ///< from the centre, in that order
+    AngularSampling sampling;                ///< of points_mm; its order is already applied
+};
+
+/// Leaves out sectors (angles as seen from the centre that results) and outliers. Errors as fitLeastSquaresCircle().
+PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule);
+
+/// The prepared points after the filter: on the rays from the centre, in the same order; without a filter as they are.
+struct EvaluatedProfile {
+    std::vector<Eigen::Vector2d> points_mm;
+    FilterWay way = FilterWay::Uniform;
+};
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band);
+
+/// Is the angle in one of the sectors? Sectors may run through 0°.
+bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg);
+
+}  // namespace lathelier

@@ -1,0 +1,161 @@
+#include "engine/form/roundness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/form/prepared_profile.h"
+#include "engine/form/roundness_hints.h"
+#include "engine/form/roundness_methods.h"
+#include "engine/form/roundness_uncertainty.h"
+#include "engine/form/two_point.h"
+
+namespace lathelier {
+namespace {
+
+using Eigen::Vector2d;
+constexpr double degree = std::numbers::pi / 180;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int mostHarmonics = 500;
+
+/// The contacts count in given points, whatever was left out and sorted.
+void pointContactsToGiven(FittedCircle& circle, const std::vector<std::size_t>& index)
+{
+    for (CircleContact& contact : circle.contacts) contact.index = index[contact.index];
+}
+
+std::vector<Harmonic> harmonicsOf(const PreparedProfile& prepared, std::size_t given)
+{
+    const int limit = std::min(mostHarmonics, static_cast<int>(given / 2));
+    std::vector<double> deviation_um;
+    for (const double distance : prepared.distance_mm) deviation_um.push_back(1000 * (distance - prepared.radius_mm));
+    return harmonicsAt(prepared.sampling.angle_rad, deviation_um, limit);
+}
+
+PaperValues paperValues(const PreparedProfile& prepared)
+{
+    PaperValues paper{nan, Vector2d(nan, nan)};
+    if (prepared.centre_mm.norm() >= prepared.radius_mm) return paper;
+    double mean = 0, nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Vector2d& point : prepared.points_mm) {
+        mean += point.norm() / static_cast<double>(prepared.points_mm.size());
+        nearest = std::min(nearest, point.norm());
+        farthest = std::max(farthest, point.norm());
+    }
+    paper.run_out_um = 1000 * (farthest - nearest);
+    paper.limacon_centre_um.setZero();
+    for (const Vector2d& point : prepared.points_mm)
+        if (point.norm() > 0)
+            paper.limacon_centre_um +=
+                2000 / static_cast<double>(prepared.points_mm.size()) * (point.norm() - mean) * point.normalized();
+    return paper;
+}
+
+/// What the points are like.
+void noteSampling(const Profile& profile, const PreparedProfile& prepared, const ProfileBand& band, Notes& notes)
+{
+    const auto count = [](std::size_t value) { return static_cast<std::int64_t>(value); };
+    const AngularSampling& sampling = prepared.sampling;
+    if (profile.size_is_nominal) notes.push_back({NoteCode::SizeNominal, {}});
+    if (prepared.not_finite > 0)
+        notes.push_back({NoteCode::PointsNotFinite, {{"path", profile.name}, {"count", count(prepared.not_finite)}}});
+    if (prepared.excluded > 0) notes.push_back({NoteCode::SectorsExcluded, {{"count", count(prepared.excluded)}}});
+    if (prepared.outliers > 0) notes.push_back({NoteCode::OutliersRemoved, {{"count", count(prepared.outliers)}}});
+    if (sampling.different < prepared.index.size())
+        notes.push_back({NoteCode::DuplicatePoints, {{"count", count(prepared.index.size() - sampling.different)}}});
+    const double largest_deg = std::round(sampling.largest_gap_rad / degree * 100) / 100;
+    if (sampling.largest_gap_rad > std::numbers::pi / 2)
+        notes.push_back({NoteCode::PartialArc, {{"missing_deg", largest_deg}}});
+    else if (sampling.gaps > 0)
+        notes.push_back({NoteCode::GapsInProfile, {{"count", count(sampling.gaps)}, {"largest_deg", largest_deg}}});
+    else if (sampling.largest_gap_rad > 1.5 * sampling.median_spacing_rad)
+        notes.push_back({NoteCode::AnglesUneven, {}});
+    const double cutoff = band.high_upr.value_or(band.low_upr.value_or(0));
+    if (cutoff > carriedCutoff(sampling))
+        notes.push_back(
+            {NoteCode::Undersampled,
+             {{"points", static_cast<std::int64_t>(std::llround(2 * std::numbers::pi / sampling.median_spacing_rad))},
+              {"cutoff_upr", cutoff},
+              {"supported_upr", carriedStandardCutoff(sampling)}}});
+}
+
+void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, Notes& notes)
+{
+    if (!circles.MZCI.unique) notes.push_back({NoteCode::MinimumZoneNotUnique, {}});
+    if (!circles.MICI.unique) notes.push_back({NoteCode::InscribedNotUnique, {}});
+    for (const ReferenceCircle which : {ReferenceCircle::MZCI, ReferenceCircle::MICI}) {
+        const FittedCircle& circle = circles.of(which);
+        // Rounding of coordinates far from the origin counts as reached.
+        const double goal = std::max(
+            {options.certificate_um, options.certificate_relative * circle.RONt_um, 1e-11 * circle.outer_radius_mm});
+        if (circle.certified_gap_um && *circle.certified_gap_um > 2 * goal)
+            notes.push_back({NoteCode::CertificateOpen,
+                             {{"circle", std::string(name(which))}, {"gap_um", *circle.certified_gap_um}}});
+    }
+}
+
+FormVerdict decide(double deviation_um, double uncertainty_um, double tolerance_um, DecisionRule rule)
+{
+    if (rule == DecisionRule::Simple) return deviation_um <= tolerance_um ? FormVerdict::Pass : FormVerdict::Fail;
+    if (deviation_um + uncertainty_um <= tolerance_um) return FormVerdict::Pass;
+    if (deviation_um - uncertainty_um > tolerance_um) return FormVerdict::Fail;
+    return FormVerdict::Undecided;  // also when the uncertainty is not known
+}
+
+}  // namespace
+
+RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters, const Progress& progress)
+{
+    progress.report(0);
+    const ProfileBand band = bandOf(parameters);
+    const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers);
+    EvaluatedProfile evaluated = evaluateProfile(prepared, band);
+
+    RoundnessResult result;
+    result.parameters = parameters;
+    result.name = profile.name;
+    result.points = profile.points_mm.size();
+    result.used = prepared.used;
+    for (const Vector2d& point : profile.points_mm) {
+        const Vector2d ray = point - prepared.centre_mm;
+        result.angle_rad.push_back(std::atan2(ray.y(), ray.x()));
+    }
+    result.evaluated_index = prepared.index;
+    result.filter_way = evaluated.way;
+    progress.report(0.1);
+
+    const CircleOptions options;
+    const ReferenceCircles circles = fitCircles(evaluated.points_mm, options, progress.part(0.1, 0.4));
+    result.circles = circles;
+    for (FittedCircle* circle :
+         {&result.circles.LSCI, &result.circles.MZCI, &result.circles.MICI, &result.circles.MCCI})
+        pointContactsToGiven(*circle, prepared.index);
+    result.two_point = twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm);
+    result.harmonics = harmonicsOf(prepared, result.points);
+    result.paper = paperValues(prepared);
+    result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.4, 0.7));
+
+    result.point_noise_um = parameters.probe_uncertainty_um.value_or(pointNoise_um(prepared));
+    result.RONt_expanded_uncertainty_um =
+        expandedUncertainty_um(prepared, evaluated.points_mm, band, parameters.circle, circles.of(parameters.circle),
+                               result.point_noise_um, progress.part(0.7, 1));
+    result.hints = roundnessHints(result);
+    if (parameters.tolerance_um)
+        result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
+                                *parameters.tolerance_um, parameters.decision);
+
+    noteSampling(profile, prepared, band, result.notes);
+    noteCircles(result.circles, options, result.notes);
+    if (!std::isfinite(result.point_noise_um)) result.notes.push_back({NoteCode::NoiseNotKnown, {}});
+    result.evaluated_mm = std::move(evaluated.points_mm);
+    progress.report(1);
+    return result;
+}
+
+double headlineDeviation_um(const RoundnessResult& result)
+{
+    return result.circles.of(result.parameters.circle).RONt_um;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,84 @@
+#include "engine/form/roundness_methods.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace lathelier {
+namespace {
+
+constexpr double samplesAtLeast = 2.5;  ///< a wave; with fewer the samples do not see it at all
+
+std::array<double, 4> deviations(const ReferenceCircles& circles)
+{
+    return {circles.LSCI.RONt_um, circles.MZCI.RONt_um, circles.MICI.RONt_um, circles.MCCI.RONt_um};
+}
+
+double pointsPerTurn(const AngularSampling& sampling)
+{
+    return 2 * std::numbers::pi / sampling.median_spacing_rad;
+}
+
+/// A turn of 105 points carries 15 UPR: rounding of the angles must not tell otherwise.
+constexpr double rounding = 1 + 1e-6;
+
+std::vector<ProfileBand> bandsFor(const AngularSampling& sampling, const ProfileBand& asked)
+{
+    std::vector<ProfileBand> bands{{}};
+    for (const double cutoff : standardCutoffs) {
+        if (cutoff > 500 || cutoff * samplesAtLeast > pointsPerTurn(sampling) * rounding) break;
+        bands.push_back({{}, cutoff});
+        if (cutoff > carriedCutoff(sampling)) break;
+    }
+    if (std::find(bands.begin(), bands.end(), asked) == bands.end()) bands.push_back(asked);
+    return bands;
+}
+
+}  // namespace
+
+double carriedCutoff(const AngularSampling& sampling)
+{
+    return pointsPerTurn(sampling) / samplesPerCutoff * rounding;
+}
+
+double carriedStandardCutoff(const AngularSampling& sampling)
+{
+    double carried = 0;
+    for (const double cutoff : standardCutoffs)
+        if (cutoff <= carriedCutoff(sampling)) carried = cutoff;
+    return carried;
+}
+
+std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile& prepared,
+                                  const RoundnessParameters& parameters, const ReferenceCircles& chosen,
+                                  const Progress& progress)
+{
+    const ProfileBand asked = bandOf(parameters);
+    const bool hampel = parameters.outliers == OutlierRule::Hampel;
+    const PreparedProfile other =
+        prepareProfile(profile, parameters.exclude_deg, hampel ? OutlierRule::None : OutlierRule::Hampel);
+    const std::vector<ProfileBand> bands = bandsFor(prepared.sampling, asked);
+    std::vector<MethodRow> rows;
+    CircleOptions quick;
+    quick.certify = false;
+    for (const OutlierRule rule : {OutlierRule::None, OutlierRule::Hampel}) {
+        const bool own = rule == parameters.outliers;
+        const PreparedProfile& points = own ? prepared : other;
+        // Where there are no outliers the rows are the same.
+        const bool same = rule == OutlierRule::Hampel && points.outliers == 0;
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            progress.report(static_cast<double>(rows.size()) / static_cast<double>(2 * bands.size()));
+            MethodRow row{bands[i], rule, {}, false};
+            row.undersampled = bands[i].high_upr && *bands[i].high_upr > carriedCutoff(points.sampling);
+            if (bands[i] == asked && (own || same || (!hampel && other.outliers == 0)))
+                row.RONt_um = deviations(chosen);
+            else if (same)
+                row.RONt_um = rows[i].RONt_um;
+            else
+                row.RONt_um = deviations(fitCircles(evaluateProfile(points, bands[i]).points_mm, quick, progress));
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+}  // namespace lathelier

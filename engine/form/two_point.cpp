@@ -1,0 +1,88 @@
+#include "engine/form/two_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/signal/closed_interpolation.h"
+
+namespace lathelier {
+namespace {
+
+using Eigen::Vector2d;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double cross(const Vector2d& a, const Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Corners of the convex hull, anticlockwise (Andrew's monotone chain).
+std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
+{
+    std::vector<Vector2d> sorted(points.begin(), points.end());
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Vector2d& a, const Vector2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::vector<Vector2d> hull;
+    const auto chain = [&](auto begin, auto end) {
+        const std::size_t start = hull.size();
+        for (auto it = begin; it != end; ++it) {
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *it - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(*it);
+        }
+        hull.pop_back();  // the first of the other chain
+    };
+    chain(sorted.begin(), sorted.end());
+    chain(sorted.rbegin(), sorted.rend());
+    return hull;
+}
+
+}  // namespace
+
+TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const AngularSampling& sampling,
+                          const Vector2d& centre_mm)
+{
+    std::vector<double> distance;
+    distance.reserve(points_mm.size());
+    for (const Vector2d& point : points_mm) distance.push_back((point - centre_mm).norm());
+    const ClosedInterpolation profile(sampling, distance);
+    TwoPointSize result;
+    double largest = nan, smallest = nan;
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+        const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi);
+        largest = std::fmax(largest, size);
+        smallest = std::fmin(smallest, size);
+    }
+    result.largest_mm = largest;
+    result.smallest_mm = smallest;
+    result.range_um = 1000 * (largest - smallest);
+    result.half_range_um = result.range_um / 2;
+    const CaliperWidth width = caliperWidth(points_mm);
+    result.caliper_largest_mm = width.largest_mm;
+    result.caliper_smallest_mm = width.smallest_mm;
+    return result;
+}
+
+CaliperWidth caliperWidth(std::span<const Vector2d> points_mm)
+{
+    const std::vector<Vector2d> hull = convexHull(points_mm);
+    const std::size_t n = hull.size();
+    CaliperWidth width{0, std::numeric_limits<double>::infinity()};
+    if (n < 3) return {};
+    std::size_t far = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector2d edge = hull[(i + 1) % n] - hull[i];
+        const auto height = [&](std::size_t j) { return cross(edge, hull[j % n] - hull[i]); };
+        while (height(far + 1) > height(far)) ++far;
+        width.smallest_mm = std::min(width.smallest_mm, height(far) / edge.norm());
+        // The corners at the far end of both edges meet all antipodal pairs.
+        for (const std::size_t j : {far, far + 1})
+            for (const std::size_t k : {i, i + 1})
+                width.largest_mm = std::max(width.largest_mm, (hull[j % n] - hull[k % n]).norm());
+    }
+    return width;
+}
+
+}  // namespace lathelier

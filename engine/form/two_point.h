@@ -1,0 +1,22 @@
+// Sizes across a section: two-point size through the centre, and width between parallel jaws.
+#pragma once
+
+#include <span>
+
+#include "engine/form/roundness.h"
+#include "engine/signal/angular_sampling.h"
+
+namespace lathelier {
+
+/// `points_mm` in order of angle about `centre_mm`, with those angles (ascending). Where no point lies opposite, the
+/// profile is interpolated between its neighbours (cubic); across gaps there is no size.
+TwoPointSize twoPointSize(std::span<const Eigen::Vector2d> points_mm, const AngularSampling& sampling,
+                          const Eigen::Vector2d& centre_mm);
+
+/// Largest and smallest width of the points between parallel jaws (rotating calipers on the convex hull).
+struct CaliperWidth {
+    double largest_mm = 0, smallest_mm = 0;
+};
+CaliperWidth caliperWidth(std::span<const Eigen::Vector2d> points_mm);
+
+}  // namespace lathelier

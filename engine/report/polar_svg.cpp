@@ -1,0 +1,288 @@
+#include "engine/report/polar_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/report/plot_frame.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double sheetHeight = 640;
+constexpr double centreX = 330;
+constexpr double centreY = 340;
+constexpr double basePx = 195;  ///< radius of the base circle on the sheet
+constexpr double rimPx = 270;   ///< nothing is drawn beyond
+constexpr double corePx = 75;   ///< nor inside
+constexpr double legendX = 650;
+constexpr double degree = std::numbers::pi / 180;
+constexpr double micrometresPerMillimetre = 1000;
+
+constexpr std::string_view gridColour = "#e3e7eb";
+constexpr std::string_view baseColour = "#9aa5b1";
+constexpr std::string_view markColour = "#1f2933";
+constexpr std::string_view dashes = "7 4";
+
+std::string_view colourOf(int colour, std::size_t position)
+{
+    return plotColour(colour >= 0 ? static_cast<std::size_t>(colour) : position);
+}
+
+/// Where a reference line lies, seen from the base circle's centre.
+double deviationAt(const PolarPlot::ReferenceLine& circle, double angle_rad)
+{
+    return circle.deviation_um + circle.x_um * std::cos(angle_rad) + circle.y_um * std::sin(angle_rad);
+}
+
+/// Largest deviations outward and inward of all that is drawn.
+Interval reachOf(const PolarPlot& plot)
+{
+    Interval reach{0, 0};
+    const auto add = [&reach](double deviation) {
+        if (!isDrawable(deviation)) return;
+        reach.from = std::min(reach.from, deviation);
+        reach.to = std::max(reach.to, deviation);
+    };
+    for (const PolarPlot::Trace& trace : plot.traces)
+        std::for_each(trace.deviation_um.begin(), trace.deviation_um.end(), add);
+    for (const PolarPlot::ReferenceLine& circle : plot.circles) {
+        const double off = std::hypot(circle.x_um, circle.y_um);
+        add(circle.deviation_um + off);
+        add(circle.deviation_um - off);
+    }
+    for (const PolarPlot::Mark& mark : plot.contacts) add(mark.deviation_um);
+    return reach;
+}
+
+/// The way from deviations to the sheet.
+class Polar {
+public:
+    explicit Polar(double px_per_um) : px_per_um_(px_per_um) {}
+
+    double radius(double deviation_um) const
+    {
+        return std::clamp(basePx + deviation_um * px_per_um_, corePx, rimPx + 12);
+    }
+    static std::string at(double angle_rad, double radius_px)
+    {
+        return fmt::format("{} {}", coordinate(centreX + radius_px * std::cos(angle_rad)),
+                           coordinate(centreY - radius_px * std::sin(angle_rad)));
+    }
+    std::string point(double angle_rad, double deviation_um) const { return at(angle_rad, radius(deviation_um)); }
+
+private:
+    double px_per_um_;
+};
+
+std::string circlePath(double radius)
+{
+    return fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0Z", coordinate(centreX - radius),
+                       coordinate(centreY), coordinate(radius), coordinate(2 * radius));
+}
+
+/// Thinned: of each quarter degree the first, smallest, largest and last value.
+std::string tracePath(const Polar& polar, const PolarPlot::Trace& trace)
+{
+    const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
+    std::string data;
+    bool open = false;
+    for (std::size_t begin = 0; begin < count;) {
+        if (!isDrawable(trace.deviation_um[begin]) || !isDrawable(trace.angle_deg[begin])) {
+            open = false;
+            ++begin;
+            continue;
+        }
+        std::size_t end = begin, low = begin, high = begin;
+        const double bin = std::floor(4 * trace.angle_deg[begin]);
+        for (; end < count && std::floor(4 * trace.angle_deg[end]) == bin && isDrawable(trace.deviation_um[end]);
+             ++end) {
+            if (trace.deviation_um[end] < trace.deviation_um[low]) low = end;
+            if (trace.deviation_um[end] > trace.deviation_um[high]) high = end;
+        }
+        std::array<std::size_t, 4> kept{begin, std::min(low, high), std::max(low, high), end - 1};
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            if (i > 0 && kept[i] == kept[i - 1]) continue;
+            data += open ? 'L' : 'M';
+            data += polar.point(trace.angle_deg[kept[i]] * degree, trace.deviation_um[kept[i]]);
+            open = true;
+        }
+        begin = end;
+    }
+    return data;
+}
+
+std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& circle)
+{
+    std::string data;
+    for (int angle = 0; angle < 360; angle += 2) {
+        data += angle ? 'L' : 'M';
+        data += polar.point(angle * degree, deviationAt(circle, angle * degree));
+    }
+    return data + "Z";
+}
+
+/// A triangle whose tip touches the profile, from outside or from inside.
+std::string markPath(double angle_rad, double radius_px, bool outer)
+{
+    const double back = radius_px + (outer ? 13 : -13);
+    const double half = 5.5 / back;
+    return fmt::format("M{}L{}L{}Z", Polar::at(angle_rad, radius_px), Polar::at(angle_rad - half, back),
+                       Polar::at(angle_rad + half, back));
+}
+
+void drawGrid(Svg& svg, const Polar& polar, const Ticks& divisions, const Language& language)
+{
+    for (int angle = 0; angle < 360; angle += 30) {
+        const double a = angle * degree;
+        svg.path(fmt::format("M{}L{}", Polar::at(a, corePx), Polar::at(a, rimPx)), gridColour, 1);
+        svg.text(centreX + (rimPx + 22) * std::cos(a), centreY - (rimPx + 22) * std::sin(a) + 4, Svg::Anchor::Middle,
+                 tickSize, fixed(angle, 0, language) + "°");
+    }
+    svg.path(circlePath(rimPx), gridColour, 1);
+    for (const double value : divisions.values) {
+        const double radius = polar.radius(value);
+        if (radius > corePx && radius < rimPx)
+            svg.path(circlePath(radius), value == 0 ? baseColour : gridColour, value == 0 ? 1.4 : 1);
+    }
+}
+
+/// The scale stands on the ray of 75°, over what is drawn there.
+void drawScale(Svg& svg, const Polar& polar, const Ticks& divisions, const Language& language)
+{
+    const double angle = 75 * degree;
+    for (const double value : divisions.values) {
+        const double radius = polar.radius(value);
+        if (radius <= corePx + 6 || radius >= rimPx - 4) continue;
+        const std::string label = fmt::format("{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language));
+        const double x = centreX + radius * std::cos(angle), y = centreY - radius * std::sin(angle);
+        const double width = textWidth(label, 11) + 4;
+        svg.rect(x - width / 2, y - 7, width, 14, "#ffffff");
+        svg.text(x, y + 4, Svg::Anchor::Middle, 11, label);
+    }
+}
+
+/// The column at the right: one line for each thing drawn, then the scale in words.
+class Legend {
+public:
+    explicit Legend(Svg& svg) : svg_(svg) {}
+
+    void line(const std::string& name, std::string_view colour, double width, std::string_view pattern = {})
+    {
+        svg_.line(legendX, y_ - 4, legendX + 30, y_ - 4, colour, width, pattern);
+        label(name);
+    }
+    void mark(const std::string& name, bool outer)
+    {
+        const double tip = outer ? y_ + 1 : y_ - 10;
+        svg_.path(fmt::format("M{} {}l-5.5 {}h11Z", coordinate(legendX + 15), coordinate(tip), outer ? -11 : 11),
+                  "none", 0, markColour);
+        label(name);
+    }
+    void words(const std::string& sentence)
+    {
+        svg_.text(legendX, y_, Svg::Anchor::Start, tickSize, sentence);
+        y_ += step;
+    }
+    void space() { y_ += step / 2; }
+
+private:
+    static constexpr double step = 23;
+    void label(const std::string& name)
+    {
+        svg_.text(legendX + 40, y_, Svg::Anchor::Start, tickSize, name);
+        y_ += step;
+    }
+    Svg& svg_;
+    double y_ = 92;
+};
+
+std::string phrase(Text words, const Values& values, const Language& language)
+{
+    return fill(text(words, language), values, language);
+}
+
+void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Ticks& divisions, const Language& language)
+{
+    Legend legend(svg);
+    for (std::size_t i = 0; i < plot.traces.size(); ++i) {
+        const std::string name = captionText(plot.traces[i].name, language);
+        if (!name.empty()) legend.line(name, colourOf(plot.traces[i].colour, i), plot.traces[i].thin ? 1 : 2.2);
+    }
+    for (std::size_t i = 0; i < plot.circles.size(); ++i) {
+        const PolarPlot::ReferenceLine& circle = plot.circles[i];
+        const std::string name = captionText(circle.name, language);
+        if (!name.empty()) legend.line(name, colourOf(circle.colour, i + 1), 1.6, circle.dashed ? dashes : "");
+    }
+    for (const bool outer : {true, false})
+        if (std::any_of(plot.contacts.begin(), plot.contacts.end(),
+                        [&](const auto& mark) { return mark.outer == outer; }))
+            legend.mark(text(outer ? LT_TEXT("Engine", "contact point, outer circle")
+                                   : LT_TEXT("Engine", "contact point, inner circle"),
+                             language),
+                        outer);
+    legend.space();
+    if (divisions.values.size() > 1)
+        legend.words(phrase(LT_TEXT("Engine", "1 division = {step} µm"),
+                            {{"step", divisions.values[1] - divisions.values[0]}}, language));
+    if (plot.base_radius_mm > 0) {
+        legend.words(
+            phrase(LT_TEXT("Engine", "Deviations magnified {times} times"), {{"times", magnification}}, language));
+        legend.words(phrase(LT_TEXT("Engine", "Base circle: radius {radius} mm"),
+                            {{"radius", fixed(plot.base_radius_mm, 4, language)}}, language));
+    }
+}
+
+double pxPerUm(const PolarPlot& plot, double magnification)
+{
+    const double base_um = plot.base_radius_mm > 0 ? plot.base_radius_mm * micrometresPerMillimetre : 1;
+    return magnification * basePx / base_um;
+}
+
+}  // namespace
+
+double fittingMagnification(const PolarPlot& plot)
+{
+    const Interval reach = reachOf(plot);
+    double largest = std::numeric_limits<double>::infinity();  // px per µm
+    if (reach.to > 0) largest = std::min(largest, (rimPx - basePx) / reach.to);
+    if (reach.from < 0) largest = std::min(largest, (basePx - corePx) / -reach.from);
+    if (!std::isfinite(largest)) return 1;
+    const double wanted = largest / pxPerUm(plot, 1);
+    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+    for (const double step : {5.0, 2.0})
+        if (step * decade <= wanted * (1 + 1e-9)) return step * decade;
+    return decade;
+}
+
+std::string toSvg(const PolarPlot& plot, const Language& language)
+{
+    const std::string title = captionText(plot.title, language);
+    const double magnification = plot.magnification.value_or(fittingMagnification(plot));
+    const double scale = pxPerUm(plot, magnification);
+    const Polar polar(scale);
+    const Ticks divisions = niceTicks((corePx - basePx) / scale, (rimPx - basePx) / scale, 8);
+    Svg svg(sheetWidth, sheetHeight, title);
+    svg.text(20, 24, Svg::Anchor::Start, titleSize, title, true);
+    drawGrid(svg, polar, divisions, language);
+    for (std::size_t i = 0; i < plot.traces.size(); ++i) {
+        const std::string data = tracePath(polar, plot.traces[i]);
+        if (!data.empty()) svg.path(data, colourOf(plot.traces[i].colour, i), plot.traces[i].thin ? 0.5 : 1.6);
+    }
+    for (std::size_t i = 0; i < plot.circles.size(); ++i)
+        svg.path(referencePath(polar, plot.circles[i]), colourOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
+                 plot.circles[i].dashed ? dashes : "");
+    for (const PolarPlot::Mark& mark : plot.contacts)
+        if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
+            svg.path(markPath(mark.angle_deg * degree, polar.radius(mark.deviation_um), mark.outer), "none", 0,
+                     markColour);
+    drawScale(svg, polar, divisions, language);
+    drawLegend(svg, plot, magnification, divisions, language);
+    return svg.finish();
+}
+
+}  // namespace lathelier

@@ -1,0 +1,19 @@
+// Polar plots of a report as SVG.
+#pragma once
+
+#include <string>
+
+#include "engine/report/document.h"
+
+namespace lathelier {
+
+/// Deviations drawn around the base circle with grid circles and degrees; the magnification, and what a grid division
+/// is, are stated beside it with the legend. Long traces are thinned to the smallest and largest value in each quarter
+/// degree.
+std::string toSvg(const PolarPlot& plot, const Language& language = {});
+
+/// What `plot.magnification` stands for when it is not given: 1, 2 or 5 × 10^n, so that all fits between a third of the
+/// base circle and the rim. 1 for a plot without deviations.
+double fittingMagnification(const PolarPlot& plot);
+
+}  // namespace lathelier

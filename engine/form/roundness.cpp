@@ -138,8 +138,8 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
 
     result.point_noise_um = parameters.probe_uncertainty_um.value_or(pointNoise_um(prepared));
     result.RONt_expanded_uncertainty_um =
-        expandedUncertainty_um(prepared, evaluated.points_mm, band, parameters.circle, circles.of(parameters.circle),
-                               result.point_noise_um, progress.part(0.7, 1));
+        expandedUncertainty_um(prepared, evaluated.points_mm, result.harmonics, band, parameters.circle,
+                               circles.of(parameters.circle), result.point_noise_um, progress.part(0.7, 1));
     result.hints = roundnessHints(result);
     if (parameters.tolerance_um)
         result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,

@@ -87,8 +87,8 @@ struct RoundnessResult {
     std::vector<MethodRow> methods;
     std::vector<RoundnessHint> hints;
     PaperValues paper;
-    /// k = 2 (95 %): twice the root mean square by which RONt of `parameters.circle` changes when the points are
-    /// measured again with `point_noise_um` (Monte Carlo through the filter). NaN when that noise is not known.
+    /// k = 2 (95 %), of RONt about `parameters.circle`: twice the root mean square by which noise of `point_noise_um`
+    /// on the points changes it, filtered as they were (Monte Carlo). NaN when that noise is not known.
     double RONt_expanded_uncertainty_um = 0;
     double point_noise_um = 0;           ///< standard deviation of a point: given, or found in the profile
     std::optional<FormVerdict> verdict;  ///< with a tolerance

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/form/roundness_uncertainty.h"
+
 namespace lathelier {
 namespace {
 
@@ -34,9 +36,8 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
     for (const Harmonic& h : result.harmonics)
         if (h.upr >= 2) variance += h.amplitude * h.amplitude / 2;
     std::vector<RoundnessHint> hints;
-    const auto count = static_cast<double>(std::max<std::size_t>(1, result.evaluated_index.size()));
-    const double noise = std::isfinite(result.point_noise_um) ? result.point_noise_um : 0;
-    const double floor_um = 4 * noise * std::sqrt(2 / count);  // amplitude that noise alone hardly reaches
+    const double floor_um =
+        noiseFloor_um(result.point_noise_um, std::max<std::size_t>(1, result.evaluated_index.size()));
     for (const Harmonic& h : result.harmonics) {
         const double share = variance > 0 ? 100 * h.amplitude * h.amplitude / 2 / variance : 0;
         if (h.upr >= 2 && share >= leastShare_percent && h.amplitude > floor_um)

@@ -10,11 +10,15 @@ namespace lathelier {
 /// robust against outliers and steps. NaN for fewer than 32 points.
 double pointNoise_um(const PreparedProfile& prepared);
 
-/// Twice the root mean square change of RONt about the reference circle when noise of `noise_um` is laid on the
-/// measured points and filtered as they were. The fits of the draws are linear about the circle found, which is exact
-/// to the square of the noise over the radius. Deterministic.
+/// Amplitude that noise of the points alone hardly gives a harmonic (once in 3000).
+double noiseFloor_um(double noise_um, std::size_t points);
+
+/// Twice the root mean square by which noise of `noise_um` on the points, filtered as they were, changes RONt of the
+/// form without noise (its harmonics that stand out): spread and the excess that extremes of noise always add. The fits
+/// of the draws are linear about the circle found, which is exact to the square of the noise over the radius.
+/// `harmonics` in µm about prepared.centre_mm. Deterministic.
 double expandedUncertainty_um(const PreparedProfile& prepared, const std::vector<Eigen::Vector2d>& evaluated_mm,
-                              const ProfileBand& band, ReferenceCircle which, const FittedCircle& circle,
-                              double noise_um, const Progress& progress);
+                              const std::vector<Harmonic>& harmonics, const ProfileBand& band, ReferenceCircle which,
+                              const FittedCircle& circle, double noise_um, const Progress& progress);
 
 }  // namespace lathelier

@@ -18,6 +18,7 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = turn / 360;
 constexpr std::size_t mostStarts = 12;
 constexpr int mostSteps = 60;
+constexpr double leastForm = 1e-10;  ///< of the radius; less is rounding
 
 /// One profile about its least-squares centre, filtered.
 struct Form {
@@ -97,7 +98,7 @@ public:
             return pose;
         };
         Pose left = probe(high - golden * (high - low)), right = probe(low + golden * (high - low));
-        for (int i = 0; i < mostSteps && high - low > 1e-9; ++i) {
+        for (int i = 0; i < mostSteps && high - low > 1e-7; ++i) {
             if (left.rms <= right.rms) {
                 high = right.rotation;
                 right = left;
@@ -245,7 +246,8 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
     result.shift_mm =
         a.prepared.centre_mm + best.rest.head<2>() - Eigen::Rotation2Dd(best.rotation).toRotationMatrix() * centre;
     result.radius_difference_mm = b.prepared.radius_mm - a.prepared.radius_mm - best.rest[2];
-    if (isAmbiguous(poses, best, spread) || !(result.correlation > 0.3))
+    const bool round = spread < leastForm * a.prepared.radius_mm;
+    if (round || isAmbiguous(poses, best, spread) || !(result.correlation > 0.3))
         result.notes.push_back({NoteCode::RotationNotDetermined, {}});
     progress.report(1);
     return result;

@@ -167,8 +167,8 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
         {LT_TEXT("Engine", "How sure"),
          {certaintyTable(result), leastSquaresTable(result),
           Paragraph{LT_TEXT("Engine",
-                            "The uncertainty is twice the root mean square change of the value when the points are "
-                            "measured again with their noise, filtered and fitted anew (Monte Carlo). The table shows "
+                            "The uncertainty is twice the root mean square by which the noise of the points changes "
+                            "the value, filtered and fitted anew (Monte Carlo). The table shows "
                             "what other methods would say of the same points."),
                     {}},
           methodTable(result, language)}});

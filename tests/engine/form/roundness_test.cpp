@@ -164,9 +164,12 @@ TEST(Roundness, TheFilterDampsTheLobes)
 
 TEST(Roundness, ContactsAndExclusionsCountGivenPoints)
 {
-    Profile profile = lobedProfile(evenAngles(720), {{2, .005, 0}}, {100, 50});
-    for (std::size_t i = 715; i < 720; ++i) profile.points_mm[i] *= .9;  // a keyway that runs through 0°
-    for (std::size_t i = 0; i < 6; ++i) profile.points_mm[i] *= .9;
+    const Eigen::Vector2d centre(100, 50);
+    Profile profile = lobedProfile(evenAngles(720), {{2, .005, 0}}, centre);
+    for (std::size_t i = 715; i < 726; ++i) {  // a keyway that runs through 0°
+        Eigen::Vector2d& point = profile.points_mm[i % 720];
+        point = centre + .9 * (point - centre);
+    }
     RoundnessParameters parameters = exact();
     parameters.exclude_deg = {{356, 4}};
     const RoundnessResult result = roundness(profile, parameters);

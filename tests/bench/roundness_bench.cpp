@@ -1,0 +1,65 @@
+// Roundness of one profile: the whole evaluation, and its parts.
+#include <benchmark/benchmark.h>
+
+#include "engine/form/prepared_profile.h"
+#include "engine/form/superimpose.h"
+#include "tests/engine/form/made_profile.h"
+
+namespace lathelier {
+namespace {
+
+/// A turned part beside the origin: lobes, roughness, eccentricity of 50 µm.
+Profile turned(std::int64_t points)
+{
+    return lobedProfile(evenAngles(static_cast<std::size_t>(points)),
+                        {{2, .003, 1}, {3, .002, 0}, {7, .001, 2}, {15, .0005, 0}}, {.03, .04}, .0005);
+}
+
+void evaluation(benchmark::State& state)
+{
+    const Profile profile = turned(state.range(0));
+    RoundnessParameters parameters;
+    if (state.range(1) > 0) parameters.cutoff_upr = static_cast<double>(state.range(1));
+    for (auto _ : state) benchmark::DoNotOptimize(roundness(profile, parameters));
+}
+BENCHMARK(evaluation)
+    ->ArgNames({"points", "cutoff"})
+    ->Args({200, 0})
+    ->Args({200, 15})
+    ->Args({3600, 0})
+    ->Args({3600, 50})
+    ->Args({36000, 50})
+    ->Unit(benchmark::kMillisecond);
+
+void filter(benchmark::State& state)
+{
+    PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, OutlierRule::None);
+    for (auto _ : state) benchmark::DoNotOptimize(evaluateProfile(profile, {{}, 50}));
+}
+BENCHMARK(filter)->Arg(200)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
+
+void filterBesideKeyway(benchmark::State& state)
+{
+    PreparedProfile profile = prepareProfile(turned(state.range(0)), {{10, 18}}, OutlierRule::None);
+    for (auto _ : state) benchmark::DoNotOptimize(evaluateProfile(profile, {{}, 50}));
+}
+BENCHMARK(filterBesideKeyway)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
+
+void harmonics(benchmark::State& state)
+{
+    const PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, OutlierRule::None);
+    for (auto _ : state) benchmark::DoNotOptimize(harmonicsAt(profile.sampling.angle_rad, profile.distance_mm, 500));
+}
+BENCHMARK(harmonics)->Arg(200)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
+
+void superimposed(benchmark::State& state)
+{
+    const Profile first = turned(state.range(0)), second = turned(360);
+    for (auto _ : state) benchmark::DoNotOptimize(superimpose(first, second));
+}
+BENCHMARK(superimposed)->Arg(200)->Arg(3600)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace lathelier
+
+BENCHMARK_MAIN();

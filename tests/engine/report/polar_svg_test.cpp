@@ -1,0 +1,92 @@
+#include "engine/report/polar_svg.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/report/html.h"
+
+namespace lathelier {
+namespace {
+
+PolarPlot plotWith(double amplitude_um, double radius_mm = 25, std::size_t points = 720)
+{
+    PolarPlot plot;
+    plot.title = std::string("Section <1>");
+    plot.base_radius_mm = radius_mm;
+    PolarPlot::Trace trace;
+    trace.name = std::string("profile");
+    for (std::size_t i = 0; i <= points; ++i) {
+        const double angle = 360.0 * static_cast<double>(i) / static_cast<double>(points);
+        trace.angle_deg.push_back(angle);
+        trace.deviation_um.push_back(amplitude_um * std::cos(3 * angle * M_PI / 180));
+    }
+    plot.traces = {trace};
+    plot.circles = {{std::string("MZCI"), 1, 0, amplitude_um, 1, false}, {std::string("MICI"), 0, 0, 0, 4, true}};
+    plot.contacts = {{0, amplitude_um, true}, {60, -amplitude_um, false}};
+    return plot;
+}
+
+std::size_t count(const std::string& text, const std::string& what)
+{
+    std::size_t result = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++result;
+    return result;
+}
+
+TEST(PolarSvg, TheMagnificationIsRoundAndFits)
+{
+    for (const double amplitude : {.05, .7, 3.0, 11.0, 480.0, 12000.0})
+        for (const double radius : {.5, 25.0, 800.0}) {
+            const PolarPlot plot = plotWith(amplitude, radius);
+            const double times = fittingMagnification(plot);
+            const double leading = times / std::pow(10, std::floor(std::log10(times) + 1e-9));
+            EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6)
+                << times;
+            // The largest deviation takes between a fifth and two fifths of the base circle's radius.
+            const double drawn = times * amplitude / (1000 * radius);
+            EXPECT_LT(drawn, .42);
+            EXPECT_GT(drawn, .12);
+        }
+    EXPECT_EQ(fittingMagnification({}), 1);
+}
+
+TEST(PolarSvg, StatesWhatIsDrawn)
+{
+    const std::string svg = toSvg(plotWith(3));
+    EXPECT_NE(svg.find("Section &lt;1&gt;"), std::string::npos);
+    EXPECT_NE(svg.find("Deviations magnified 2000 times"), std::string::npos);
+    EXPECT_NE(svg.find("1 division = 1 µm"), std::string::npos);
+    EXPECT_NE(svg.find("radius 25.0000 mm"), std::string::npos);
+    EXPECT_NE(svg.find("MZCI"), std::string::npos);
+    EXPECT_NE(svg.find("outer circle"), std::string::npos);
+    EXPECT_NE(svg.find("inner circle"), std::string::npos);
+    EXPECT_NE(svg.find(">330°<"), std::string::npos);
+    EXPECT_GE(count(svg, "stroke-dasharray"), 2u);  // the dashed circle and its legend
+    PolarPlot plot = plotWith(3);
+    plot.magnification = 500;
+    EXPECT_NE(toSvg(plot).find("magnified 500 times"), std::string::npos);
+}
+
+TEST(PolarSvg, LongTracesAreThinnedAndGapsStayOpen)
+{
+    EXPECT_LT(toSvg(plotWith(3, 25, 1000000)).size(), 200000u);
+    PolarPlot plot = plotWith(3);
+    const std::string whole = toSvg(plot);
+    for (std::size_t i = 100; i < 120; ++i) plot.traces[0].deviation_um[i] = std::numeric_limits<double>::quiet_NaN();
+    const std::string broken = toSvg(plot);
+    EXPECT_EQ(count(broken, "nan"), 0u);
+    EXPECT_NE(whole, broken);
+    EXPECT_NO_THROW(toSvg(PolarPlot{}));
+}
+
+TEST(PolarSvg, StandsInReports)
+{
+    Document document;
+    document.sections = {{std::string("s"), {plotWith(3)}}};
+    EXPECT_NE(toHtml(document).find("magnified 2000 times"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lathelier

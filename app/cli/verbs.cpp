@@ -5,7 +5,7 @@ namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
 {
-    static const std::vector<Verb> all{sampleVerb(), inspectVerb(), compareVerb(), verifyVerb()};
+    static const std::vector<Verb> all{sampleVerb(), inspectVerb(), compareVerb(), roundnessVerb(), verifyVerb()};
     return all;
 }
 

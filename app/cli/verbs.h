@@ -8,6 +8,7 @@ namespace lathelier::cli {
 Verb sampleVerb();
 Verb inspectVerb();
 Verb compareVerb();
+Verb roundnessVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

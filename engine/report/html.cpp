@@ -61,6 +61,7 @@ public:
         }
         head = "<thead><tr>" + head + "</tr></thead>\n";
         const bool split = table.rows.size() > longTable && table.columns.size() <= narrowTable;
+        const bool wide = !split && table.columns.size() >= narrowTable;  // takes the sheet's whole width
         const std::size_t parts = split ? 2 : 1;
         std::string pieces;
         for (std::size_t part = 0; part < parts; ++part) {
@@ -74,8 +75,8 @@ public:
                 .append(rows)
                 .append("</tbody></table>\n");
         }
-        return "<div class=\"table\">" + element("h3", caption(table.title)) + "<div class=\"grid\">" + pieces +
-               "</div></div>\n";
+        return "<div class=\"table\">" + element("h3", caption(table.title)) +
+               (wide ? pieces : "<div class=\"grid\">" + pieces + "</div>") + "</div>\n";
     }
 
     std::string operator()(const Plot& plot) const { return element("figure", toSvg(plot, language_)); }

@@ -103,25 +103,29 @@ Plot spectrumPlot(const RoundnessResult& result)
     plot.title = LT_TEXT("Engine", "Harmonics of the unfiltered profile");
     plot.x_title = LT_TEXT("Engine", "Undulations per revolution (UPR)");
     plot.y_title = LT_TEXT("Engine", "Amplitude (µm)");
-    Curve bars;
-    bars.style = Curve::Style::Bars;
     double largest = 0;
     for (const Harmonic& h : result.harmonics) largest = std::max(largest, h.amplitude);
     int shown = leastOrders;
-    for (const Harmonic& h : result.harmonics) {
-        bars.x.push_back(h.upr - 0.4);
-        bars.y.push_back(h.amplitude);
+    for (const Harmonic& h : result.harmonics)
         if (h.amplitude > 0.05 * largest) shown = std::max(shown, h.upr + 5);
-    }
-    bars.x.push_back(bars.y.empty() ? 1 : result.harmonics.back().upr + 0.4);
-    plot.curves = {bars};
     const ProfileBand band = bandOf(result.parameters);
-    if (band.low_upr) plot.x_marks.push_back(*band.low_upr);
-    if (band.high_upr) plot.x_marks.push_back(*band.high_upr);
-    for (const double mark : plot.x_marks) shown = std::max(shown, static_cast<int>(1.2 * mark));
+    for (const std::optional<double>& mark : {band.low_upr, band.high_upr})
+        if (mark && *mark < static_cast<double>(result.harmonics.size())) {
+            plot.x_marks.push_back(*mark);
+            shown = std::max(shown, static_cast<int>(1.2 * *mark));
+        }
     plot.marks_name = LT_TEXT("Engine", "cut-off");
-    const int last = result.harmonics.empty() ? shown : std::max(2, std::min(shown, result.harmonics.back().upr));
-    plot.x_range = Interval{0, static_cast<double>(last) + 1};
+    shown = std::min(shown, static_cast<int>(result.harmonics.size()));
+    Curve bars;
+    bars.style = Curve::Style::Bars;
+    for (int i = 0; i < shown; ++i) {
+        const Harmonic& h = result.harmonics[static_cast<std::size_t>(i)];
+        bars.x.push_back(h.upr - 0.5);
+        bars.y.push_back(h.amplitude);
+    }
+    bars.x.push_back(shown + 0.5);
+    plot.curves = {bars};
+    plot.x_range = Interval{0, static_cast<double>(std::max(shown, 2)) + 1};
     return plot;
 }
 

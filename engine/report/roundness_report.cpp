@@ -160,7 +160,6 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
         spectrum.blocks.push_back(spectrumPlot(result));
         spectrum.blocks.push_back(harmonicsTable(result));
     }
-    spectrum.blocks.push_back(sizesTable(result));
     spectrum.blocks.push_back(paperTable(result));
     document.sections.push_back(std::move(spectrum));
     document.sections.push_back(

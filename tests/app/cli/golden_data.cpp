@@ -84,6 +84,30 @@ void makeRecords(const std::function<void(const std::string& name, const std::st
     write("rate.dat", testing::makeDat(setup.frames, setup.active.size()));
 }
 
+/// A section of radius 25 mm about (1, 2), as x,y: r contains `lobes` · cos(kθ - 30°). From a turn of `points`, those
+/// from `gap_from` to `gap_to` are left out; lengths are multiplied by `unit`.
+std::string section(int points, int k, double lobe_mm, double unit = 1, int gap_from = 0, int gap_to = 0)
+{
+    std::string text = "x,y\n";
+    for (int i = 0; i < points; ++i) {
+        if (i >= gap_from && i < gap_to) continue;
+        const double angle = 2 * std::numbers::pi * i / points;
+        const double r = 25 + lobe_mm * std::cos(k * angle - std::numbers::pi / 6);
+        text += fmt::format("{:.9f},{:.9f}\n", unit * (1 + r * std::cos(angle)), unit * (2 + r * std::sin(angle)));
+    }
+    return text;
+}
+
+/// The same as angle and deviation in µm from the nominal radius.
+std::string deviations(int points, int k, double lobe_um)
+{
+    std::string text = "angle_deg,deviation_um\n";
+    for (int i = 0; i < points; ++i)
+        text += fmt::format("{:.6f},{:.6f}\n", 360.0 * i / points,
+                            lobe_um * std::cos(k * 2 * std::numbers::pi * i / points));
+    return text;
+}
+
 }  // namespace
 
 void makeData(const std::string& folder)
@@ -113,6 +137,14 @@ void makeData(const std::string& folder)
     ::mkfifo((folder + "/fed.pipe").c_str(), 0666);
 
     makeRecords(write);
+
+    write("lobes.csv", section(360, 3, 0.005));
+    write("lobes_um.csv", section(360, 3, 0.005, 1000));
+    write("oval.csv", section(400, 2, 0.002));
+    write("keyway.csv", section(720, 2, 0.005, 1, 100, 116));
+    write("deviations.csv", deviations(360, 4, 3));
+    write("three_points.csv", "x,y\n1,0\n0,1\n-1,0\n");
+    write("straight.csv", "x,y\n1,2\n2,4\n3,6\n4,8\n5,10\n");
 
     write("shaft.xyz", rows(thinScan(nominalShaft(), 1, 0.3)));
     write("copy.xyz", rows(thinScan(copiedShaft(), 2, 4)));

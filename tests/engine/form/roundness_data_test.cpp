@@ -7,9 +7,9 @@
 namespace lathelier {
 namespace {
 
-class PracticeProfile : public testing::TestWithParam<const char*> {};
+class PracticeEvaluation : public testing::TestWithParam<const char*> {};
 
-TEST_P(PracticeProfile, HasTheCertifiedDeviations)
+TEST_P(PracticeEvaluation, HasTheCertifiedDeviations)
 {
     if (!hasFormData()) GTEST_SKIP() << "no shared data";
     const std::string name = GetParam();
@@ -32,11 +32,11 @@ TEST_P(PracticeProfile, HasTheCertifiedDeviations)
     EXPECT_EQ(contains(result.notes, NoteCode::InscribedNotUnique), name == "p07_ellipse_n200");
 }
 
-INSTANTIATE_TEST_SUITE_P(Form, PracticeProfile,
+INSTANTIATE_TEST_SUITE_P(Form, PracticeEvaluation,
                          testing::Values("p05_lobe5_n200", "p07_ellipse_n200", "p10_turned_n200", "p13_outliers_n200",
                                          "p17_8pts", "p19_keyway_n3600"));
 
-TEST(PracticeProfiles, TheLobesAreFound)
+TEST(PracticeEvaluations, TheLobesAreFound)
 {
     if (!hasFormData()) GTEST_SKIP() << "no shared data";
     Profile profile;

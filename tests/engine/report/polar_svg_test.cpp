@@ -23,7 +23,7 @@ PolarPlot plotWith(double amplitude_um, double radius_mm = 25, std::size_t point
         trace.deviation_um.push_back(amplitude_um * std::cos(3 * angle * M_PI / 180));
     }
     plot.traces = {trace};
-    plot.circles = {{std::string("MZCI"), 1, 0, amplitude_um, 1, false}, {std::string("MICI"), 0, 0, 0, 4, true}};
+    plot.circles = {{std::string("MZCI"), amplitude_um / 10, 0, amplitude_um, 1, false}, {std::string("MICI"), 0, 0, 0, 4, true}};
     plot.contacts = {{0, amplitude_um, true}, {60, -amplitude_um, false}};
     return plot;
 }
@@ -44,10 +44,10 @@ TEST(PolarSvg, TheMagnificationIsRoundAndFits)
             const double leading = times / std::pow(10, std::floor(std::log10(times) + 1e-9));
             EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6)
                 << times;
-            // The largest deviation takes between a fifth and two fifths of the base circle's radius.
+            // The largest deviation takes between an eighth and two fifths of the base circle's radius.
             const double drawn = times * amplitude / (1000 * radius);
             EXPECT_LT(drawn, .42);
-            EXPECT_GT(drawn, .12);
+            EXPECT_GT(drawn, .13);
         }
     EXPECT_EQ(fittingMagnification({}), 1);
 }
@@ -57,7 +57,7 @@ TEST(PolarSvg, StatesWhatIsDrawn)
     const std::string svg = toSvg(plotWith(3));
     EXPECT_NE(svg.find("Section &lt;1&gt;"), std::string::npos);
     EXPECT_NE(svg.find("Deviations magnified 2000 times"), std::string::npos);
-    EXPECT_NE(svg.find("1 division = 1 µm"), std::string::npos);
+    EXPECT_NE(svg.find("1 division = 2 µm"), std::string::npos);
     EXPECT_NE(svg.find("radius 25.0000 mm"), std::string::npos);
     EXPECT_NE(svg.find("MZCI"), std::string::npos);
     EXPECT_NE(svg.find("outer circle"), std::string::npos);

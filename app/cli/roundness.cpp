@@ -1,0 +1,217 @@
+// roundness PROFILE...: form deviation by the four reference circles, harmonics, uncertainty and verdict.
+#include "engine/form/roundness.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/records.h"
+#include "app/cli/verbs.h"
+#include "engine/form/roundness_json.h"
+#include "engine/form/superimpose.h"
+#include "engine/io/dfq_writer.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/roundness_report.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr const char* dfqOption = "--dfq";
+constexpr const char* noFilterKey = "no_filter";
+constexpr const char* superimposeKey = "superimpose";
+constexpr const char* mirroredKey = "mirrored";
+
+/// What a request has found so far; JSON and report are made from it when asked for.
+struct Found {
+    std::vector<std::string> paths;
+    std::vector<RoundnessResult> results;
+    std::optional<SuperimposeResult> superimposed;
+};
+
+bool isSet(const Request& request, const char* key)
+{
+    const Value* value = find(request.parameters, key);
+    return value && *value == Value(true);
+}
+
+std::optional<std::string> wordOf(const Request& request, const char* key)
+{
+    const Value* value = find(request.parameters, key);
+    if (!value || !std::holds_alternative<std::string>(*value)) return std::nullopt;
+    return std::get<std::string>(*value);
+}
+
+/// Wrong combinations are said before the work.
+void checkCombination(const Request& request, const RoundnessParameters& parameters)
+{
+    const bool filtered = !bandOf(parameters).isAll();
+    if (isSet(request, noFilterKey) && filtered)
+        throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", "--no-filter"},
+                                                    {"found", "--cutoff-upr / --band-upr"},
+                                                    {"expected", LT_TEXT("Engine", "no filter beside it")}});
+    if (wordOf(request, superimposeKey) && request.operands.size() != 1)
+        throw Error(ErrorCode::ValueNotUnderstood,
+                    {{"parameter", "--superimpose"},
+                     {"found", static_cast<std::int64_t>(request.operands.size())},
+                     {"expected", LT_TEXT("Engine", "one profile to lay the other on")}});
+}
+
+Json toJson(const Found& found)
+{
+    Json json{{"profiles", Json::array()}};
+    for (std::size_t i = 0; i < found.results.size(); ++i) {
+        Json profile{{"path", found.paths[i]}};
+        profile.update(lathelier::toJson(found.results[i]));
+        json["profiles"].push_back(std::move(profile));
+    }
+    if (found.superimposed) json["superimposed"] = lathelier::toJson(*found.superimposed);
+    return json;
+}
+
+/// For statistical process control: RONt by the four circles and the two-point range of each profile; the limit belongs
+/// to the circle of the verdict.
+QdasFile toQdas(const Found& found)
+{
+    QdasFile file;
+    file.part_description = "Lathelier roundness";
+    for (std::size_t i = 0; i < found.results.size(); ++i) {
+        const RoundnessResult& result = found.results[i];
+        const std::string part = std::to_string(i + 1) + ".";
+        const std::string filter = filterName(bandOf(result.parameters));
+        for (const ReferenceCircle circle :
+             {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+            QdasCharacteristic& c = file.characteristics.emplace_back();
+            c.number = part + std::to_string(static_cast<int>(circle) + 1);
+            c.description = "RONt(" + std::string(name(circle)) + ") " + filter + " " + result.name;
+            c.unit = "µm";
+            c.nominal = 0;
+            if (circle == result.parameters.circle && result.parameters.tolerance_um) {
+                c.lower_limit = 0;
+                c.upper_limit = *result.parameters.tolerance_um;
+            }
+            c.values = {result.circles.of(circle).RONt_um};
+        }
+    }
+    return file;
+}
+
+/// All pass: pass; any out of tolerance: fail; otherwise none.
+std::optional<bool> verdictOf(const std::vector<RoundnessResult>& results)
+{
+    bool all = !results.empty();
+    for (const RoundnessResult& result : results) {
+        if (result.verdict == FormVerdict::Fail) return false;
+        all &= result.verdict == FormVerdict::Pass;
+    }
+    return all ? std::optional(true) : std::nullopt;
+}
+
+std::string summaryOf(const Found& found)
+{
+    std::string summary;
+    for (std::size_t i = 0; i < found.results.size(); ++i) {
+        if (found.results.size() > 1) summary += (i ? "\n" : "") + found.paths[i] + "\n";
+        summary += toPlainText(roundnessSummary(found.results[i]));
+    }
+    if (found.superimposed) summary += "\n" + toPlainText(superimposeSection(*found.superimposed));
+    return summary;
+}
+
+void superimposeOther(const Request& request, const std::string& path, const Profile& first,
+                      const RoundnessParameters& parameters, Inputs& inputs, const Progress& progress, Answer& answer,
+                      Found& found)
+{
+    const ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
+    SuperimposeParameters wanted;
+    wanted.band = bandOf(parameters);
+    wanted.mirrored = isSet(request, mirroredKey);
+    found.superimposed = superimpose(first, other.profile, wanted, progress.part(0.3, 1));
+    const Notes& notes = found.superimposed->notes;
+    answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
+}
+
+void runRoundness(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+{
+    const auto parameters = fromValues<RoundnessParameters>(request.parameters);
+    checkCombination(request, parameters);
+    const auto found = std::make_shared<Found>();
+    answer.json = [found] { return toJson(*found); };
+    const auto other = wordOf(request, superimposeKey);
+    const double share = 1.0 / static_cast<double>(request.operands.size() + (other ? 1 : 0));
+    for (std::size_t i = 0; i < request.operands.size(); ++i) {
+        const std::string& path = request.operands[i];
+        const Progress part = progress.part(static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
+        try {
+            const std::size_t before = answer.notes.size();
+            const ProfileFile file =
+                readProfile(path, request, inputs, part.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
+            RoundnessResult result =
+                roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")));
+            if (result.name.empty()) result.name = path;
+            answer.notes.insert(answer.notes.end(), result.notes.begin(), result.notes.end());
+            // The report and the profile's own notes hold those of its file as well.
+            result.notes.assign(answer.notes.begin() + static_cast<std::ptrdiff_t>(before), answer.notes.end());
+            found->paths.push_back(path);
+            found->results.push_back(std::move(result));
+            if (other)
+                superimposeOther(request, *other, file.profile, parameters, inputs, progress.part(1 - share, 1), answer,
+                                 *found);
+        } catch (Error& error) {  // the other profiles are answered all the same
+            answer.errors.push_back(error.with("path", path));
+        }
+    }
+    if (const auto dfq = request.outputs.find(dfqOption); dfq != request.outputs.end() && answer.errors.empty())
+        writeDfq(dfq->second, toQdas(*found));
+    answer.pass = verdictOf(found->results);
+    answer.summary = summaryOf(*found);
+    answer.report = [found] {
+        Document document = roundnessReport(found->results, {});
+        if (found->superimposed) document.sections.push_back(superimposeSection(*found->superimposed));
+        return document;
+    };
+}
+
+FieldInfo flag(const char* key, Text label, Text help)
+{
+    FieldInfo info;
+    info.key = key;
+    info.kind = FieldInfo::Kind::Flag;
+    info.label = label;
+    info.help = help;
+    return info;
+}
+
+std::vector<Option> roundnessOptions()
+{
+    std::vector<Option> options = optionsOf<RoundnessParameters>();
+    options.insert(options.begin(), {flag(noFilterKey, LT_TEXT("Engine", "No filter"),
+                                          LT_TEXT("Engine", "Evaluate the points as they are; this is the default.")),
+                                     false});
+    FieldInfo other;
+    other.key = superimposeKey;
+    other.kind = FieldInfo::Kind::Word;
+    other.label = LT_TEXT("Engine", "Superimpose");
+    other.help = LT_TEXT("Engine", "Lay the profile of this file on the one given: rotation and centre fitted.");
+    other.optional = true;
+    options.push_back({other, {}});
+    options.push_back(
+        {flag(mirroredKey, LT_TEXT("Engine", "Mirrored"), LT_TEXT("Engine", "Superimpose also the other way round.")),
+         false});
+    return options;
+}
+
+}  // namespace
+
+Verb roundnessVerb()
+{
+    std::vector<Option> reading = optionsOf<ImportOptions>();
+    for (const Option& option : optionsOf<ProfileOptions>()) reading.push_back(option);
+    return {"roundness",
+            "Roundness of profiles: four reference circles, harmonics, uncertainty, verdict.",
+            {{"PROFILE", "A measured profile: x,y or angle,radius in a text table.", true}},
+            roundnessOptions(),
+            reading,
+            {{dfqOption, "Write the deviations as Q-DAS characteristics (FILE.dfq)."}},
+            true,
+            runRoundness};
+}
+
+}  // namespace lathelier::cli

@@ -1,4 +1,5 @@
-// All four reference circles of a turned profile, with and without the certificate.
+// All four reference circles of a turned profile, with and without the certificate, beside CGAL and ALGLIB where
+// installed; cylindricity of clouds.
 #include <benchmark/benchmark.h>
 
 #include <numbers>
@@ -6,6 +7,8 @@
 
 #include "engine/core/random.h"
 #include "engine/form/circles.h"
+#include "engine/form/cylindricity.h"
+#include "tests/peers/circle_peers.h"
 
 namespace lathelier {
 namespace {
@@ -58,6 +61,45 @@ void lobedProfile(benchmark::State& state)
     fit(state, lobed(static_cast<std::size_t>(state.range(0))));
 }
 
+void cylinderCloud(benchmark::State& state)
+{
+    std::vector<Eigen::Vector3d> points;
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(state.range(0)); ++i) {
+        const double t = 2 * std::numbers::pi * randomUniform(1, 0, i), z = 80 * randomUniform(1, 1, i);
+        const double r = 25 + 0.003 * std::cos(3 * t) + 0.0008 * randomNormal(1, 2, i);
+        points.emplace_back(r * std::cos(t), r * std::sin(t), z);
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(cylindricity(points).MZCY.CYLt_um);
+}
+
+#ifdef LATHELIER_WITH_CGAL
+void cgalEnclosing(benchmark::State& state)
+{
+    const auto points = turned(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(peers::cgalEnclosing(points).outer);
+}
+
+void cgalAnnulus(benchmark::State& state)
+{
+    const auto points = turned(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(peers::cgalAnnulus(points).outer);
+}
+
+BENCHMARK(cgalEnclosing)->Arg(200)->Arg(3600)->Unit(benchmark::kMillisecond);
+BENCHMARK(cgalAnnulus)->Arg(200)->Arg(3600)->Unit(benchmark::kMillisecond);
+#endif
+
+#ifdef LATHELIER_WITH_ALGLIB
+void alglibMinimumZone(benchmark::State& state)
+{
+    const auto points = turned(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(peers::alglibMinimumZone(points).outer);
+}
+
+BENCHMARK(alglibMinimumZone)->Arg(200)->Arg(3600)->Unit(benchmark::kMillisecond);
+#endif
+
+BENCHMARK(cylinderCloud)->Arg(4000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(turnedProfile)->ArgsProduct({{200, 3600, 36000, 1000000}, {0, 1}})->Unit(benchmark::kMillisecond);
 BENCHMARK(lobedProfile)->ArgsProduct({{200, 3600, 36000, 1000000}, {0, 1}})->Unit(benchmark::kMillisecond);
 

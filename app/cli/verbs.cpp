@@ -5,7 +5,8 @@ namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
 {
-    static const std::vector<Verb> all{sampleVerb(), inspectVerb(), compareVerb(), roundnessVerb(), verifyVerb()};
+    static const std::vector<Verb> all{sampleVerb(),    inspectVerb(),      compareVerb(),
+                                       roundnessVerb(), cylindricityVerb(), verifyVerb()};
     return all;
 }
 

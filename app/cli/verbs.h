@@ -9,6 +9,7 @@ Verb sampleVerb();
 Verb inspectVerb();
 Verb compareVerb();
 Verb roundnessVerb();
+Verb cylindricityVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -60,17 +60,24 @@ double ZoneProblem::boundOf(const Cell& cell, Search& search)
 {
     const double reach = cell.half * std::sqrt(2.0);
     if (isOutside(cell.centre, reach)) return std::numeric_limits<double>::infinity();
-    const std::vector<double>& distances = linearise(cell.centre).a;
-    double smallest = *std::min_element(distances.begin(), distances.end());
-    const double largest = *std::max_element(distances.begin(), distances.end());
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const Vector2d& point : working_points_) {
+        const double square = (point - cell.centre).squaredNorm();
+        low = std::min(low, square);
+        high = std::max(high, square);
+    }
+    double smallest = std::sqrt(low);
+    const double largest = std::sqrt(high);
     // A distance changes by no more than the step (Lipschitz).
     double bound = goal_ == MinimaxGoal::Width ? largest - smallest - 2 * reach : -smallest - reach;
     if (bound >= search.threshold() || reach > 0.4 * smallest) return bound;
 
     for (int round = 0; round < 4; ++round) {
+        const std::vector<double>& distances = linearise(cell.centre).a;
+        smallest = *std::min_element(distances.begin(), distances.end());
         const double curvature = reach * reach / (2 * (smallest - reach));
-        const MinimaxStep plan =
-            minimax(distances_, goal_, cell.half, limitsNear(cell.centre, reach), search.threshold() + curvature);
+        const MinimaxStep<2> plan =
+            minimax<2>(distances_, goal_, cell.half, limitsNear(cell.centre, reach), search.threshold() + curvature);
         if (!plan.feasible) return std::numeric_limits<double>::infinity();
         bound = std::max(bound, plan.value - curvature);
         if (bound >= search.threshold() || !plan.solved) break;
@@ -79,8 +86,6 @@ double ZoneProblem::boundOf(const Cell& cell, Search& search)
         const Measured measured = measure(centre);
         visit(centre, measured, curvature, search);
         if (working_.size() == before) break;
-        linearise(cell.centre);
-        smallest = *std::min_element(distances.begin(), distances.end());
     }
     return bound;
 }

@@ -50,7 +50,7 @@ struct ReferenceCircles {
 };
 
 struct CircleOptions {
-    bool certify = true;           ///< branch and bound for MZCI and MICI: about three times the work
+    bool certify = true;           ///< branch and bound for MZCI and MICI: two to six times the work
     double certificate_um = 1e-6;  ///< the gap to reach, or `certificate_relative` of the deviation if larger
     double certificate_relative = 1e-8;
     int certificate_nodes = 20000;  ///< then the gap reached is stated

@@ -151,6 +151,10 @@ void makeData(const std::string& folder)
     ScannerModel coarse;
     coarse.row_pitch_mm = 0.5;
     coarse.angle_step_deg = 2;
+    write("cylinder.xyz", rows(11 * 60, [](int i) {
+              const double t = 2 * std::numbers::pi * (i % 60) / 60, r = 25 + 0.004 * std::cos(3 * t);
+              return Eigen::Vector3d(3 + r * std::cos(t), r * std::sin(t), 8.0 * (i / 60));
+          }));
     write("coarse.xyz", rows(scanShaft(nominalShaft(), coarse)));
     write("bracket.xyz", rows(scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
 }

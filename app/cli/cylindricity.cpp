@@ -1,0 +1,44 @@
+// cylindricity FILE: how far a cloud of points is from a cylinder.
+#include "engine/form/cylindricity.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/scans.h"
+#include "app/cli/verbs.h"
+#include "engine/form/cylindricity_json.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/roundness_report.h"
+
+namespace lathelier::cli {
+namespace {
+
+void runCylindricity(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+{
+    const ScanFile file =
+        readScan(request.operands.at(0), request, inputs, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
+    const auto result = std::make_shared<CylindricityResult>(
+        cylindricity(file.scan.points_mm, fromValues<CylindricityParameters>(request.parameters),
+                     progress.part(0.3, 1, LT_TEXT("Engine", "Fitting cylinders"))));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;  // the report shows those of the file as well
+    answer.json = [result] { return toJson(*result); };
+    answer.report = [result] { return cylindricityReport(*result, {}); };
+    if (result->verdict) answer.pass = *result->verdict == FormVerdict::Pass;
+    answer.summary = toPlainText(cylindricitySummary(*result));
+}
+
+}  // namespace
+
+Verb cylindricityVerb()
+{
+    return {"cylindricity",
+            "Cylindricity of points: least-squares and minimum-zone cylinder, axis straightness, verdict.",
+            {{"FILE", "Points x, y, z of a cylindrical surface: a cloud, a mesh, or stacked sections."}},
+            optionsOf<CylindricityParameters>(),
+            optionsOf<ImportOptions>(),
+            {},
+            true,
+            runCylindricity};
+}
+
+}  // namespace lathelier::cli

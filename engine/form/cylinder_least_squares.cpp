@@ -149,7 +149,7 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
 {
     LeastSquaresCylinder fit = start;
     Sums now = sumsAt(points, fit.axis, fit.radius, progress);
-    double damping = 0;
+    double damping = 0, last_size = 1;
     constexpr int mostSteps = 200;
     for (int iteration = 0; iteration < mostSteps; ++iteration) {
         Matrix5d matrix = now.matrix.selfadjointView<Eigen::Lower>();
@@ -160,18 +160,23 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
         const double radius = fit.radius + step[4];
         const Sums next = sumsAt(points, axis, radius, progress);
         const double size = step.norm() / (1 + radius);
-        if (next.squares <= now.squares) {
+        // Near the end the sum of squares is flat to rounding: there plain steps are taken, and their own shrinking
+        // tells.
+        const bool fine = size < 1e-7;
+        if (next.squares <= now.squares || (fine && damping == 0 && size < 0.7 * last_size)) {
             fit.axis = axis;
             fit.radius = radius;
             now = next;
-            damping = damping > 1e-6 ? damping / 10 : 0;
+            last_size = damping == 0 ? size : 1;
+            damping = !fine && damping > 1e-6 ? damping / 10 : 0;
+            fit.converged = last_size < 1e-14;
+        } else if (fine) {
+            fit.converged = damping == 0;
+            damping = 0;
         } else {
             damping = std::max(10 * damping, 1e-4);
         }
-        if (size < 1e-14 || (size < 1e-10 && damping > 0)) {  // the last steps only stir the rounding
-            fit.converged = true;
-            break;
-        }
+        if (fit.converged) break;
         if (damping > 1e10) break;
     }
     fit.converged = fit.converged && std::abs(fit.radius) < runaway;

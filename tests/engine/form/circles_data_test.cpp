@@ -11,9 +11,9 @@ namespace {
 
 constexpr double answer_mm = 2e-9;
 
-class PracticeProfile : public testing::TestWithParam<const char*> {};
+class PracticeCircles : public testing::TestWithParam<const char*> {};
 
-TEST_P(PracticeProfile, AgreesWithItsCertifiedAnswers)
+TEST_P(PracticeCircles, AgreesWithItsCertifiedAnswers)
 {
     if (!hasFormData()) GTEST_SKIP() << "no shared data";
     const auto points = readPoints(GetParam());
@@ -43,11 +43,11 @@ TEST_P(PracticeProfile, AgreesWithItsCertifiedAnswers)
     EXPECT_LE(*circles.MICI.certified_gap_um, 1.001e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Form, PracticeProfile,
+INSTANTIATE_TEST_SUITE_P(Form, PracticeCircles,
                          testing::Values("p05_lobe5_n200", "p07_ellipse_n200", "p10_turned_n200", "p13_outliers_n200",
                                          "p17_8pts", "p19_keyway_n3600"));
 
-TEST(PracticeProfile, ContactsOfATurnedProfileAreThoseOfTheAnswer)
+TEST(PracticeCirclesContacts, AreThoseOfTheAnswer)
 {
     if (!hasFormData()) GTEST_SKIP() << "no shared data";
     for (const char* name : {"p10_turned_n200", "p13_outliers_n200", "p19_keyway_n3600"}) {

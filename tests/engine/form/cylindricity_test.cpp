@@ -86,6 +86,9 @@ TEST(Cylindricity, OfLobesTaperAndBowIsTheClosedForm)
     EXPECT_NEAR(lobed.LSCY.CYLt_um, 8, 1e-6);
     EXPECT_NEAR(lobed.LSCY.CYLq_um, 4 / std::sqrt(2.0), 1e-4);
     EXPECT_NEAR(lobed.MZCY.radius_mm, 25, 1e-8);
+    // To the last digits, wherever the search begins.
+    for (int k = 0; k < 8; ++k)
+        EXPECT_NEAR(cylindricity(moved(stack(11, 60, 25, 80, lobes), pose(k))).LSCY.radius_mm, 25, 1e-11) << k;
     // Taper: 5 µm on the radius.
     const CylindricityResult taper = cylindricity(stack(11, 90, 25, 80, [](double, double u) { return 0.0025 * u; }));
     EXPECT_NEAR(taper.MZCY.CYLt_um, 5, 1e-5);

@@ -110,6 +110,7 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     progress.report(0);
     const ProfileBand band = bandOf(parameters);
     const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers);
+    progress.report(0.04);
     EvaluatedProfile evaluated = evaluateProfile(prepared, band);
 
     RoundnessResult result;
@@ -131,10 +132,12 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     for (FittedCircle* circle :
          {&result.circles.LSCI, &result.circles.MZCI, &result.circles.MICI, &result.circles.MCCI})
         pointContactsToGiven(*circle, prepared.index);
+    progress.report(0.4);
     result.two_point = twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm);
+    progress.report(0.42);
     result.harmonics = harmonicsOf(prepared, result.points);
     result.paper = paperValues(prepared);
-    result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.4, 0.7));
+    result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.45, 0.7));
 
     result.point_noise_um = parameters.probe_uncertainty_um.value_or(pointNoise_um(prepared));
     result.RONt_expanded_uncertainty_um =

@@ -26,6 +26,7 @@ p { margin: 8px 0; }
 .headline.pass { background: #e6f6ef; border-color: #1f9d6b; }
 .headline.fail { background: #fdecea; border-color: #c0362c; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(420px, 1fr)); gap: 10px 36px; align-items: start; }
+.table { margin-bottom: 14px; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; }
 caption { margin: 0; padding-bottom: 6px; }
 th, td { padding: 4px 8px 4px 0; border-bottom: 1px solid #e4e7eb; vertical-align: baseline; text-align: left; }

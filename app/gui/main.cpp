@@ -14,7 +14,6 @@
 #include "app/gui/shots.h"
 #include "app/gui/theme.h"
 #include "widgets/core/resources.h"
-#include "widgets/scene/scene_view.h"
 
 using namespace lathelier;
 
@@ -57,7 +56,6 @@ int main(int argc, char** argv)
 
     // All of this has to stand before the application object.
     if (!arguments.report.isEmpty()) qputenv("QT_QPA_PLATFORM", "offscreen");
-    SceneView::prepareApplication();
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

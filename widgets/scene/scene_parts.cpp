@@ -39,7 +39,7 @@ SceneBox extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& 
 
 SceneCamera SceneView::Parts::camera() const
 {
-    vtkCamera* eye = renderer->GetActiveCamera();
+    vtkCamera* eye = canvas->renderer().GetActiveCamera();
     const Eigen::Vector3d place = Eigen::Vector3d(eye->GetPosition()) + origin;
     const Eigen::Vector3d target = Eigen::Vector3d(eye->GetFocalPoint()) + origin;
     SceneCamera camera;
@@ -59,7 +59,7 @@ SceneCamera SceneView::Parts::camera() const
 
 void SceneView::Parts::aim(const SceneCamera& camera)
 {
-    vtkCamera* eye = renderer->GetActiveCamera();
+    vtkCamera* eye = canvas->renderer().GetActiveCamera();
     const Eigen::Isometry3d scene_T_view = camera.view_T_scene.inverse();
     const Eigen::Vector3d place = scene_T_view.translation() - origin;
     const Eigen::Vector3d target = scene_T_view * Eigen::Vector3d(0, 0, -camera.distance_mm) - origin;

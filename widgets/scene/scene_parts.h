@@ -1,14 +1,10 @@
 // What a SceneView is made of. Included by the .cpp files of SceneView only, because it shows VTK.
 #pragma once
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkRenderer.h>
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <algorithm>
 
@@ -16,6 +12,7 @@
 #include "widgets/scene/scene_actor.h"
 #include "widgets/scene/scene_bar.h"
 #include "widgets/scene/scene_camera.h"
+#include "widgets/scene/scene_canvas.h"
 #include "widgets/scene/scene_overlay.h"
 #include "widgets/scene/scene_view.h"
 
@@ -31,11 +28,8 @@ struct SceneBox {
 SceneBox extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& frame);
 
 struct SceneView::Parts {
-    QVTKOpenGLNativeWidget* canvas = nullptr;  ///< null where nothing can be drawn
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    vtkNew<vtkRenderer> renderer;
+    SceneCanvas* canvas = nullptr;  ///< null where nothing can be drawn
     vtkNew<vtkPlane> plane;
-    vtkNew<vtkCallbackCommand> frameObserver;
 
     SceneBar* bar = nullptr;
     ColourLegend* legend = nullptr;
@@ -52,11 +46,13 @@ struct SceneView::Parts {
     std::optional<Eigen::Vector3d> marked;
 
     QTimer rest;
-    QElapsedTimer frameTime;
     bool moving = false;
     bool aimed = false;
     std::optional<QPoint> pressedAt;
+    QPoint movedTo;
+    bool dragging = false;
     std::size_t budget = 80000;
+    bool coarse = false;  ///< too slow even with the fewest points: half the resolution while moving
     Speed speed;
 
     Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : Eigen::Vector3d::UnitX()); }

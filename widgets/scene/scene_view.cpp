@@ -1,14 +1,9 @@
 #include "widgets/scene/scene_view.h"
 
 #include <vtkCamera.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkRenderWindowInteractor.h>
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QOpenGLContext>
-#include <QSurfaceFormat>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -19,23 +14,7 @@ namespace {
 
 constexpr int restAfter_ms = 250;
 
-bool openGlIsThere()
-{
-    const QString platform = QGuiApplication::platformName();
-    if (platform == "offscreen" || platform == "minimal") return false;
-    QOpenGLContext context;
-    return context.create();
-}
-
 }  // namespace
-
-void SceneView::prepareApplication()
-{
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-    format.setSamples(0);  // software rendering pays for every sample
-    QSurfaceFormat::setDefaultFormat(format);
-}
 
 SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>())
 {
@@ -43,7 +22,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    if (!openGlIsThere()) {
+    if (!SceneCanvas::canDraw()) {
         auto* words =
             new QLabel(tr("The 3-D view needs OpenGL, which is not available here.\nAll other views work."), this);
         words->setAlignment(Qt::AlignCenter);
@@ -52,17 +31,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
         return;
     }
     p.bar = new SceneBar(this);
-    p.canvas = new QVTKOpenGLNativeWidget(this);
+    p.canvas = new SceneCanvas(this);
     layout->addWidget(p.bar);
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
     layout->addLayout(row, 1);
     row->addWidget(p.canvas, 1);
-    p.window->SetMultiSamples(0);
-    p.canvas->setRenderWindow(p.window.Get());
-    p.window->AddRenderer(p.renderer);
-    vtkNew<vtkInteractorStyleTrackballCamera> style;
-    p.window->GetInteractor()->SetInteractorStyle(style);
     p.canvas->installEventFilter(this);
     p.canvas->setFocusPolicy(Qt::StrongFocus);
     p.canvas->setAccessibleName(tr("3-D view"));
@@ -89,25 +63,22 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     });
     p.rest.setSingleShot(true);
     p.rest.setInterval(restAfter_ms);
-    connect(&p.rest, &QTimer::timeout, this, &SceneView::endMoving);
-
-    p.frameObserver->SetClientData(this);
-    p.frameObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
-        auto* view = static_cast<SceneView*>(self);
-        if (event == vtkCommand::StartEvent)
-            view->parts_->frameTime.start();
+    connect(&p.rest, &QTimer::timeout, this, [this] {
+        if (parts_->dragging)
+            parts_->rest.start();  // held still in the middle of a drag
         else
-            view->frameDone();
+            endMoving();
     });
-    p.renderer->AddObserver(vtkCommand::StartEvent, p.frameObserver);
-    p.renderer->AddObserver(vtkCommand::EndEvent, p.frameObserver);
+
+    connect(p.canvas, &SceneCanvas::drawn, this, &SceneView::frameDone);
     applyStyle(false);
 }
 
 SceneView::~SceneView()
 {
-    parts_->renderer->RemoveObserver(parts_->frameObserver);
-    if (parts_->canvas) parts_->canvas->removeEventFilter(this);
+    if (!canDraw()) return;
+    parts_->canvas->removeEventFilter(this);
+    parts_->canvas->makeCurrent();
     parts_->actors.clear();
 }
 
@@ -121,7 +92,7 @@ const std::vector<SceneObject>& SceneView::objects() const
 }
 bool SceneView::isParallel() const
 {
-    return parts_->renderer->GetActiveCamera()->GetParallelProjection() != 0;
+    return canDraw() && parts_->canvas->renderer().GetActiveCamera()->GetParallelProjection() != 0;
 }
 std::optional<Eigen::Vector3d> SceneView::marker() const
 {
@@ -138,6 +109,7 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
     const bool fresh = p.objects.empty() || objects.empty() || p.objects.front().scan != objects.front().scan;
     p.objects = std::move(objects);
     if (!canDraw()) return;
+    p.canvas->makeCurrent();
     if (fresh) {
         p.actors.clear();
         const SceneBox box = extent(p.objects, Eigen::Matrix3d::Identity());
@@ -153,7 +125,7 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
                 actor = std::move(old);
                 break;
             }
-        if (!actor) actor = std::make_unique<SceneActor>(p.renderer, object, p.origin, p.axis);
+        if (!actor) actor = std::make_unique<SceneActor>(&p.canvas->renderer(), object, p.origin, p.axis);
         actor->setMoving(p.moving);
         p.actors.push_back(std::move(actor));
     }
@@ -266,10 +238,7 @@ void SceneView::setMarker(const std::optional<Eigen::Vector3d>& place_mm, const 
 
 void SceneView::render()
 {
-    Parts& p = *parts_;
-    if (!canDraw() || !p.canvas->isVisible()) return;
-    p.renderer->ResetCameraClippingRange();
-    p.window->Render();
+    if (canDraw()) parts_->canvas->drawSoon();
 }
 
 }  // namespace lathelier

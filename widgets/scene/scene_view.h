@@ -20,9 +20,6 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    /// To be called before the application object: the surface format OpenGL needs.
-    static void prepareApplication();
-
     /// False where there is no OpenGL (an offscreen platform, a missing driver).
     bool canDraw() const;
 
@@ -85,8 +82,11 @@ private:
     void render();
     void startMoving();
     void endMoving();
-    void frameDone();
+    void frameDone(double taken_s);
+    void drag(const QPoint& to, Qt::MouseButtons buttons, Qt::KeyboardModifiers keys);
+    void zoom(double factor);
     void shareBudget();
+    void shareDetail();
     void pick(const QPoint& place);
 
     std::unique_ptr<Parts> parts_;

@@ -45,7 +45,7 @@ void SceneView::applyStyle(bool paper)
     Parts& p = *parts_;
     if (!canDraw()) return;
     const QColor back = paper ? QColor(Qt::white) : QWidget::palette().color(QPalette::Base);
-    p.renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
+    p.canvas->renderer().SetBackground(back.redF(), back.greenF(), back.blueF());
     const QPalette inks = paper ? paperPalette() : QWidget::palette();
     const PlotStyle style(inks, font());
     QFont large = font();
@@ -85,11 +85,8 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     endMoving();
     applyStyle(true);
     if (!legend) p.legend->hide();
-    if (viewpoint)
-        setViewpoint(*viewpoint);
-    else
-        render();
-    const QImage drawn = p.canvas->grabFramebuffer();
+    if (viewpoint) setViewpoint(*viewpoint);
+    const QImage drawn = p.canvas->drawNow();
     const double scale = static_cast<double>(drawn.width()) / p.canvas->width();
     const int beside = p.legend->isVisible() ? p.legend->width() : 0;
     QImage image(static_cast<int>((p.canvas->width() + beside) * scale), drawn.height(), QImage::Format_RGB32);

@@ -9,8 +9,13 @@
 namespace lathelier {
 namespace {
 
+constexpr double turnOverHeight_deg = 200;  // a drag over the height of the picture turns the part round to its back
+constexpr double zoomOverHeight = 3;        // … or makes it e³ times larger
+constexpr double zoomOverNotch = 1.15;
+constexpr int clickReach_px = 3;
 constexpr double slowFrame_s = 0.050;
 constexpr double quickFrame_s = 0.025;
+constexpr double slowestFrame_s = 0.066;  // 15 frames in a second
 constexpr std::size_t fewestMoving = 10000;
 constexpr std::size_t mostMoving = 400000;
 
@@ -22,6 +27,7 @@ void SceneView::startMoving()
     p.rest.stop();
     if (p.moving) return;
     p.moving = true;
+    shareDetail();
     for (const auto& actor : p.actors) actor->setMoving(true);
 }
 
@@ -30,6 +36,7 @@ void SceneView::endMoving()
     Parts& p = *parts_;
     if (!p.moving) return;
     p.moving = false;
+    shareDetail();
     for (const auto& actor : p.actors) actor->setMoving(false);
     render();
 }
@@ -39,7 +46,7 @@ void SceneView::turn(double right_deg, double up_deg)
     Parts& p = *parts_;
     if (!canDraw()) return;
     startMoving();
-    vtkCamera* eye = p.renderer->GetActiveCamera();
+    vtkCamera* eye = p.canvas->renderer().GetActiveCamera();
     eye->Azimuth(-right_deg);
     eye->Elevation(-up_deg);
     eye->OrthogonalizeViewUp();
@@ -47,11 +54,39 @@ void SceneView::turn(double right_deg, double up_deg)
     p.rest.start();
 }
 
-void SceneView::frameDone()
+void SceneView::zoom(double factor)
 {
     Parts& p = *parts_;
-    p.window->WaitForCompletion();  // the time counts until the last pixel is there
-    const double taken_s = static_cast<double>(p.frameTime.nsecsElapsed()) * 1e-9;
+    startMoving();
+    vtkCamera* eye = p.canvas->renderer().GetActiveCamera();
+    if (isParallel())
+        eye->SetParallelScale(eye->GetParallelScale() / factor);
+    else
+        eye->Dolly(factor);
+    render();
+    p.rest.start();
+}
+
+void SceneView::drag(const QPoint& to, Qt::MouseButtons buttons, Qt::KeyboardModifiers keys)
+{
+    Parts& p = *parts_;
+    const QPointF way = QPointF(to - p.movedTo) / std::max(1, p.canvas->height());
+    p.movedTo = to;
+    startMoving();
+    if (buttons & Qt::RightButton) return zoom(std::exp(-zoomOverHeight * way.y()));
+    if (!(buttons & Qt::MiddleButton) && !(keys & Qt::ShiftModifier))
+        return turn(turnOverHeight_deg * way.x(), -turnOverHeight_deg * way.y());
+    SceneCamera camera = p.camera();
+    const Eigen::Vector3d shift(2 * camera.halfHeight_mm * way.x(), -2 * camera.halfHeight_mm * way.y(), 0);
+    camera.view_T_scene.pretranslate(shift);
+    p.aim(camera);
+    render();
+    p.rest.start();
+}
+
+void SceneView::frameDone(double taken_s)
+{
+    Parts& p = *parts_;
     (p.moving ? p.speed.moving_s : p.speed.resting_s) = taken_s;
     if (p.moving && (taken_s > slowFrame_s || taken_s < quickFrame_s)) {
         p.budget =
@@ -59,7 +94,19 @@ void SceneView::frameDone()
                        fewestMoving, mostMoving);
         shareBudget();
     }
+    if (p.moving && taken_s > slowestFrame_s && p.budget == fewestMoving)
+        p.coarse = true;
+    else if (p.moving && taken_s < slowFrame_s / 4)  // four times the pixels would still be in time
+        p.coarse = false;
+    shareDetail();
     layOver();
+}
+
+void SceneView::shareDetail()
+{
+    Parts& p = *parts_;
+    // The finer pixels of a dense screen are for the picture at rest.
+    p.canvas->setDetail(p.moving ? (p.coarse ? 0.5 : 1) / p.canvas->devicePixelRatioF() : 1);
 }
 
 void SceneView::shareBudget()
@@ -102,26 +149,32 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
 {
     Parts& p = *parts_;
     switch (event->type()) {
-        case QEvent::MouseButtonPress: p.pressedAt = static_cast<QMouseEvent*>(event)->pos(); break;
+        case QEvent::MouseButtonPress: {
+            const QPoint place = static_cast<QMouseEvent*>(event)->pos();
+            p.pressedAt = place;
+            p.movedTo = place;
+            p.dragging = false;
+            return false;
+        }
         case QEvent::MouseMove: {
             auto* mouse = static_cast<QMouseEvent*>(event);
-            if (!p.pressedAt || !mouse->buttons()) return true;  // VTK has no use for hovering
-            if ((mouse->pos() - *p.pressedAt).manhattanLength() > 3) startMoving();
-            break;
+            if (!p.pressedAt || !mouse->buttons()) return true;
+            p.dragging = p.dragging || (mouse->pos() - *p.pressedAt).manhattanLength() > clickReach_px;
+            if (p.dragging) drag(mouse->pos(), mouse->buttons(), mouse->modifiers());
+            return true;
         }
         case QEvent::MouseButtonRelease: {
             auto* mouse = static_cast<QMouseEvent*>(event);
-            const bool still = p.pressedAt && (mouse->pos() - *p.pressedAt).manhattanLength() <= 3;
+            const bool still = p.pressedAt && !p.dragging;
             p.pressedAt.reset();
-            p.rest.start();
+            p.dragging = false;
             if (still && mouse->button() == Qt::LeftButton) pick(mouse->pos());
-            break;
+            return true;
         }
         case QEvent::MouseButtonDblClick: setViewpoint(SceneViewpoint::Oblique); return true;
         case QEvent::Wheel:
-            startMoving();
-            p.rest.start();
-            break;
+            zoom(std::pow(zoomOverNotch, static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0));
+            return true;
         case QEvent::Resize: layOver(); break;
         case QEvent::KeyPress: {
             switch (static_cast<QKeyEvent*>(event)->key()) {
@@ -132,8 +185,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
                 case Qt::Key_Home: setViewpoint(SceneViewpoint::Oblique); return true;
                 default: break;
             }
-            event->ignore();  // VTK's own keys (quit, wireframe…) stay off; shortcuts go on to the window
-            return true;
+            break;
         }
         default: break;
     }

@@ -355,7 +355,6 @@ private slots:
 
 int main(int argc, char** argv)
 {
-    SceneView::prepareApplication();
     QApplication application(argc, argv);
     ComparePanelTest test;
     return QTest::qExec(&test, argc, argv);

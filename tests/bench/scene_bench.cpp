@@ -1,0 +1,70 @@
+// The 3-D view while it is turned: from the wish to the last pixel on the screen.
+//   xvfb-run -a -s "-screen 0 1920x1080x24 +extension GLX" build/tests/scene_bench
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QScreen>
+
+#include "engine/project/sample.h"
+#include "widgets/scene/scene_view.h"
+
+using namespace lathelier;
+
+namespace {
+
+std::vector<SceneObject> twoScans()
+{
+    static const auto scan = std::make_shared<const Scan>(scanShaft(nominalShaft(), ScannerModel{}));
+    static const auto values = [] {
+        auto result = std::make_shared<std::vector<float>>(scan->points_mm.size());
+        for (std::size_t i = 0; i < result->size(); ++i) (*result)[i] = static_cast<float>(i % 200) * 1e-3F - 0.1F;
+        return result;
+    }();
+    SceneObject reference;
+    reference.scan = scan;
+    reference.colour = QColor(31, 119, 180);
+    SceneObject copy = reference;
+    copy.scan = std::make_shared<const Scan>(*scan);
+    copy.scene_T_scan.translation().x() = 40;
+    copy.values = values;
+    return {reference, copy};
+}
+
+/// One frame as the user gets it: drawn, composed, sent, taken by the X server.
+void frame(SceneView& view, double right_deg)
+{
+    view.turn(right_deg, 0);
+    QCoreApplication::processEvents();  // draws
+    QCoreApplication::processEvents();  // paints
+    view.screen()->grabWindow(0, 0, 0, 1, 1);  // answered after all that was sent before
+}
+
+void turning(benchmark::State& state, std::vector<SceneObject> objects)
+{
+    SceneView view;
+    view.resize(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    view.show();
+    view.setObjects(std::move(objects));
+    for (int i = 0; i < 12; ++i) frame(view, 3);  // until the thinning has settled
+    for (auto _ : state) frame(view, 3);
+    state.counters["drawing_ms"] = 1000 * view.speed().moving_s;
+    state.counters["points"] = static_cast<double>(view.speed().movingPoints);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    for (const auto& [name, objects] :
+         {std::pair{"empty scene", std::vector<SceneObject>{}}, {"2 x 732k points", twoScans()}})
+        benchmark::RegisterBenchmark(name, [objects = objects](benchmark::State& state) { turning(state, objects); })
+            ->Args({1280, 720})
+            ->Args({1920, 1080})
+            ->Unit(benchmark::kMillisecond)
+            ->MeasureProcessCPUTime()
+            ->UseRealTime();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -114,6 +114,29 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
     return place;
 }
 
+ComparePlace placeOnMesh(const ComparePicture& picture, const SurfacePlace& surface, bool of_reference)
+{
+    const CompareResult& result = *picture.result;
+    const Scan& mesh = of_reference ? picture.reference->file.scan : picture.copyScan();
+    Eigen::Vector3d mesh_mm = Eigen::Vector3d::Zero();
+    double deviation_mm = 0;
+    bool used = !of_reference;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t corner = surface.corners[i];
+        const double weight = surface.weights[static_cast<Eigen::Index>(i)];
+        mesh_mm += weight * mesh.points_mm[corner];
+        if (of_reference) continue;
+        used = used && result.used[corner];
+        deviation_mm += weight * static_cast<double>(result.deviation_mm[corner]);
+    }
+    ComparePlace place;
+    place.reference_mm = of_reference ? mesh_mm : result.alignment.reference_T_copy * mesh_mm;
+    if (!of_reference) place.surface = surface;
+    if (used) place.deviation_mm = deviation_mm;
+    fillAxisPlace(result, place);
+    return place;
+}
+
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg)
 {
     const CompareResult& result = *picture.result;

@@ -8,6 +8,7 @@
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 #include "widgets/core/scan_store.h"
+#include "widgets/scene/scene_data.h"
 
 namespace lathelier {
 
@@ -41,13 +42,18 @@ struct ComparePlace {
     Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
     std::optional<double> z_mm;                              ///< along the axis from its first data
     std::optional<double> angle_deg;
-    std::optional<std::size_t> point;  ///< of the copy
+    std::optional<std::size_t> point;     ///< of the copy, a cloud
+    std::optional<SurfacePlace> surface;  ///< of the copy, a mesh
     std::optional<double> deviation_mm;
     std::optional<double> local_mean_mm;
 };
 
 /// A point of the copy (or, with `of_reference`, of the reference).
 ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool of_reference = false);
+
+/// A place on the surface of the copy (or of the reference), which is a mesh. Its deviation is that of the corners in
+/// proportion, as drawn.
+ComparePlace placeOnMesh(const ComparePicture& picture, const SurfacePlace& surface, bool of_reference = false);
 
 /// The place on the reference's meridian; body of revolution only.
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg);

@@ -69,6 +69,9 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     connect(p.scene, &SceneView::pointPicked, this, [this](int object, qint64 point) {
         setPlace(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
     });
+    connect(p.scene, &SceneView::surfacePicked, this, [this](int object, const SurfacePlace& surface) {
+        setPlace(placeOnMesh(*parts_->picture, surface, object == 0));
+    });
     connect(p.map, &PlotCanvas::clicked, this, [this](double z, double angle) {
         if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, std::clamp(angle, 0.0, 359.999)));
     });
@@ -127,6 +130,8 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
         showSurface();
     if (p.place && p.place->point)
         setPlace(placeOfPoint(*picture, *p.place->point));
+    else if (p.place && p.place->surface)
+        setPlace(placeOnMesh(*picture, *p.place->surface));
     else
         setPlace(p.place);
 }
@@ -223,7 +228,7 @@ QString CompareViews::describe(const ComparePlace& place) const
                      .arg(screenNumber(*place.z_mm, 2), screenNumber(*place.angle_deg, 1));
     if (place.deviation_mm)
         lines << tr("deviation %1").arg(signedLength(*place.deviation_mm));
-    else if (place.point)
+    else if (place.point || place.surface)
         lines << tr("this point was left out");
     if (place.local_mean_mm) lines << tr("mean around it %1").arg(signedLength(*place.local_mean_mm));
     return lines.join('\n');

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <mutex>
 #include <numeric>
 #include <random>
-
-#include "engine/core/parallel.h"
 
 namespace lathelier {
 namespace {
@@ -81,43 +77,6 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     camera.view_T_scene.linear() = view_R_scene;
     camera.view_T_scene.translation() = -(view_R_scene * (frame * centre)) - Eigen::Vector3d(0, 0, camera.distance_mm);
     return camera;
-}
-
-std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
-                                        const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
-                                        const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer,
-                                        double radius_px, int height_px)
-{
-    std::mutex mutex;
-    std::vector<ScenePick> near;
-    parallelFor(points_mm.size(), 65536, {}, [&](std::size_t begin, std::size_t end) {
-        std::vector<ScenePick> found;
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Vector3d scene = scene_T_points * points_mm[i];
-            const auto place = camera.project(scene);
-            if (!place) continue;
-            Eigen::Vector2d away = (*place - pointer) * (height_px / 2.0);
-            away.x() *= camera.aspect;
-            if (away.squaredNorm() > radius_px * radius_px) continue;
-            if (section && section->normal.dot(scene) < section->offset_mm) continue;
-            found.push_back({i, -(camera.view_T_scene * scene).z(), away.norm()});
-        }
-        const std::lock_guard lock(mutex);
-        near.insert(near.end(), found.begin(), found.end());
-    });
-    if (near.empty()) return std::nullopt;
-    double front = std::numeric_limits<double>::infinity();
-    for (const ScenePick& pick : near) front = std::min(front, pick.depth_mm);
-    // What lies within two radii behind the frontmost point belongs to the same, perhaps slanting, surface.
-    const double perPixel = 2 * camera.halfHeight_mm * (camera.parallel ? 1 : front / camera.distance_mm) / height_px;
-    const double layer = front + 2 * radius_px * perPixel;
-    std::optional<ScenePick> best;
-    for (const ScenePick& pick : near) {
-        if (pick.depth_mm > layer) continue;
-        if (!best || pick.away_px < best->away_px || (pick.away_px == best->away_px && pick.index < best->index))
-            best = pick;
-    }
-    return best;
 }
 
 std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most)

@@ -1,4 +1,4 @@
-// The camera as numbers: standard viewpoints, fitting a part, and which point lies under the pointer. No VTK here.
+// The camera as numbers: standard viewpoints, fitting a part. No VTK here. What lies under the pointer: scene_pick.h.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -35,19 +35,6 @@ struct SceneSection {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
     double offset_mm = 0;
 };
-
-struct ScenePick {
-    std::size_t index = 0;
-    double depth_mm = 0;  ///< from the eye
-    double away_px = 0;   ///< from the pointer
-};
-
-/// The point nearest to the pointer among those of the front layer: all points within `radius_px` of it are projected
-/// exactly, and those clearly behind the frontmost of them are hidden. `pointer` as given by SceneCamera::project.
-std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
-                                        const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
-                                        const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer,
-                                        double radius_px, int height_px);
 
 /// Indices that show the whole evenly when only the first n of them are drawn: at most `most`, always the same.
 std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <QColor>
 #include <QString>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct SceneObject {
 struct SceneAxis {
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+};
+
+/// A place on a mesh: the corners of a triangle and their weights, which add up to 1.
+struct SurfacePlace {
+    std::array<std::uint32_t, 3> corners{};
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
 };
 
 /// Standard views of a part whose long axis lies level.

@@ -14,6 +14,7 @@
 #include "widgets/scene/scene_camera.h"
 #include "widgets/scene/scene_canvas.h"
 #include "widgets/scene/scene_overlay.h"
+#include "widgets/scene/scene_pick.h"
 #include "widgets/scene/scene_view.h"
 
 namespace lathelier {

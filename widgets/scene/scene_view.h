@@ -65,8 +65,9 @@ public:
     QSize minimumSizeHint() const override { return {200, 150}; }
 
 signals:
-    void pointPicked(int object, qint64 point);  ///< index into objects() and its scan
-    void limitEdited(double limit_mm);           ///< the user wants another colour scale
+    void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
+    void surfacePicked(int object, const lathelier::SurfacePlace& place);  ///< of a mesh
+    void limitEdited(double limit_mm);                                     ///< the user wants another colour scale
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

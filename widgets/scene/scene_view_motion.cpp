@@ -13,6 +13,8 @@ constexpr double turnOverHeight_deg = 200;  // a drag over the height of the pic
 constexpr double zoomOverHeight = 3;        // … or makes it e³ times larger
 constexpr double zoomOverNotch = 1.15;
 constexpr int clickReach_px = 3;
+constexpr double farReach_px = 24;
+constexpr double reach_px = 6;  // how far from the pointer a point of a cloud may lie
 constexpr double slowFrame_s = 0.050;
 constexpr double quickFrame_s = 0.025;
 constexpr double slowestFrame_s = 0.066;  // 15 frames in a second
@@ -130,19 +132,33 @@ void SceneView::pick(const QPoint& place)
     const Eigen::Vector2d pointer(2.0 * (place.x() + 0.5) / room.width() - 1,
                                   1 - 2.0 * (place.y() + 0.5) / room.height());
     const SceneCamera camera = p.camera();
-    for (const double radius_px : {6.0, 24.0}) {  // the wide one for meshes with few corners
-        std::optional<ScenePick> best;
-        int object = -1;
-        for (std::size_t i = 0; i < p.objects.size(); ++i) {
-            if (!p.objects[i].visible) continue;
-            const auto found = nearestVisible(p.objects[i].scan->points_mm, p.objects[i].scene_T_scan, camera,
-                                              p.section, pointer, radius_px, room.height());
-            if (!found || (best && found->depth_mm >= best->depth_mm)) continue;
-            best = found;
-            object = static_cast<int>(i);
+    std::optional<ScenePick> point;
+    std::optional<SceneHit> hit;
+    int pointObject = -1, hitObject = -1;
+    for (std::size_t i = 0; i < p.objects.size(); ++i) {
+        const SceneObject& object = p.objects[i];
+        if (!object.visible) continue;
+        if (object.scan->isMesh()) {
+            const auto found = firstHit(*object.scan, object.scene_T_scan, camera, p.section, pointer);
+            if (!found || (hit && found->depth_mm >= hit->depth_mm)) continue;
+            hit = found;
+            hitObject = static_cast<int>(i);
+        } else {
+            const auto& points = object.scan->points_mm;
+            auto found =
+                nearestVisible(points, object.scene_T_scan, camera, p.section, pointer, reach_px, room.height());
+            if (!found)  // a cloud of few points
+                found =
+                    nearestVisible(points, object.scene_T_scan, camera, p.section, pointer, farReach_px, room.height());
+            if (!found || (point && found->depth_mm >= point->depth_mm)) continue;
+            point = found;
+            pointObject = static_cast<int>(i);
         }
-        if (best) return emit pointPicked(object, static_cast<qint64>(best->index));
     }
+    if (hit && (!point || hit->depth_mm < point->depth_mm))
+        emit surfacePicked(hitObject, hit->place);
+    else if (point)
+        emit pointPicked(pointObject, static_cast<qint64>(point->index));
 }
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "widgets/scene/scene_pick.h"
+
 using namespace lathelier;
 using Eigen::Vector3d;
 
@@ -96,6 +98,43 @@ private slots:
             const auto place = camera.project(pose * points[i]);
             const auto pick = nearestVisible(points, pose, camera, {}, *place, 5, 800);
             QVERIFY(pick && pick->index == i && pick->away_px < 1e-6);
+        }
+    }
+
+    void picksOnTheSurfaceOfAMesh()
+    {
+        // A plate of two triangles, far larger than the pointer's reach, and one behind it.
+        Scan mesh;
+        for (const double z : {4.0, -4.0})
+            for (const auto& [x, y] : {std::pair{-20.0, -20.0}, {20.0, -20.0}, {20.0, 20.0}, {-20.0, 20.0}})
+                mesh.points_mm.push_back({x, y, z});
+        for (const std::uint32_t i : {0U, 4U}) {
+            mesh.triangles.push_back({i, i + 1, i + 2});
+            mesh.triangles.push_back({i, i + 2, i + 3});
+        }
+        Eigen::Isometry3d pose(Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized()));
+        pose.translation() = Vector3d(5, -7, 11);
+        const auto placeOf = [&](const SceneHit& hit) {
+            Vector3d place = Vector3d::Zero();
+            for (int i = 0; i < 3; ++i)
+                place += hit.place.weights[i] * mesh.points_mm[hit.place.corners[static_cast<std::size_t>(i)]];
+            return Vector3d(pose * place);
+        };
+        for (const bool parallel : {false, true}) {
+            const SceneCamera camera = cameraFor(SceneViewpoint::Oblique, Eigen::Matrix3d::Identity(),
+                                                 Vector3d(-25, -25, -5), Vector3d(25, 25, 25), 1.6, parallel);
+            const Vector3d wanted = pose * Vector3d(3.7, -5.1, 4);
+            const auto hit = firstHit(mesh, pose, camera, {}, *camera.project(wanted));
+            QVERIFY(hit.has_value());
+            QVERIFY2((placeOf(*hit) - wanted).norm() < 1e-9,
+                     qPrintable(QString::number((placeOf(*hit) - wanted).norm())));
+            QVERIFY(std::abs(hit->place.weights.sum() - 1) < 1e-12);
+            // With the front plate cut away the ray goes on to the rear one.
+            const Vector3d up = pose.linear().col(2);
+            const auto rear = firstHit(mesh, pose, camera, SceneSection{-up, -up.dot(pose * Vector3d::Zero())},
+                                       *camera.project(wanted));
+            QVERIFY(rear && std::abs((pose.inverse() * placeOf(*rear)).z() + 4) < 1e-9);
+            QVERIFY(!firstHit(mesh, pose, camera, {}, Eigen::Vector2d(-0.99, 0.99)));
         }
     }
 

@@ -62,11 +62,13 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
 {
     setViews(views_);
     addSwapButton();
-    connect(views_, &CompareViews::toleranceDropped, this, [this](double tolerance_mm) {
+    connect(views_, &CompareViews::toleranceDragged, this, [this](double tolerance_mm, bool dropped) {
         const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
-        Panel::session().edit(tr("Change the tolerance"), [&](Project& project) {
-            lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm);
-        });
+        Panel::session().edit(
+            tr("Change the tolerance"),
+            [&](Project& project) { lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm); },
+            QString("compare/tolerance/drag%1").arg(drags_));
+        drags_ += dropped;
     });
     connect(views_, &CompareViews::notWritten, this, [this](const QString& path) {
         const Error error(ErrorCode::FileNotWritable,

@@ -38,6 +38,7 @@ private:
 
     CompareViews* views_;
     QToolButton* swap_ = nullptr;
+    int drags_ = 0;  ///< of the tolerance; each is one undo step
     std::shared_ptr<LastComparison> last_;
 };
 

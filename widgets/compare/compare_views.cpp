@@ -84,15 +84,18 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     connect(p.scene, &SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
     connect(p.map, &MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
     connect(p.histogram, &PlotView::limitMoved, this, [this](int, double value) {
-        const double tolerance = std::max(std::abs(value), 1e-4);
-        parts_->histogram->setLimitValues({-tolerance, tolerance});
-        parts_->map->setColours({limit_mm(), tolerance});
+        parts_->draggedTolerance = std::max(std::abs(value), 1e-4);
+        parts_->histogram->setLimitValues({-*parts_->draggedTolerance, *parts_->draggedTolerance});
+        emit toleranceDragged(*parts_->draggedTolerance, false);
     });
-    connect(p.histogram, &PlotView::limitDropped, this,
-            [this](int, double value) { emit toleranceDropped(std::max(std::abs(value), 1e-4)); });
+    connect(p.histogram, &PlotView::limitDropped, this, [this](int, double value) {
+        parts_->draggedTolerance.reset();
+        emit toleranceDragged(std::max(std::abs(value), 1e-4), true);
+    });
     for (PlotCanvas* canvas :
          {static_cast<PlotCanvas*>(p.map), static_cast<PlotCanvas*>(p.meridian), static_cast<PlotCanvas*>(p.histogram)})
         connect(canvas, &PlotCanvas::notWritten, this, &CompareViews::notWritten);
+    connect(p.scene, &SceneView::notWritten, this, &CompareViews::notWritten);
     retranslate();
     arrange();
 }
@@ -143,6 +146,7 @@ void CompareViews::showCharts()
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
     p.histogram->setData(compareHistogram(result, limit_mm()));
+    if (const auto& dragged = p.draggedTolerance) p.histogram->setLimitValues({-*dragged, *dragged});
     if (!p.hasAxis()) return;
     const double factor = p.chosenFactor.value_or(magnification(result));
     {

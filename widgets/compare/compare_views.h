@@ -34,8 +34,8 @@ public:
     void retranslate();
 
 signals:
-    void toleranceDropped(double tolerance_mm);  ///< a limit of the histogram was dragged there
-    void notWritten(const QString& path);        ///< the system refused to write this file
+    void toleranceDragged(double tolerance_mm, bool dropped);  ///< a limit of the histogram is dragged there
+    void notWritten(const QString& path);                      ///< the system refused to write this file
 
 private:
     struct Parts;

@@ -26,6 +26,7 @@ struct CompareViews::Parts {
     std::optional<ComparePlace> place;
     std::optional<double> chosenLimit;
     std::optional<double> chosenFactor;
+    std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
     SceneView* scene = nullptr;
     MapView* map = nullptr;

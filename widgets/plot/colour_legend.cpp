@@ -29,9 +29,12 @@ std::vector<Tick> ticksOf(const DeviationColours& colours, double apart)
     return ticks;
 }
 
-QString signedNumber(double value, double limit, const QLocale& locale)
+QString signedNumber(const Tick& tick, double limit, const QLocale& locale)
 {
-    const int digits = static_cast<int>(std::clamp(2 - std::floor(std::log10(limit) + 1e-9), 0.0, 6.0));
+    // A tolerance was given: it is shown as it was.
+    const double value = tick.value;
+    const int digits =
+        static_cast<int>(std::clamp(2 - std::floor(std::log10(limit) + 1e-9), 0.0, 6.0)) + 2 * tick.tolerance;
     QString text = locale.toString(std::abs(value), 'f', digits);
     // No trailing zeros: 0.100 reads as 0.1.
     if (digits > 0) {
@@ -76,7 +79,7 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
         face.setBold(tick.tolerance);
         painter.setFont(face);
         painter.drawText(QRectF(bar.right() + 0.45 * line, y - line / 2, room.right() - bar.right(), line),
-                         Qt::AlignLeft | Qt::AlignVCenter, signedNumber(tick.value, limit, locale));
+                         Qt::AlignLeft | Qt::AlignVCenter, signedNumber(tick, limit, locale));
     }
     painter.restore();
 }
@@ -88,7 +91,7 @@ int colourLegendWidth(const DeviationColours& colours, const QString& title, con
     const QFontMetricsF metrics(bold);
     double widest = 0;
     for (const Tick& tick : ticksOf(colours, 0))
-        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick.value, colours.limit_mm, locale)));
+        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick, colours.limit_mm, locale)));
     return static_cast<int>(std::ceil(
         std::max(1.8 * QFontMetricsF(font).height() + widest, QFontMetricsF(font).horizontalAdvance(title) + 2)));
 }

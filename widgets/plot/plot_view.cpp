@@ -76,6 +76,8 @@ void PlotView::setData(PlotData data)
 {
     const bool same = data.title == content_->data.title && !content_->data.curves.empty();
     content_->data = std::move(data);
+    if (content_->dragged && static_cast<std::size_t>(*content_->dragged) >= content_->data.limits.size())
+        content_->dragged.reset();
     build();
     setTitles(content_->data.title, content_->data.remark, content_->data.x.label(), content_->data.y.label());
     refresh(same);
@@ -221,6 +223,7 @@ void PlotView::applyStyle()
 
 void PlotView::fitRanges()
 {
+    if (content_->dragged) return;  // the ground must not move under the pointer
     const double infinity = std::numeric_limits<double>::infinity();
     double xLow = infinity, xHigh = -infinity, yLow = infinity, yHigh = -infinity;
     const auto widen = [](double& low, double& high, double value) {
@@ -325,6 +328,7 @@ bool PlotView::beginDrag(const QPointF& place)
 
 void PlotView::continueDrag(double x, double y)
 {
+    if (!content_->dragged) return;  // gone: new data came without it
     PlotLimit& limit = content_->data.limits[static_cast<std::size_t>(*content_->dragged)];
     limit.value = limit.orientation == Qt::Vertical ? x : y;
     placeLimits();
@@ -334,8 +338,10 @@ void PlotView::continueDrag(double x, double y)
 
 void PlotView::endDrag()
 {
+    if (!content_->dragged) return;
     const int index = *content_->dragged;
     content_->dragged.reset();
+    refresh(true);
     emit limitDropped(index, content_->data.limits[static_cast<std::size_t>(index)].value);
 }
 

@@ -25,7 +25,8 @@ struct SceneObject {
     bool visible = true;
 };
 
-/// Where the long axis of the part runs; the standard views lay it level.
+/// Where the long axis of the part runs; the standard views lay it level. Without one they lay the longest extent
+/// level.
 struct SceneAxis {
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();

@@ -56,7 +56,9 @@ struct SceneView::Parts {
     bool coarse = false;  ///< too slow even with the fewest points: half the resolution while moving
     Speed speed;
 
-    Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : Eigen::Vector3d::UnitX()); }
+    Eigen::Vector3d longest = Eigen::Vector3d::UnitX();  ///< scene axis along which there is most to see
+
+    Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : longest); }
     double aspect() const
     {
         return canvas ? static_cast<double>(std::max(1, canvas->width())) / std::max(1, canvas->height()) : 1;

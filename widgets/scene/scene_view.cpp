@@ -114,6 +114,9 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
         p.actors.clear();
         const SceneBox box = extent(p.objects, Eigen::Matrix3d::Identity());
         p.origin = (box.low + box.high) / 2;
+        Eigen::Index along = 0;
+        (box.high - box.low).maxCoeff(&along);
+        p.longest = Eigen::Vector3d::Unit(along);
         p.aimed = false;
     }
     std::vector<std::unique_ptr<SceneActor>> kept = std::move(p.actors);

@@ -47,6 +47,9 @@ public:
     /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn.
     QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true);
 
+    /// Writes picture() as PNG, whole or not at all. Error FileNotWritable.
+    void savePicture(const QString& path);
+
     /// Seconds of the last frames drawn while moving and at rest, and the points drawn while moving.
     struct Speed {
         double moving_s = 0;
@@ -68,6 +71,7 @@ signals:
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
     void surfacePicked(int object, const lathelier::SurfacePlace& place);  ///< of a mesh
     void limitEdited(double limit_mm);                                     ///< the user wants another colour scale
+    void notWritten(const QString& path);                                  ///< the system refused to write this file
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -89,6 +93,7 @@ private:
     void shareBudget();
     void shareDetail();
     void pick(const QPoint& place);
+    void showMenu(const QPoint& place);
 
     std::unique_ptr<Parts> parts_;
 };

@@ -1,9 +1,16 @@
 // How a SceneView looks: what lies over the picture, its colours, and the picture for a report.
+#include <QApplication>
+#include <QBuffer>
+#include <QClipboard>
 #include <QEvent>
+#include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <cmath>
 
+#include "engine/core/error.h"
+#include "engine/io/file.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/scene/scene_parts.h"
 
@@ -104,6 +111,34 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     p.aim(before);
     render();
     return image;
+}
+
+void SceneView::savePicture(const QString& path)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture().save(&buffer, "PNG");
+    writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+void SceneView::showMenu(const QPoint& place)
+{
+    QMenu menu(this);
+    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
+    menu.addAction(tr("Save picture…"), this, [this] {
+        const QString path =
+            QFileDialog::getSaveFileName(this, tr("Save picture"), tr("3-D view") + ".png", tr("Picture (*.png)"));
+        if (path.isEmpty()) return;
+        try {
+            savePicture(path);
+        } catch (const Error&) {
+            emit notWritten(path);
+        }
+    });
+    menu.addSeparator();
+    menu.addAction(tr("Show all"), this, [this] { setViewpoint(SceneViewpoint::Oblique); });
+    menu.exec(parts_->canvas->mapToGlobal(place));
 }
 
 }  // namespace lathelier

@@ -1,6 +1,7 @@
 // SceneView while it is moved: mouse and keys, thinning, frame times, picking.
 #include <vtkCamera.h>
 
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <cmath>
 
@@ -185,12 +186,18 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
             p.pressedAt.reset();
             p.dragging = false;
             if (still && mouse->button() == Qt::LeftButton) pick(mouse->pos());
+            if (still && mouse->button() == Qt::RightButton) showMenu(mouse->pos());  // moved: it has zoomed
             return true;
         }
         case QEvent::MouseButtonDblClick: setViewpoint(SceneViewpoint::Oblique); return true;
         case QEvent::Wheel:
             zoom(std::pow(zoomOverNotch, static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0));
             return true;
+        case QEvent::ContextMenu: {
+            auto* menu = static_cast<QContextMenuEvent*>(event);
+            if (menu->reason() != QContextMenuEvent::Mouse) showMenu(menu->pos());
+            return true;
+        }
         case QEvent::Resize: layOver(); break;
         case QEvent::KeyPress: {
             switch (static_cast<QKeyEvent*>(event)->key()) {

@@ -192,6 +192,14 @@ private slots:
             QApplication::sendEvent(surface, &move);
         }
         QVERIFY(std::abs(histogram->data().limits[0].value + 0.15) < 0.01);  // the other one follows
+        // All views follow while the button is held.
+        QTRY_VERIFY(std::abs(panel_->result()->result->parameters.tolerance_mm.value_or(0) - 0.15) < 0.01);
+        QVERIFY(std::abs(histogram->data().limits[0].value + 0.15) < 0.01);
+        QMouseEvent back(QEvent::MouseMove, (from + to) / 2, Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(surface, &back);
+        QTRY_VERIFY(std::abs(panel_->result()->result->parameters.tolerance_mm.value_or(0) - 0.125) < 0.01);
+        QMouseEvent again(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(surface, &again);
         QTest::mouseRelease(surface, Qt::LeftButton, {}, to);
         settle();
         QVERIFY2(std::abs(*tolerance() - 0.15) < 0.01, qPrintable(QString::number(*tolerance())));

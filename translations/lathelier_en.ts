@@ -1435,6 +1435,306 @@
         <source>median absolute deviation</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The columns cannot be told: found “{found}”, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds deviations only, from {minimum} to {maximum}. State the nominal radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The record is not complete: {partner} is not beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The record contradicts itself ({check}): found {found}, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the points lie in the plane {plane} at {at_mm} mm; read as a profile in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {coordinate} runs from {from_mm} to {to_mm} mm; all points were read as one section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the columns have no names; read as {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no unit of the angle is stated; read as rad because it runs over {extent}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no angles are stated; {count} values were spread evenly over one turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: deviations laid on the nominal radius of {radius_mm} mm; the size is not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the file holds radii; the nominal radius of {radius_mm} mm is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no unit of the time is stated; read as seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} time steps differ from {step_s} s, the first at line {line}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the times are written too coarsely; {rate_hz} frames a second were used instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: neither times nor a rate are stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} samples of {channel} are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no unit of {channel} is stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the stated converter rate of {stated_kHz} kHz does not fit {channels} channels; {used_kHz} kHz was used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the stated delay of {stated_ms} ms does not fit the rates; {used_ms} ms from channel to channel was used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {code} converter codes of {device} were read as {volts} V.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the recorder {device} is not known; the values are converter codes. State the full scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the recording has {count} segments; there may be gaps between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value, for a decision with uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest cylindricity deviation CYLt allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With uncertainty (ISO 14253-1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simple compares the value alone; the other passes or fails only what is sure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One standard deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size of the .dat file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full-scale code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converter code of the full-scale voltage at gain 1; by default the recorder&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full-scale voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltage of the full-scale code at gain 1; by default the recorder&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number of channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 32</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 to 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>active channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples = frames × channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames, stated twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total time = frames / rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>converter rate ≥ rate × channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another signature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the .par file of an L-Graph record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size of the .par file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rate per channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a probe record as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>displacements in units of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns named X3, Y3, Xp and Yp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most 10000 sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one z for a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a later time than in the row before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no column of signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channels such as marker_V, X3_um</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns named x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns named angle and r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns named x and y, or angle and r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a probe record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a profile: x and y, or angle and r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names, or to be told whether they are x,y or angle,radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a profile as text: x and y, or angle and r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one unit for all coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y, or x, y and z in a coordinate plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle, radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the columns of a profile without names hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius that the deviations are laid on, when a file holds nothing but deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -2366,6 +2666,26 @@ All other views work.</source>
     </message>
     <message>
         <source>3-D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1435,6 +1435,306 @@
         <source>median absolute deviation</source>
         <translation>mediana odchyleń bezwzględnych</translation>
     </message>
+    <message>
+        <source>The columns cannot be told: found “{found}”, expected {expected}.</source>
+        <translation>Nie można rozpoznać kolumn: znaleziono „{found}”, oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The file holds deviations only, from {minimum} to {maximum}. State the nominal radius.</source>
+        <translation>Plik zawiera same odchyłki, od {minimum} do {maximum}. Podaj promień nominalny.</translation>
+    </message>
+    <message>
+        <source>The record is not complete: {partner} is not beside it.</source>
+        <translation>Zapis jest niepełny: obok nie ma pliku {partner}.</translation>
+    </message>
+    <message>
+        <source>The record contradicts itself ({check}): found {found}, expected {expected}.</source>
+        <translation>Zapis jest wewnętrznie sprzeczny ({check}): znaleziono {found}, oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>{path}: the points lie in the plane {plane} at {at_mm} mm; read as a profile in it.</source>
+        <translation>{path}: punkty leżą w płaszczyźnie {plane} na {at_mm} mm; odczytano jako profil w niej.</translation>
+    </message>
+    <message>
+        <source>{path}: {coordinate} runs from {from_mm} to {to_mm} mm; all points were read as one section.</source>
+        <translation>{path}: {coordinate} biegnie od {from_mm} do {to_mm} mm; wszystkie punkty odczytano jako jeden przekrój.</translation>
+    </message>
+    <message>
+        <source>{path}: the columns have no names; read as {columns}.</source>
+        <translation>{path}: kolumny nie mają nazw; odczytano jako {columns}.</translation>
+    </message>
+    <message>
+        <source>{path}: no unit of the angle is stated; read as rad because it runs over {extent}.</source>
+        <translation>{path}: nie podano jednostki kąta; odczytano jako rad, bo obejmuje {extent}.</translation>
+    </message>
+    <message>
+        <source>{path}: no angles are stated; {count} values were spread evenly over one turn.</source>
+        <translation>{path}: nie podano kątów; wartości rozłożono równo na jednym obrocie, ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: deviations laid on the nominal radius of {radius_mm} mm; the size is not measured.</source>
+        <translation>{path}: odchyłki odłożono na promieniu nominalnym {radius_mm} mm; wymiar nie jest zmierzony.</translation>
+    </message>
+    <message>
+        <source>{path}: the file holds radii; the nominal radius of {radius_mm} mm is not used.</source>
+        <translation>{path}: plik zawiera promienie; promień nominalny {radius_mm} mm nie jest użyty.</translation>
+    </message>
+    <message>
+        <source>{path}: no unit of the time is stated; read as seconds.</source>
+        <translation>{path}: nie podano jednostki czasu; odczytano jako sekundy.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} time steps differ from {step_s} s, the first at line {line}.</source>
+        <translation>{path}: kroki czasu inne niż {step_s} s: {count}, pierwszy w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>{path}: the times are written too coarsely; {rate_hz} frames a second were used instead.</source>
+        <translation>{path}: czasy zapisano zbyt zgrubnie; zamiast nich przyjęto {rate_hz} ramek na sekundę.</translation>
+    </message>
+    <message>
+        <source>{path}: neither times nor a rate are stated.</source>
+        <translation>{path}: nie podano ani czasów, ani częstości próbkowania.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} samples of {channel} are missing.</source>
+        <translation>{path}: brakujące próbki kanału {channel}: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: no unit of {channel} is stated.</source>
+        <translation>{path}: nie podano jednostki kanału {channel}.</translation>
+    </message>
+    <message>
+        <source>{path}: the stated converter rate of {stated_kHz} kHz does not fit {channels} channels; {used_kHz} kHz was used.</source>
+        <translation>{path}: podana częstość przetwornika {stated_kHz} kHz nie pasuje do liczby kanałów {channels}; przyjęto {used_kHz} kHz.</translation>
+    </message>
+    <message>
+        <source>{path}: the stated delay of {stated_ms} ms does not fit the rates; {used_ms} ms from channel to channel was used.</source>
+        <translation>{path}: podane opóźnienie {stated_ms} ms nie pasuje do częstości; między kanałami przyjęto {used_ms} ms.</translation>
+    </message>
+    <message>
+        <source>{path}: {code} converter codes of {device} were read as {volts} V.</source>
+        <translation>{path}: kod przetwornika {code} urządzenia {device} odczytano jako {volts} V.</translation>
+    </message>
+    <message>
+        <source>{path}: the recorder {device} is not known; the values are converter codes. State the full scale.</source>
+        <translation>{path}: rejestrator {device} nie jest znany; wartości są kodami przetwornika. Podaj pełny zakres.</translation>
+    </message>
+    <message>
+        <source>{path}: the recording has {count} segments; there may be gaps between them.</source>
+        <translation>{path}: zapis ma segmenty w liczbie {count}; między nimi mogą być przerwy.</translation>
+    </message>
+    <message>
+        <source>a value, for a decision with uncertainty</source>
+        <translation>wartość, dla decyzji z niepewnością</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancja</translation>
+    </message>
+    <message>
+        <source>Largest cylindricity deviation CYLt allowed.</source>
+        <translation>Największa dopuszczalna odchyłka walcowości CYLt.</translation>
+    </message>
+    <message>
+        <source>Simple</source>
+        <translation>Prosta</translation>
+    </message>
+    <message>
+        <source>With uncertainty (ISO 14253-1)</source>
+        <translation>Z niepewnością (ISO 14253-1)</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Reguła decyzyjna</translation>
+    </message>
+    <message>
+        <source>Simple compares the value alone; the other passes or fails only what is sure.</source>
+        <translation>Prosta porównuje samą wartość; druga uznaje lub odrzuca tylko to, co pewne.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of a point</source>
+        <translation>Niepewność punktu</translation>
+    </message>
+    <message>
+        <source>One standard deviation.</source>
+        <translation>Jedno odchylenie standardowe.</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>ramki</translation>
+    </message>
+    <message>
+        <source>size of the .dat file</source>
+        <translation>wielkość pliku .dat</translation>
+    </message>
+    <message>
+        <source>Full-scale code</source>
+        <translation>Kod pełnego zakresu</translation>
+    </message>
+    <message>
+        <source>Converter code of the full-scale voltage at gain 1; by default the recorder&apos;s own.</source>
+        <translation>Kod przetwornika odpowiadający napięciu pełnego zakresu przy wzmocnieniu 1; domyślnie właściwy dla rejestratora.</translation>
+    </message>
+    <message>
+        <source>Full-scale voltage</source>
+        <translation>Napięcie pełnego zakresu</translation>
+    </message>
+    <message>
+        <source>Voltage of the full-scale code at gain 1; by default the recorder&apos;s own.</source>
+        <translation>Napięcie odpowiadające kodowi pełnego zakresu przy wzmocnieniu 1; domyślnie właściwe dla rejestratora.</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>liczba większa od 0</translation>
+    </message>
+    <message>
+        <source>number of channels</source>
+        <translation>liczba kanałów</translation>
+    </message>
+    <message>
+        <source>1 to 32</source>
+        <translation>od 1 do 32</translation>
+    </message>
+    <message>
+        <source>gain code</source>
+        <translation>kod wzmocnienia</translation>
+    </message>
+    <message>
+        <source>0 to 3</source>
+        <translation>od 0 do 3</translation>
+    </message>
+    <message>
+        <source>active channels</source>
+        <translation>czynne kanały</translation>
+    </message>
+    <message>
+        <source>samples = frames × channels</source>
+        <translation>próbki = ramki × kanały</translation>
+    </message>
+    <message>
+        <source>frames, stated twice</source>
+        <translation>ramki, podane dwukrotnie</translation>
+    </message>
+    <message>
+        <source>total time = frames / rate</source>
+        <translation>czas całkowity = ramki / częstość</translation>
+    </message>
+    <message>
+        <source>converter rate ≥ rate × channels</source>
+        <translation>częstość przetwornika ≥ częstość × kanały</translation>
+    </message>
+    <message>
+        <source>another signature</source>
+        <translation>inna sygnatura</translation>
+    </message>
+    <message>
+        <source>the .par file of an L-Graph record</source>
+        <translation>plik .par zapisu L-Graph</translation>
+    </message>
+    <message>
+        <source>size of the .par file</source>
+        <translation>wielkość pliku .par</translation>
+    </message>
+    <message>
+        <source>rate per channel</source>
+        <translation>częstość na kanał</translation>
+    </message>
+    <message>
+        <source>total time</source>
+        <translation>czas całkowity</translation>
+    </message>
+    <message>
+        <source>a probe record as text</source>
+        <translation>zapis czujników jako tekst</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>współrzędne</translation>
+    </message>
+    <message>
+        <source>displacements in units of length</source>
+        <translation>przemieszczenia w jednostkach długości</translation>
+    </message>
+    <message>
+        <source>columns named X3, Y3, Xp and Yp</source>
+        <translation>kolumny o nazwach X3, Y3, Xp i Yp</translation>
+    </message>
+    <message>
+        <source>the number of a section</source>
+        <translation>numer przekroju</translation>
+    </message>
+    <message>
+        <source>at most 10000 sections</source>
+        <translation>najwyżej 10000 przekrojów</translation>
+    </message>
+    <message>
+        <source>one z for a section</source>
+        <translation>jedno z dla przekroju</translation>
+    </message>
+    <message>
+        <source>a later time than in the row before</source>
+        <translation>czas późniejszy niż w poprzednim wierszu</translation>
+    </message>
+    <message>
+        <source>no column of signals</source>
+        <translation>brak kolumny sygnałów</translation>
+    </message>
+    <message>
+        <source>channels such as marker_V, X3_um</source>
+        <translation>kanały takie jak marker_V, X3_um</translation>
+    </message>
+    <message>
+        <source>columns named x and y</source>
+        <translation>kolumny o nazwach x i y</translation>
+    </message>
+    <message>
+        <source>columns named angle and r</source>
+        <translation>kolumny o nazwach angle i r</translation>
+    </message>
+    <message>
+        <source>columns named x and y, or angle and r</source>
+        <translation>kolumny o nazwach x i y albo angle i r</translation>
+    </message>
+    <message>
+        <source>a probe record</source>
+        <translation>zapis czujników</translation>
+    </message>
+    <message>
+        <source>a profile: x and y, or angle and r</source>
+        <translation>profil: x i y albo kąt i r</translation>
+    </message>
+    <message>
+        <source>names, or to be told whether they are x,y or angle,radius</source>
+        <translation>nazwy albo wskazanie, czy są to x,y czy kąt,promień</translation>
+    </message>
+    <message>
+        <source>a profile as text: x and y, or angle and r</source>
+        <translation>profil jako tekst: x i y albo kąt i r</translation>
+    </message>
+    <message>
+        <source>one unit for all coordinates</source>
+        <translation>jedna jednostka wszystkich współrzędnych</translation>
+    </message>
+    <message>
+        <source>x and y, or x, y and z in a coordinate plane</source>
+        <translation>x i y albo x, y i z w płaszczyźnie współrzędnych</translation>
+    </message>
+    <message>
+        <source>angle, radius</source>
+        <translation>kąt, promień</translation>
+    </message>
+    <message>
+        <source>What the columns of a profile without names hold.</source>
+        <translation>Co zawierają kolumny profilu bez nazw.</translation>
+    </message>
+    <message>
+        <source>Nominal radius</source>
+        <translation>Promień nominalny</translation>
+    </message>
+    <message>
+        <source>Radius that the deviations are laid on, when a file holds nothing but deviations.</source>
+        <translation>Promień, na którym odkłada się odchyłki, gdy plik zawiera tylko odchyłki.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -2370,6 +2670,26 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>3-D view</source>
         <translation>Widok 3D</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Kopiuj obraz</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Zapisz obraz…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Zapisz obraz</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Obraz (*.png)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Pokaż całość</translation>
     </message>
 </context>
 <context>

@@ -1735,6 +1735,150 @@
         <source>Radius that the deviations are laid on, when a file holds nothing but deviations.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Least-squares circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum-zone circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum inscribed circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum circumscribed circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum zone of scattered points, by enumeration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gap certified for minimum zone and inscribed circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least-squares cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum-zone cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straightness of an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a count and as many points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NIST reference circles, least squares</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transmission of the Gaussian filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a field such as K0001/1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of a characteristic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>characteristics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value before its attribute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as many characteristics as K0100 says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Q-DAS file with K-fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} kinds of reference data refitted: all answers agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{failed} of {count} kinds of reference data miss their answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference data refitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The NIST reference sets were not there; the other sets are built in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NIST reference sets from {path}; the other sets are built in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verification of the installation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each set is fitted anew by this program on this computer. The answers follow from the way the data are made (closed forms), from trying all possible contacts, or are NIST&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NIST sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -1735,6 +1735,150 @@
         <source>Radius that the deviations are laid on, when a file holds nothing but deviations.</source>
         <translation>Promień, na którym odkłada się odchyłki, gdy plik zawiera tylko odchyłki.</translation>
     </message>
+    <message>
+        <source>Least-squares circle</source>
+        <translation>Okrąg najmniejszych kwadratów</translation>
+    </message>
+    <message>
+        <source>Minimum-zone circle</source>
+        <translation>Okręgi najmniejszej strefy</translation>
+    </message>
+    <message>
+        <source>Maximum inscribed circle</source>
+        <translation>Największy okrąg wpisany</translation>
+    </message>
+    <message>
+        <source>Minimum circumscribed circle</source>
+        <translation>Najmniejszy okrąg opisany</translation>
+    </message>
+    <message>
+        <source>Minimum zone of scattered points, by enumeration</source>
+        <translation>Najmniejsza strefa punktów rozproszonych, przez wyliczenie</translation>
+    </message>
+    <message>
+        <source>Gap certified for minimum zone and inscribed circle</source>
+        <translation>Potwierdzona dokładność najmniejszej strefy i okręgu wpisanego</translation>
+    </message>
+    <message>
+        <source>Least-squares cylinder</source>
+        <translation>Walec najmniejszych kwadratów</translation>
+    </message>
+    <message>
+        <source>Minimum-zone cylinder</source>
+        <translation>Walce najmniejszej strefy</translation>
+    </message>
+    <message>
+        <source>Straightness of an axis</source>
+        <translation>Prostoliniowość osi</translation>
+    </message>
+    <message>
+        <source>a count and as many points</source>
+        <translation>liczba i tyle punktów</translation>
+    </message>
+    <message>
+        <source>NIST reference circles, least squares</source>
+        <translation>Okręgi wzorcowe NIST, najmniejsze kwadraty</translation>
+    </message>
+    <message>
+        <source>Transmission of the Gaussian filter</source>
+        <translation>Przenoszenie filtru Gaussa</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmoniczne</translation>
+    </message>
+    <message>
+        <source>a field such as K0001/1</source>
+        <translation>pole takie jak K0001/1</translation>
+    </message>
+    <message>
+        <source>the number of a characteristic</source>
+        <translation>numer cechy</translation>
+    </message>
+    <message>
+        <source>characteristics</source>
+        <translation>cechy</translation>
+    </message>
+    <message>
+        <source>a value before its attribute</source>
+        <translation>wartość przed jej atrybutem</translation>
+    </message>
+    <message>
+        <source>as many characteristics as K0100 says</source>
+        <translation>tyle cech, ile podaje K0100</translation>
+    </message>
+    <message>
+        <source>a Q-DAS file with K-fields</source>
+        <translation>plik Q-DAS z polami K</translation>
+    </message>
+    <message>
+        <source>{count} kinds of reference data refitted: all answers agree</source>
+        <translation>Dopasowano ponownie rodzaje danych wzorcowych: {count}; wszystkie wyniki zgodne</translation>
+    </message>
+    <message>
+        <source>{failed} of {count} kinds of reference data miss their answers</source>
+        <translation>Rodzaje danych wzorcowych z wynikiem niezgodnym: {failed} z {count}</translation>
+    </message>
+    <message>
+        <source>Reference data refitted</source>
+        <translation>Dane wzorcowe dopasowane ponownie</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>rodzaj</translation>
+    </message>
+    <message>
+        <source>sets</source>
+        <translation>zbiory</translation>
+    </message>
+    <message>
+        <source>largest deviation</source>
+        <translation>największa odchyłka</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>granica</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>orzeczenie</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>zgodny</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>niezgodny</translation>
+    </message>
+    <message>
+        <source>The NIST reference sets were not there; the other sets are built in.</source>
+        <translation>Zbiorów wzorcowych NIST nie było; pozostałe są wbudowane.</translation>
+    </message>
+    <message>
+        <source>NIST reference sets from {path}; the other sets are built in.</source>
+        <translation>Zbiory wzorcowe NIST z {path}; pozostałe są wbudowane.</translation>
+    </message>
+    <message>
+        <source>Verification of the installation</source>
+        <translation>Sprawdzenie instalacji</translation>
+    </message>
+    <message>
+        <source>Each set is fitted anew by this program on this computer. The answers follow from the way the data are made (closed forms), from trying all possible contacts, or are NIST&apos;s.</source>
+        <translation>Każdy zbiór jest dopasowywany od nowa tym programem na tym komputerze. Wyniki wzorcowe wynikają ze sposobu utworzenia danych (wzory zamknięte), ze sprawdzenia wszystkich możliwych styków albo pochodzą z NIST.</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Sprawdzanie</translation>
+    </message>
+    <message>
+        <source>NIST sets</source>
+        <translation>Zbiory NIST</translation>
+    </message>
+    <message>
+        <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
+        <translation>Folder ze zbiorami okręgów NIST (.ds, .fit); domyślnie ../shared/data, jeśli istnieje.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

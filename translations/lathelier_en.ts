@@ -1879,6 +1879,614 @@
         <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{points} points a turn are too few for {cutoff_upr} UPR by the rule of 7 points a wave; they carry {supported_upr} UPR. The answer is given all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} gaps in the profile, the largest of {largest_deg}°: beside them filter and harmonics rest on the points that are there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points are unevenly spread over the turn; filter and harmonics take that into account.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} points lie where others do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} outliers were left out (Hampel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} points in the excluded sectors were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another centre gives the same minimum zone: RONt is sure, the centre is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another centre holds an equal maximum inscribed circle; RONt(MICI) depends on which is taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{circle} is proved to {gap_um} µm only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few points to tell their noise from the form; state the uncertainty of a point for an uncertainty of the result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile holds deviations from a nominal radius: form is measured, size is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The form does not determine the angle between the profiles; several rotations fit as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>eccentricity: how the part sat on the measuring axis; no form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oval: clamping between two jaws, an oval spindle bearing, or an oval blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three lobes: the clamping force of a three-jaw chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>four lobes: the clamping force of a four-jaw chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>five lobes: centreless ground bar stock, or a five-pad clamping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six lobes: a six-jaw chuck, or three jaws that press on pairs of spots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several lobes: spindle bearing, its balls or rollers, or the drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waves: vibration of workpiece or tool at a multiple of the spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>short waves: chatter, or the trace of the tool&apos;s feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UPR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter cut-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian filter: waves up to so many undulations per revolution pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian filter: waves between these undulations per revolution pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Excluded sectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyways and interruptions, as angles seen from the centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out (Hampel)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that stand out of their neighbours by more than 5 standard deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least squares (LSCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum zone (MZCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum inscribed (MICI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum circumscribed (MCCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The circle of the headline and the verdict; all four are reported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest roundness deviation RONt allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One standard deviation; by default found from the profile&apos;s own noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either a cut-off or a band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one band such as 15:500</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylindricity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straightness of the axis of the sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius (least squares)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not decided at {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 12180: CYLt is the largest minus the smallest distance of the points from the axis of the reference cylinder. The minimum zone is locally optimal, found from several starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact point, outer circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact point, inner circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 division = {step} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations magnified {times} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base circle: radius {radius} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roundness profile and reference circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harmonics of the unfiltered profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undulations per revolution (UPR)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RONt by method: how much of the value is the method?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LSCI (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MZCI (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MICI (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MCCI (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undersampled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strongest harmonics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the form (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it usually is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares (LSCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum zone (MZCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maximum inscribed (MICI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum circumscribed (MCCI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roundness deviation by reference circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RONt (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre x (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre y (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inner radius (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outer radius (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proved to (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the least-squares circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to reference RONp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference to valley RONv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root mean square RONq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 14253-1: only what is sure passes or fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simple: the value alone is compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sizes across the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point size, largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point size, smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point size range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of it: ovality by GOST 24642</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width between jaws, largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width between jaws, smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the source paper, about the origin of the coordinates; not roundness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radial run-out about the spindle axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre by the limaçon formula, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre by the limaçon formula, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U, k = 2 (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the form consists of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty is twice the root mean square by which the noise of the points changes the value, filtered and fitted anew (Monte Carlo). The table shows what other methods would say of the same points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ within tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ out of tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not decided: too near the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not decided: {tolerance} µm is within the uncertainty of {uncertainty} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{upr} UPR, {amplitude} µm: {meaning}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 12181: RONt is the largest minus the smallest distance of the profile from the centre of the reference circle. Filter: Gaussian, ISO 16610-21. The minimum zone and the inscribed circle are proved by branch and bound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second profile laid on the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root mean square difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation of the forms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shifted by, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shifted by, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius larger by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest difference {largest} µm · mean {mean} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Superimposed profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no filter beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one profile to lay the other on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evaluating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evaluate the points as they are; this is the default.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Superimpose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the profile of this file on the one given: rotation and centre fitted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Superimpose also the other way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

@@ -1879,6 +1879,614 @@
         <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
         <translation>Folder ze zbiorami okręgów NIST (.ds, .fit); domyślnie ../shared/data, jeśli istnieje.</translation>
     </message>
+    <message>
+        <source>{points} points a turn are too few for {cutoff_upr} UPR by the rule of 7 points a wave; they carry {supported_upr} UPR. The answer is given all the same.</source>
+        <translation>Punktów na obrót ({points}) jest za mało dla {cutoff_upr} UPR według reguły 7 punktów na falę; wystarczą dla {supported_upr} UPR. Wynik mimo to podano.</translation>
+    </message>
+    <message>
+        <source>{count} gaps in the profile, the largest of {largest_deg}°: beside them filter and harmonics rest on the points that are there.</source>
+        <translation>Luki w profilu: {count}, największa {largest_deg}°; przy nich filtr i harmoniczne opierają się na punktach, które są.</translation>
+    </message>
+    <message>
+        <source>The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little.</source>
+        <translation>Punkty pomijają {missing_deg}° obrotu: to okrągłość łuku, a harmoniczne mówią niewiele.</translation>
+    </message>
+    <message>
+        <source>The points are unevenly spread over the turn; filter and harmonics take that into account.</source>
+        <translation>Punkty są rozłożone nierówno na obrocie; filtr i harmoniczne to uwzględniają.</translation>
+    </message>
+    <message>
+        <source>{count} points lie where others do.</source>
+        <translation>Punkty leżące w miejscu innych: {count}.</translation>
+    </message>
+    <message>
+        <source>{count} outliers were left out (Hampel).</source>
+        <translation>Pominięto punkty odstające (Hampel); ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{count} points in the excluded sectors were left out.</source>
+        <translation>Pominięto punkty w wyłączonych sektorach; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>Another centre gives the same minimum zone: RONt is sure, the centre is not.</source>
+        <translation>Inny środek daje tę samą najmniejszą strefę: RONt jest pewne, środek nie.</translation>
+    </message>
+    <message>
+        <source>Another centre holds an equal maximum inscribed circle; RONt(MICI) depends on which is taken.</source>
+        <translation>Inny środek ma równy największy okrąg wpisany; RONt(MICI) zależy od wyboru.</translation>
+    </message>
+    <message>
+        <source>{circle} is proved to {gap_um} µm only.</source>
+        <translation>{circle}: potwierdzono tylko z dokładnością {gap_um} µm.</translation>
+    </message>
+    <message>
+        <source>Too few points to tell their noise from the form; state the uncertainty of a point for an uncertainty of the result.</source>
+        <translation>Za mało punktów, by odróżnić ich szum od kształtu; podaj niepewność punktu, aby otrzymać niepewność wyniku.</translation>
+    </message>
+    <message>
+        <source>The profile holds deviations from a nominal radius: form is measured, size is not.</source>
+        <translation>Profil zawiera odchyłki od promienia nominalnego: kształt jest zmierzony, wymiar nie.</translation>
+    </message>
+    <message>
+        <source>The form does not determine the angle between the profiles; several rotations fit as well.</source>
+        <translation>Kształt nie wyznacza kąta między profilami; kilka obrotów pasuje równie dobrze.</translation>
+    </message>
+    <message>
+        <source>eccentricity: how the part sat on the measuring axis; no form</source>
+        <translation>mimośród: ustawienie części względem osi pomiaru; to nie kształt</translation>
+    </message>
+    <message>
+        <source>oval: clamping between two jaws, an oval spindle bearing, or an oval blank</source>
+        <translation>owal: mocowanie w dwóch szczękach, owalne łożysko wrzeciona albo owalny półfabrykat</translation>
+    </message>
+    <message>
+        <source>three lobes: the clamping force of a three-jaw chuck</source>
+        <translation>trójgraniastość: siła mocowania uchwytu trójszczękowego</translation>
+    </message>
+    <message>
+        <source>four lobes: the clamping force of a four-jaw chuck</source>
+        <translation>czterograniastość: siła mocowania uchwytu czteroszczękowego</translation>
+    </message>
+    <message>
+        <source>five lobes: centreless ground bar stock, or a five-pad clamping</source>
+        <translation>pięciograniastość: pręt szlifowany bezkłowo albo mocowanie w pięciu punktach</translation>
+    </message>
+    <message>
+        <source>six lobes: a six-jaw chuck, or three jaws that press on pairs of spots</source>
+        <translation>sześciograniastość: uchwyt sześcioszczękowy albo trzy szczęki naciskające w parach punktów</translation>
+    </message>
+    <message>
+        <source>several lobes: spindle bearing, its balls or rollers, or the drive</source>
+        <translation>kilka garbów: łożysko wrzeciona, jego kulki lub wałeczki albo napęd</translation>
+    </message>
+    <message>
+        <source>waves: vibration of workpiece or tool at a multiple of the spindle speed</source>
+        <translation>fale: drgania przedmiotu lub narzędzia o krotności prędkości wrzeciona</translation>
+    </message>
+    <message>
+        <source>short waves: chatter, or the trace of the tool&apos;s feed</source>
+        <translation>krótkie fale: drgania samowzbudne albo ślad posuwu narzędzia</translation>
+    </message>
+    <message>
+        <source>UPR</source>
+        <translation>UPR</translation>
+    </message>
+    <message>
+        <source>Filter cut-off</source>
+        <translation>Granica filtru</translation>
+    </message>
+    <message>
+        <source>Gaussian filter: waves up to so many undulations per revolution pass.</source>
+        <translation>Filtr Gaussa: przechodzą fale do tylu na obrót.</translation>
+    </message>
+    <message>
+        <source>Filter band</source>
+        <translation>Pasmo filtru</translation>
+    </message>
+    <message>
+        <source>Gaussian filter: waves between these undulations per revolution pass.</source>
+        <translation>Filtr Gaussa: przechodzą fale między tymi liczbami na obrót.</translation>
+    </message>
+    <message>
+        <source>Excluded sectors</source>
+        <translation>Wyłączone sektory</translation>
+    </message>
+    <message>
+        <source>Keyways and interruptions, as angles seen from the centre.</source>
+        <translation>Rowki wpustowe i przerwy, jako kąty widziane ze środka.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Zachowaj</translation>
+    </message>
+    <message>
+        <source>Leave out (Hampel)</source>
+        <translation>Pomiń (Hampel)</translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation>Punkty odstające</translation>
+    </message>
+    <message>
+        <source>Points that stand out of their neighbours by more than 5 standard deviations.</source>
+        <translation>Punkty odstające od sąsiadów o więcej niż 5 odchyleń standardowych.</translation>
+    </message>
+    <message>
+        <source>Least squares (LSCI)</source>
+        <translation>Najmniejsze kwadraty (LSCI)</translation>
+    </message>
+    <message>
+        <source>Minimum zone (MZCI)</source>
+        <translation>Najmniejsza strefa (MZCI)</translation>
+    </message>
+    <message>
+        <source>Maximum inscribed (MICI)</source>
+        <translation>Największy wpisany (MICI)</translation>
+    </message>
+    <message>
+        <source>Minimum circumscribed (MCCI)</source>
+        <translation>Najmniejszy opisany (MCCI)</translation>
+    </message>
+    <message>
+        <source>Reference circle</source>
+        <translation>Okrąg odniesienia</translation>
+    </message>
+    <message>
+        <source>The circle of the headline and the verdict; all four are reported.</source>
+        <translation>Okrąg nagłówka i orzeczenia; raport podaje wszystkie cztery.</translation>
+    </message>
+    <message>
+        <source>Largest roundness deviation RONt allowed.</source>
+        <translation>Największa dopuszczalna odchyłka okrągłości RONt.</translation>
+    </message>
+    <message>
+        <source>One standard deviation; by default found from the profile&apos;s own noise.</source>
+        <translation>Jedno odchylenie standardowe; domyślnie wyznaczane z szumu samego profilu.</translation>
+    </message>
+    <message>
+        <source>either a cut-off or a band</source>
+        <translation>albo granica, albo pasmo</translation>
+    </message>
+    <message>
+        <source>one band such as 15:500</source>
+        <translation>jedno pasmo takie jak 15:500</translation>
+    </message>
+    <message>
+        <source>Cylindricity</source>
+        <translation>Walcowość</translation>
+    </message>
+    <message>
+        <source>Straightness of the axis of the sections</source>
+        <translation>Prostoliniowość osi przekrojów</translation>
+    </message>
+    <message>
+        <source>Radius (least squares)</source>
+        <translation>Promień (najmniejsze kwadraty)</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Długość</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Osie</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>walec</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>within {tolerance} µm</source>
+        <translation>w granicach {tolerance} µm</translation>
+    </message>
+    <message>
+        <source>above {tolerance} µm</source>
+        <translation>powyżej {tolerance} µm</translation>
+    </message>
+    <message>
+        <source>? not decided at {tolerance} µm</source>
+        <translation>? nierozstrzygnięte przy {tolerance} µm</translation>
+    </message>
+    <message>
+        <source>ISO 12180: CYLt is the largest minus the smallest distance of the points from the axis of the reference cylinder. The minimum zone is locally optimal, found from several starts.</source>
+        <translation>ISO 12180: CYLt to największa minus najmniejsza odległość punktów od osi walca odniesienia. Najmniejsza strefa jest lokalnie optymalna, znaleziona z kilku punktów startowych.</translation>
+    </message>
+    <message>
+        <source>contact point, outer circle</source>
+        <translation>punkt styku, okrąg zewnętrzny</translation>
+    </message>
+    <message>
+        <source>contact point, inner circle</source>
+        <translation>punkt styku, okrąg wewnętrzny</translation>
+    </message>
+    <message>
+        <source>1 division = {step} µm</source>
+        <translation>1 działka = {step} µm</translation>
+    </message>
+    <message>
+        <source>Deviations magnified {times} times</source>
+        <translation>Odchyłki powiększone {times} razy</translation>
+    </message>
+    <message>
+        <source>Base circle: radius {radius} mm</source>
+        <translation>Okrąg bazowy: promień {radius} mm</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>profil</translation>
+    </message>
+    <message>
+        <source>Roundness profile and reference circles</source>
+        <translation>Profil okrągłości i okręgi odniesienia</translation>
+    </message>
+    <message>
+        <source>Harmonics of the unfiltered profile</source>
+        <translation>Harmoniczne profilu niefiltrowanego</translation>
+    </message>
+    <message>
+        <source>Undulations per revolution (UPR)</source>
+        <translation>Liczba fal na obrót (UPR)</translation>
+    </message>
+    <message>
+        <source>Amplitude (µm)</source>
+        <translation>Amplituda (µm)</translation>
+    </message>
+    <message>
+        <source>cut-off</source>
+        <translation>granica</translation>
+    </message>
+    <message>
+        <source>RONt by method: how much of the value is the method?</source>
+        <translation>RONt według metody: ile wartości to metoda?</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>filtr</translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation>punkty odstające</translation>
+    </message>
+    <message>
+        <source>LSCI (µm)</source>
+        <translation>LSCI (µm)</translation>
+    </message>
+    <message>
+        <source>MZCI (µm)</source>
+        <translation>MZCI (µm)</translation>
+    </message>
+    <message>
+        <source>MICI (µm)</source>
+        <translation>MICI (µm)</translation>
+    </message>
+    <message>
+        <source>MCCI (µm)</source>
+        <translation>MCCI (µm)</translation>
+    </message>
+    <message>
+        <source>undersampled</source>
+        <translation>za mało punktów</translation>
+    </message>
+    <message>
+        <source>this result</source>
+        <translation>ten wynik</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>pominięte</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>zachowane</translation>
+    </message>
+    <message>
+        <source>Strongest harmonics</source>
+        <translation>Najsilniejsze harmoniczne</translation>
+    </message>
+    <message>
+        <source>amplitude (µm)</source>
+        <translation>amplituda (µm)</translation>
+    </message>
+    <message>
+        <source>phase (°)</source>
+        <translation>faza (°)</translation>
+    </message>
+    <message>
+        <source>share of the form (%)</source>
+        <translation>udział w kształcie (%)</translation>
+    </message>
+    <message>
+        <source>what it usually is</source>
+        <translation>co to zwykle oznacza</translation>
+    </message>
+    <message>
+        <source>least squares (LSCI)</source>
+        <translation>najmniejsze kwadraty (LSCI)</translation>
+    </message>
+    <message>
+        <source>minimum zone (MZCI)</source>
+        <translation>najmniejsza strefa (MZCI)</translation>
+    </message>
+    <message>
+        <source>maximum inscribed (MICI)</source>
+        <translation>największy wpisany (MICI)</translation>
+    </message>
+    <message>
+        <source>minimum circumscribed (MCCI)</source>
+        <translation>najmniejszy opisany (MCCI)</translation>
+    </message>
+    <message>
+        <source>Roundness deviation by reference circle</source>
+        <translation>Odchyłka okrągłości według okręgu odniesienia</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>okrąg</translation>
+    </message>
+    <message>
+        <source>RONt (µm)</source>
+        <translation>RONt (µm)</translation>
+    </message>
+    <message>
+        <source>centre x (mm)</source>
+        <translation>środek x (mm)</translation>
+    </message>
+    <message>
+        <source>centre y (mm)</source>
+        <translation>środek y (mm)</translation>
+    </message>
+    <message>
+        <source>inner radius (mm)</source>
+        <translation>promień wewnętrzny (mm)</translation>
+    </message>
+    <message>
+        <source>outer radius (mm)</source>
+        <translation>promień zewnętrzny (mm)</translation>
+    </message>
+    <message>
+        <source>proved to (µm)</source>
+        <translation>potwierdzono do (µm)</translation>
+    </message>
+    <message>
+        <source>About the least-squares circle</source>
+        <translation>Względem okręgu najmniejszych kwadratów</translation>
+    </message>
+    <message>
+        <source>Peak to reference RONp</source>
+        <translation>Wzniesienie nad odniesieniem RONp</translation>
+    </message>
+    <message>
+        <source>Reference to valley RONv</source>
+        <translation>Wgłębienie pod odniesieniem RONv</translation>
+    </message>
+    <message>
+        <source>Root mean square RONq</source>
+        <translation>Średnia kwadratowa RONq</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Promień</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty (k = 2)</source>
+        <translation>Niepewność rozszerzona (k = 2)</translation>
+    </message>
+    <message>
+        <source>ISO 14253-1: only what is sure passes or fails</source>
+        <translation>ISO 14253-1: uznaje się lub odrzuca tylko to, co pewne</translation>
+    </message>
+    <message>
+        <source>simple: the value alone is compared</source>
+        <translation>prosta: porównuje się samą wartość</translation>
+    </message>
+    <message>
+        <source>Sizes across the section</source>
+        <translation>Wymiary w przekroju</translation>
+    </message>
+    <message>
+        <source>Two-point size, largest</source>
+        <translation>Wymiar dwupunktowy, największy</translation>
+    </message>
+    <message>
+        <source>Two-point size, smallest</source>
+        <translation>Wymiar dwupunktowy, najmniejszy</translation>
+    </message>
+    <message>
+        <source>Two-point size range</source>
+        <translation>Rozstęp wymiaru dwupunktowego</translation>
+    </message>
+    <message>
+        <source>Half of it: ovality by GOST 24642</source>
+        <translation>Jego połowa: owalność według GOST 24642</translation>
+    </message>
+    <message>
+        <source>Width between jaws, largest</source>
+        <translation>Szerokość między szczękami, największa</translation>
+    </message>
+    <message>
+        <source>Width between jaws, smallest</source>
+        <translation>Szerokość między szczękami, najmniejsza</translation>
+    </message>
+    <message>
+        <source>As in the source paper, about the origin of the coordinates; not roundness</source>
+        <translation>Jak w artykule źródłowym, względem początku układu; to nie okrągłość</translation>
+    </message>
+    <message>
+        <source>Radial run-out about the spindle axis</source>
+        <translation>Bicie promieniowe względem osi wrzeciona</translation>
+    </message>
+    <message>
+        <source>Centre by the limaçon formula, x</source>
+        <translation>Środek ze wzoru na ślimak Pascala, x</translation>
+    </message>
+    <message>
+        <source>Centre by the limaçon formula, y</source>
+        <translation>Środek ze wzoru na ślimak Pascala, y</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Niepewność</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a point</source>
+        <translation>Odchylenie standardowe punktu</translation>
+    </message>
+    <message>
+        <source>All profiles</source>
+        <translation>Wszystkie profile</translation>
+    </message>
+    <message>
+        <source>U, k = 2 (µm)</source>
+        <translation>U, k = 2 (µm)</translation>
+    </message>
+    <message>
+        <source>What the form consists of</source>
+        <translation>Z czego składa się kształt</translation>
+    </message>
+    <message>
+        <source>The uncertainty is twice the root mean square by which the noise of the points changes the value, filtered and fitted anew (Monte Carlo). The table shows what other methods would say of the same points.</source>
+        <translation>Niepewność to dwukrotność średniej kwadratowej zmian, jakie szum punktów wywołuje w wartości po ponownym filtrowaniu i dopasowaniu (Monte Carlo). Tabela pokazuje, co inne metody powiedziałyby o tych samych punktach.</translation>
+    </message>
+    <message>
+        <source>no filter</source>
+        <translation>bez filtru</translation>
+    </message>
+    <message>
+        <source>✓ within tolerance</source>
+        <translation>✓ w tolerancji</translation>
+    </message>
+    <message>
+        <source>✗ out of tolerance</source>
+        <translation>✗ poza tolerancją</translation>
+    </message>
+    <message>
+        <source>? not decided: too near the tolerance</source>
+        <translation>? nierozstrzygnięte: zbyt blisko tolerancji</translation>
+    </message>
+    <message>
+        <source>? not decided: {tolerance} µm is within the uncertainty of {uncertainty} µm</source>
+        <translation>? nierozstrzygnięte: {tolerance} µm leży w granicach niepewności {uncertainty} µm</translation>
+    </message>
+    <message>
+        <source>{upr} UPR, {amplitude} µm: {meaning}.</source>
+        <translation>{upr} UPR, {amplitude} µm: {meaning}.</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Przegląd</translation>
+    </message>
+    <message>
+        <source>ISO 12181: RONt is the largest minus the smallest distance of the profile from the centre of the reference circle. Filter: Gaussian, ISO 16610-21. The minimum zone and the inscribed circle are proved by branch and bound.</source>
+        <translation>ISO 12181: RONt to największa minus najmniejsza odległość profilu od środka okręgu odniesienia. Filtr: Gaussa, ISO 16610-21. Najmniejszą strefę i okrąg wpisany potwierdzono metodą podziału i ograniczeń.</translation>
+    </message>
+    <message>
+        <source>The second profile laid on the first</source>
+        <translation>Drugi profil nałożony na pierwszy</translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation>Największa różnica</translation>
+    </message>
+    <message>
+        <source>Mean difference</source>
+        <translation>Średnia różnica</translation>
+    </message>
+    <message>
+        <source>Root mean square difference</source>
+        <translation>Średnia kwadratowa różnica</translation>
+    </message>
+    <message>
+        <source>Correlation of the forms</source>
+        <translation>Korelacja kształtów</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Obrót o</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Odbicie lustrzane</translation>
+    </message>
+    <message>
+        <source>Shifted by, x</source>
+        <translation>Przesunięcie, x</translation>
+    </message>
+    <message>
+        <source>Shifted by, y</source>
+        <translation>Przesunięcie, y</translation>
+    </message>
+    <message>
+        <source>Radius larger by</source>
+        <translation>Promień większy o</translation>
+    </message>
+    <message>
+        <source>Both profiles</source>
+        <translation>Oba profile</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>Kąt (°)</translation>
+    </message>
+    <message>
+        <source>Deviation (µm)</source>
+        <translation>Odchyłka (µm)</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>pierwszy</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>drugi</translation>
+    </message>
+    <message>
+        <source>largest difference {largest} µm · mean {mean} µm</source>
+        <translation>największa różnica {largest} µm · średnia {mean} µm</translation>
+    </message>
+    <message>
+        <source>Superimposed profiles</source>
+        <translation>Profile nałożone</translation>
+    </message>
+    <message>
+        <source>Fitting cylinders</source>
+        <translation>Dopasowywanie walców</translation>
+    </message>
+    <message>
+        <source>no filter beside it</source>
+        <translation>bez drugiego filtru obok</translation>
+    </message>
+    <message>
+        <source>one profile to lay the other on</source>
+        <translation>jeden profil, na który nakłada się drugi</translation>
+    </message>
+    <message>
+        <source>Evaluating</source>
+        <translation>Obliczanie</translation>
+    </message>
+    <message>
+        <source>No filter</source>
+        <translation>Bez filtru</translation>
+    </message>
+    <message>
+        <source>Evaluate the points as they are; this is the default.</source>
+        <translation>Oceń punkty takie, jakie są; to ustawienie domyślne.</translation>
+    </message>
+    <message>
+        <source>Superimpose</source>
+        <translation>Nałóż</translation>
+    </message>
+    <message>
+        <source>Lay the profile of this file on the one given: rotation and centre fitted.</source>
+        <translation>Nałóż profil z tego pliku na podany: dopasowuje się obrót i środek.</translation>
+    </message>
+    <message>
+        <source>Superimpose also the other way round.</source>
+        <translation>Nałóż także w odbiciu.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>

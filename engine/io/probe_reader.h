@@ -24,7 +24,8 @@ const std::vector<Field<RecorderOptions>>& fields<RecorderOptions>();
 struct ProbeFile {
     std::variant<ProbeRecord, AveragedRecord> record;
     FileFacts facts;  ///< format "probe_csv_raw" | "probe_csv_averaged" | "lgraph_1" | "lgraph_2008" | "lgraph_2";
-                      ///< details: "channels", "frames", "rate_kHz", "duration_s", "device"…
+                      ///< details: "channels", "frames", "rate_kHz", "duration_s", "channel_skew_us", "device"…;
+                      ///< averaged: "sections", "angles"
     Notes notes;
 };
 

@@ -25,7 +25,8 @@ const std::vector<Field<ProfileOptions>>& fields<ProfileOptions>();
 
 struct ProfileFile {
     Profile profile;
-    FileFacts facts;  ///< format "profile_xy" | "profile_polar" | "roundness_trace"; details: "points", "radius_mm"…
+    FileFacts facts;  ///< format "profile_xy" | "profile_polar" | "roundness_trace"; details: "points",
+                      ///< "columns_read" ("x,y", "y,z", "angle,r", "r"), "nominal_radius_mm"
     Values header;    ///< the key=value lines above the table, as written
     Notes notes;
 };
@@ -33,7 +34,11 @@ struct ProfileFile {
 /// Reads CSV and text tables of x,y or angle,radius in mm, µm or inch, and traces of roundness instruments that hold
 /// one deviation a line (uniform angles over one turn). Everything readScan() knows of encodings, delimiters, decimal
 /// marks, units and hostile files holds here too.
-/// Errors as readScan(), and NominalRadiusMissing (deviations only, no radius given), ColumnsUnknown.
+/// Columns: by their names; without names x,y unless the first one runs over one turn. Three coordinates of which one
+/// is as good as constant lie in a coordinate plane (note ProfilePlane). Values at or below zero, or below 0.1 mm or 5
+/// % of the nominal radius, are deviations; the file's own `nominal_radius_mm`, `D_mm`… serves when no radius is given.
+/// Their unit is never guessed. Errors as readScan(), and NominalRadiusMissing (deviations only, no radius given),
+/// ColumnsUnknown.
 ProfileFile readProfile(const std::string& path, const ImportOptions& options = {}, const ProfileOptions& profile = {},
                         const Progress& progress = {});
 

@@ -1,0 +1,31 @@
+// From the values of a table to the points of a profile.
+#pragma once
+
+#include "engine/io/profile_columns.h"
+#include "engine/io/profile_reader.h"
+#include "engine/io/text_table.h"
+
+namespace lathelier {
+
+/// A table on its way to a profile.
+struct RawProfile {
+    ProfileFile file;
+    TableLayout layout;
+    TableRows rows;
+    ProfileColumnChoice choice;
+    std::vector<double> values;  ///< row by row, the chosen columns
+    std::size_t width() const { return choice.columns.size(); }
+    double at(std::size_t row, std::size_t column) const { return values[row * width() + column]; }
+};
+
+/// The unit that the headings of the chosen columns or the header state. Error Malformed for two of them.
+std::optional<LengthScale> statedUnit(const RawProfile& raw);
+
+/// Angles and radii, or values at even angles: settles what they hold and lays the points. Errors UnitUnknown,
+/// NominalRadiusMissing.
+void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, const Progress& progress);
+
+/// Two coordinates, or three of which one lies across the section. Errors UnitUnknown, ColumnsUnknown.
+void layXy(RawProfile& raw, const ImportOptions& import, const Progress& progress);
+
+}  // namespace lathelier

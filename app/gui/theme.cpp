@@ -6,6 +6,7 @@
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <optional>
 
 namespace lathelier {
@@ -58,7 +59,7 @@ void withDisabled(QPalette& palette)
     }
 }
 
-/// Fusion without the dots on what separates docks: they are found by the pointer.
+/// Fusion without the dots on what separates docks (they are found by the pointer), and with check boxes that are seen.
 class CalmStyle : public QProxyStyle {
 public:
     CalmStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -66,7 +67,14 @@ public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override
     {
-        if (element != PE_IndicatorDockWidgetResizeHandle) QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_IndicatorDockWidgetResizeHandle) return;
+        const auto* box = qstyleoption_cast<const QStyleOptionButton*>(option);
+        if (element != PE_IndicatorCheckBox || !box)
+            return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        // Fusion draws the frame darker than the window, which nobody sees on a dark one.
+        QStyleOptionButton framed = *box;
+        framed.palette.setColor(QPalette::Window, box->palette.color(QPalette::PlaceholderText));
+        QProxyStyle::drawPrimitive(element, &framed, painter, widget);
     }
 };
 

@@ -118,7 +118,7 @@ PlotData compareMeridian(const CompareResult& result, double magnification)
     copy.y = shifted(meridian, [&](std::size_t i) { return magnification * deviation(i); });
     copy.readout = meridian.deviation_mm;
     copy.readoutUnit = "mm";
-    copy.colour = red;
+    copy.colour = QColor(214, 39, 40);  // as in the 3-D overlay
     plot.curves.push_back(reference);
     plot.curves.push_back(copy);
     if (const auto& tolerance_mm = result.parameters.tolerance_mm)
@@ -136,7 +136,10 @@ PlotData compareMeridian(const CompareResult& result, double magnification)
         plot.regions.push_back({zone.from, zone.to, CompareCharts::tr("left out"), {}});
 
     // Single bins at shoulders may run over the edge: they would press everything else flat.
-    const double room = 1.3 * magnification * ordinarySize(meridian.deviation_mm, 0.97);
+    double ordinary_mm = 1.3 * ordinarySize(meridian.deviation_mm, 0.97);
+    if (const auto& tolerance_mm = result.parameters.tolerance_mm)  // the band is seen, unless it dwarfs the error
+        ordinary_mm = std::max(ordinary_mm, std::min(1.1 * *tolerance_mm, 4 * ordinary_mm));
+    const double room = magnification * ordinary_mm;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double radius : meridian.reference_radius_mm)
         if (std::isfinite(radius)) {
@@ -185,7 +188,7 @@ PlotData compareHistogram(const CompareResult& result, double limit_mm)
     if (result.has_sign && s.std_mm > 0) {
         PlotCurve normal;
         normal.name = CompareCharts::tr("normal distribution");
-        normal.colour = QColor(90, 90, 90);
+        normal.colour = QColor(128, 128, 128);  // seen on light and dark
         const double width = histogram.edges_mm[1] - histogram.edges_mm[0];
         const double peak = static_cast<double>(s.points_used) * width / (s.std_mm * std::sqrt(2 * std::numbers::pi));
         for (int i = -200; i <= 200; ++i) {

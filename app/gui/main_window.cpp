@@ -221,7 +221,11 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::changeEvent(QEvent* event)
 {
     QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) retranslate();
+    if (event->type() != QEvent::LanguageChange) return;
+    unsetLocale();  // the numbers of all views follow, also in docks that float
+    for (QWidget* part : findChildren<QWidget*>())
+        if (part->isWindow()) part->unsetLocale();
+    retranslate();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

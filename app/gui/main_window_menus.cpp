@@ -2,9 +2,11 @@
 #include <QActionGroup>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoCommand>
 
 #include "app/gui/help_window.h"
 #include "app/gui/main_window.h"
@@ -140,8 +142,15 @@ void MainWindow::updateUndo()
     const QUndoStack& undo = session_.undoStack();
     action("undo")->setEnabled(undo.canUndo());
     action("redo")->setEnabled(undo.canRedo());
-    action("undo")->setText(undo.canUndo() ? tr("&Undo: %1").arg(undo.undoText()) : tr("&Undo"));
-    action("redo")->setText(undo.canRedo() ? tr("&Redo: %1").arg(undo.redoText()) : tr("&Redo"));
+    // A step named in another language goes without its name.
+    const auto named = [&](int step) {
+        const QUndoCommand* command = undo.command(step);
+        return command && command->text() == QLocale().name();
+    };
+    const bool undoNamed = undo.canUndo() && named(undo.index() - 1);
+    const bool redoNamed = undo.canRedo() && named(undo.index());
+    action("undo")->setText(undoNamed ? tr("&Undo: %1").arg(undo.undoText()) : tr("&Undo"));
+    action("redo")->setText(redoNamed ? tr("&Redo: %1").arg(undo.redoText()) : tr("&Redo"));
 }
 
 void MainWindow::retranslate()

@@ -203,6 +203,32 @@ private slots:
         QCOMPARE(screenNumber(1.5, 2), QString("1.50"));
     }
 
+    void nothingOfTheOldLanguageStays()
+    {
+        const auto widen = [&](double value) {
+            session_->edit("Widen",
+                           [&](Project& project) { set(project.panels["one"].parameters, "factor_mm", value); });
+        };
+        const auto words = [&](const char* name) { return window_->action(name)->text().remove('&'); };
+        widen(3);
+        QCOMPARE(words("undo"), QString("Undo: Widen"));
+        window_->applySettings({"pl", 2, 150});
+        QTRY_COMPARE(words("undo"), QString("Cofnij"));  // not "Cofnij: Widen"
+        for (const QWidget* widget : window_->findChildren<QWidget*>())
+            QVERIFY2(widget->locale().decimalPoint() == ',', qPrintable(widget->objectName()));
+        widen(4);
+        QVERIFY(words("undo").endsWith(": Widen"));
+        session_->undoStack().undo();
+        QCOMPARE(words("undo"), QString("Cofnij"));
+        QVERIFY(words("redo").endsWith(": Widen"));
+        session_->undoStack().undo();
+        QCOMPARE(words("redo"), QString("Ponów"));
+        widen(5);
+        QVERIFY(words("undo").endsWith(": Widen"));
+        window_->applySettings({"en", 2, 150});
+        QTRY_COMPARE(words("undo"), QString("Undo"));
+    }
+
     void presenterModeIsLargerAndBack()
     {
         const double before = QApplication::font().pointSizeF();

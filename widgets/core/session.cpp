@@ -1,5 +1,6 @@
 #include "widgets/core/session.h"
 
+#include <QLocale>
 #include <QUndoCommand>
 #include <utility>
 
@@ -9,7 +10,7 @@ namespace lathelier {
 class Session::Edit : public QUndoCommand {
 public:
     Edit(Session& session, const QString& text, Project before, Project after, QString mergeKey)
-        : QUndoCommand(text),
+        : QUndoCommand(QLocale().name() + "\n" + text),  // "\n" parts what a list would show from the menu's text
           session_(session),
           before_(std::move(before)),
           after_(std::move(after)),

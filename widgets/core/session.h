@@ -28,6 +28,7 @@ public:
     /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
     void setWorkspace(const std::string& id);
 
+    /// Each step's undo text is that of edit(); its text() is the locale that was spoken then.
     QUndoStack& undoStack() { return undo_; }
     bool isModified() const { return !undo_.isClean(); }
 

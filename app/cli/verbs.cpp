@@ -5,8 +5,8 @@ namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
 {
-    static const std::vector<Verb> all{sampleVerb(),    inspectVerb(),      compareVerb(),
-                                       roundnessVerb(), cylindricityVerb(), verifyVerb()};
+    static const std::vector<Verb> all{sampleVerb(),       inspectVerb(),    compareVerb(), roundnessVerb(),
+                                       cylindricityVerb(), trajectoryVerb(), verifyVerb()};
     return all;
 }
 

@@ -10,6 +10,7 @@ Verb inspectVerb();
 Verb compareVerb();
 Verb roundnessVerb();
 Verb cylindricityVerb();
+Verb trajectoryVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -38,3 +38,15 @@ LATHELIER_ERROR(Internal, "internal", NoAnswer, LT_TEXT("Engine", "Lathelier mad
 
 // --- projects
 LATHELIER_ERROR(VersionTooNew, "version_too_new", InputRejected, LT_TEXT("Engine", "The project has format version {found}; this program reads up to version {maximum}."))
+
+// --- spindle
+LATHELIER_ERROR(DiameterMissing, "diameter_missing", InputRejected, LT_TEXT("Engine", "The record does not say the workpiece's diameter. State it."))
+LATHELIER_ERROR(ChannelsUnknown, "channels_unknown", InputRejected, LT_TEXT("Engine", "{signal} cannot be channel {found}: {reason}. The record has {channels} channels, counted from 0."))
+LATHELIER_ERROR(ChannelUnitMissing, "channel_unit_missing", InputRejected, LT_TEXT("Engine", "{signal}: channel {found} ({channel}) states no unit; expected µm, mm or V in its heading, such as X3_um."))
+LATHELIER_ERROR(MarkerNotFound, "marker_not_found", InputRejected, LT_TEXT("Engine", "Channel {place} ({channel}) is no marker of revolutions: {reason}."))
+LATHELIER_ERROR(MarkerElsewhere, "marker_elsewhere", InputRejected, LT_TEXT("Engine", "Channel {place} ({channel}) is no marker of revolutions: {reason}. Channel {candidate} ({candidate_channel}) looks like one."))
+LATHELIER_ERROR(AngleNotTurning, "angle_not_turning", InputRejected, LT_TEXT("Engine", "Channel {place} ({channel}) is no angle of revolution: {reason}."))
+LATHELIER_ERROR(TimeNotIncreasing, "time_not_increasing", InputRejected, LT_TEXT("Engine", "The time does not go forward at row {row}."))
+LATHELIER_ERROR(TooFewRevolutions, "too_few_revolutions", NoAnswer, LT_TEXT("Engine", "{found} whole revolutions are too few; at least {minimum} are needed."))
+LATHELIER_ERROR(RecordTooShort, "record_too_short", NoAnswer, LT_TEXT("Engine", "{found} revolutions are too few for {sections} sections; at least {minimum} are needed."))
+LATHELIER_ERROR(RecordsDiffer, "records_differ", InputRejected, LT_TEXT("Engine", "The records are not of one workpiece: {parameter} is {first} in the first and {found} here."))

@@ -60,3 +60,20 @@ LATHELIER_NOTE(RotationNotDetermined, "rotation_not_determined", Warning, LT_TEX
 // --- projects
 LATHELIER_NOTE(SourceChanged, "source_changed", Warning, LT_TEXT("Engine", "{path} has changed since the project was saved."))
 LATHELIER_NOTE(SourceMissing, "source_missing", Warning, LT_TEXT("Engine", "{path} is missing."))
+
+// --- spindle
+LATHELIER_NOTE(ValueAssumed, "value_assumed", Info, LT_TEXT("Engine", "{parameter} is {value}: taken from {source}."))
+LATHELIER_NOTE(ChannelStandsStill, "channel_stands_still", Warning, LT_TEXT("Engine", "{path}: {signal} ({channel}) stands still; is the probe connected?"))
+LATHELIER_NOTE(ChannelCutOff, "channel_cut_off", Warning, LT_TEXT("Engine", "{path}: {signal} ({channel}) rests at the end of its range for {share_percent} % of the time; the probe was out of range."))
+LATHELIER_NOTE(DisplacementsLarge, "displacements_large", Warning, LT_TEXT("Engine", "{path}: {signal} reaches {largest_um} µm, more than a probe measures; check the sensitivity and the channels."))
+LATHELIER_NOTE(SkewUnknown, "skew_unknown", Warning, LT_TEXT("Engine", "{path}: the delay from channel to channel is not known; taken as none."))
+LATHELIER_NOTE(RevolutionsRejected, "revolutions_rejected", Warning, LT_TEXT("Engine", "{path}: {count} revolutions of irregular length were left out."))
+LATHELIER_NOTE(RevolutionsIncomplete, "revolutions_incomplete", Warning, LT_TEXT("Engine", "{path}: {count} revolutions with missing samples were left out."))
+LATHELIER_NOTE(FewerRevolutions, "fewer_revolutions", Warning, LT_TEXT("Engine", "{path}: {found} revolutions in a section instead of {asked}."))
+LATHELIER_NOTE(SpeedDiffers, "speed_differs", Warning, LT_TEXT("Engine", "{path}: the marks come {found_rpm} times a minute, the record says {stated_rpm} rpm."))
+LATHELIER_NOTE(MotionOutliers, "motion_outliers", Info, LT_TEXT("Engine", "{revolutions} revolutions and {samples} samples that stand out were left out."))
+LATHELIER_NOTE(ZUnknown, "z_unknown", Info, LT_TEXT("Engine", "The place along the workpiece is not known for {count} sections: no longitudinal section."))
+LATHELIER_NOTE(TooFewSections, "too_few_sections", Info, LT_TEXT("Engine", "A longitudinal section needs sections at {minimum} different places; there are {found}."))
+LATHELIER_NOTE(SizeReferenced, "size_referenced", Info, LT_TEXT("Engine", "The diameter of {diameter_mm} mm is nominal: form is measured, size is referenced to it."))
+LATHELIER_NOTE(MandrelFloor, "mandrel_floor", Info, LT_TEXT("Engine", "Two probes cannot tell the mandrel's own form (up to {form_um} µm) from its motion: nothing smaller is resolved."))
+LATHELIER_NOTE(AveragesOnly, "averages_only", Info, LT_TEXT("Engine", "{path}: averages over revolutions; asynchronous motion and single revolutions are not known."))

@@ -20,6 +20,13 @@ Progress Progress::part(double from, double to, Text stage) const
     return result;
 }
 
+Progress Progress::quiet() const
+{
+    Progress result = *this;
+    result.show_ = nullptr;
+    return result;
+}
+
 void Progress::report(double fraction) const
 {
     check();

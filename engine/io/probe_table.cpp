@@ -122,6 +122,8 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
         if (record.channel_skew_s) set(file.facts.details, "channel_skew_us", *record.channel_skew_s * 1e6);
         file.record = std::move(record);
     }
+    if (const std::string* word = headerWord(table.header, "synthetic"); word && *word != "false")
+        file.notes.push_back({NoteCode::SyntheticData, {}});
     finishTableNotes(table.layout, table.rows, name, file.facts, file.notes);
     progress.report(1);
     return file;

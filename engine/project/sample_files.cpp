@@ -5,14 +5,17 @@
 #include <system_error>
 
 #include "engine/core/json.h"
+#include "engine/form/circles_json.h"
 #include "engine/io/file.h"
 #include "engine/project/project.h"
 #include "engine/project/sample.h"
+#include "engine/project/sample_record.h"
 
 namespace lathelier {
 namespace {
 
 constexpr char kSynthetic[] = "synthetic: ray-cast scan made by Lathelier, not a measurement";
+constexpr char kSyntheticRecord[] = "synthetic: probe record made by Lathelier, not a measurement";
 
 /// Binary little-endian PLY with float coordinates.
 std::string plyOf(const Scan& scan)
@@ -54,6 +57,38 @@ Json piecesOf(const ShaftModel& shaft)
     return pieces;
 }
 
+Json wavesOf(const std::vector<MotionWave>& waves)
+{
+    Json json = Json::array();
+    for (const MotionWave& w : waves)
+        json.push_back({{"upr", w.upr},
+                        {"x_um", w.x_um},
+                        {"x_phase_rad", w.x_phase_rad},
+                        {"y_um", w.y_um},
+                        {"y_phase_rad", w.y_phase_rad}});
+    return json;
+}
+
+/// What has to come out of the probe record.
+Json truthOf(const SpindleModel& model)
+{
+    Json sections = Json::array();
+    for (int i = 0; i < model.sections; ++i)
+        sections.push_back({{"section", i + 1},
+                            {"z_mm", sectionMiddle_mm(model, i)},
+                            {"circles", toJson(fitCircles(trueImage_mm(model, i)))}});
+    return {{"about", kSyntheticRecord},
+            {"workpiece_diameter_mm", model.workpiece_diameter_mm},
+            {"taper_diameter_um", model.taper_diameter_um},
+            {"barrel_um", model.barrel_um},
+            {"axis", wavesOf(model.axis)},
+            {"tool", wavesOf(model.tool)},
+            {"axis_noise_um", model.axis_noise_um},
+            {"tool_noise_um", model.tool_noise_um},
+            {"whirl_um", model.whirl_um},
+            {"sections", sections}};
+}
+
 }  // namespace
 
 std::vector<std::string> writeSample(const std::string& directory, std::uint64_t seed, const Progress& progress)
@@ -77,15 +112,23 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     copy.seed = 2 * seed + 1;
     copy.scan_T_part = pose(1, 1.2, 1, 0.007, -0.025, 0.436);
 
-    const std::vector<std::string> paths{path("original.ply"), path("copy.ply"), path("truth.json"),
-                                         path("sample.lathelier")};
+    const std::vector<std::string> paths{path("original.ply"),     path("copy.ply"),     path("truth.json"),
+                                         path("probe_record.csv"), path("averaged.csv"), path("sample.lathelier")};
     const std::string original_ply =
-        plyOf(scanShaft(nominalShaft(), original, progress.part(0, 0.4, LT_TEXT("Engine", "Scanning the original"))));
+        plyOf(scanShaft(nominalShaft(), original, progress.part(0, 0.35, LT_TEXT("Engine", "Scanning the original"))));
     writeFile(paths[0], original_ply);
-    progress.report(0.5);
+    progress.report(0.45);
     const std::string copy_ply =
-        plyOf(scanShaft(copiedShaft(), copy, progress.part(0.5, 0.9, LT_TEXT("Engine", "Scanning the copy"))));
+        plyOf(scanShaft(copiedShaft(), copy, progress.part(0.45, 0.8, LT_TEXT("Engine", "Scanning the copy"))));
     writeFile(paths[1], copy_ply);
+    progress.report(0.9);
+
+    SpindleModel spindle = sampleSpindle();
+    spindle.seed = seed;
+    const std::string record = toCsv(makeProbeRecord(spindle));
+    writeFile(paths[3], record);
+    progress.report(0.95);
+    writeFile(paths[4], toCsv(makeAveragedRecord(spindle)));
 
     const Json truth{{"about", kSynthetic},
                      {"seed", seed},
@@ -97,17 +140,21 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
                      {"original", piecesOf(nominalShaft())},
                      {"copy", piecesOf(copiedShaft())},
                      {"pose_original_part_to_scan", rowsOf(original.scan_T_part)},
-                     {"pose_copy_part_to_scan", rowsOf(copy.scan_T_part)}};
+                     {"pose_copy_part_to_scan", rowsOf(copy.scan_T_part)},
+                     {"probe_record", truthOf(spindle)}};
     writeFile(paths[2], truth.dump(1) + "\n");
 
     Project project;
-    project.title = "Sample: a shaft and its copy";
+    project.title = "Sample: a shaft and its copy; a record of a lathe's spindle";
     PanelState& panel = project.panels["compare"];
     panel.inputs["reference"] = {.path = paths[0], .import = {}, .sha256 = sha256(original_ply), .synthetic = true};
     panel.inputs["copy"] = {.path = paths[1], .import = {}, .sha256 = sha256(copy_ply), .synthetic = true};
     panel.parameters = {{"tolerance_mm", 0.1}, {"scanner_accuracy_mm", 0.05}};
+    PanelState& form = project.panels["roundness"];
+    form.inputs["record"] = {.path = paths[3], .import = {}, .sha256 = sha256(record), .synthetic = true};
+    form.parameters = {{"tolerance_um", 15.0}};
     project.report = {"compare"};
-    writeProject(paths[3], project);
+    writeProject(paths[5], project);
     progress.report(1);
     return paths;
 }

@@ -33,13 +33,13 @@ struct TrajectoryParameters {
     std::optional<double> marker_threshold_V;               ///< default: half way between its levels
     Rotation rotation = Rotation::Same;
     std::string z_mm;                   ///< "5,10,15": one for each record
-    std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece
+    std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece. Default: as the
+                                        ///< record itself says when it states both feed_mm_rev and sections
     int sections = 20;
     Drift drift = Drift::None;
     OutlierRule outliers = OutlierRule::None;  ///< samples and revolutions
     double outlier_sigmas = 4;
-    RoundnessParameters form;                    ///< filter, circle, tolerance of the sections
-    std::optional<double> section_tolerance_um;  ///< on RONt of each section
+    RoundnessParameters form;  ///< filter, circle and tolerance of every section
 };
 
 template <>
@@ -50,11 +50,11 @@ struct ProbeStatistics {
     std::vector<double> mean_um, std_um, min_um, max_um, confidence_um;  ///< for each angle; 95 % of the mean
 };
 
-/// ISO 230-7 error motion of one pair of probes, fixed sensitive direction, k = 0 and 1 removed.
+/// ISO 230-7 error motion of one probe, fixed sensitive direction, k = 0 and 1 removed from the mean.
 struct ErrorMotion {
     double synchronous_um = 0;
-    double asynchronous_um = 0;
-    double total_um = 0;
+    double asynchronous_um = 0;                ///< NaN when only averages are known
+    double total_um = 0;                       ///< likewise
     std::vector<double> synchronous_curve_um;  ///< mean for each angle, k = 0 and 1 removed
 };
 
@@ -62,9 +62,12 @@ enum class Probe { X3, Y3, Xp, Yp };
 
 struct TrajectorySection {
     int section = 0;
+    std::string record;  ///< name of the record
     double z_mm = std::numeric_limits<double>::quiet_NaN();
-    int revolutions_found = 0;
+    int revolutions_found = 0;  ///< regular ones; averages: as the file says, else 0
     int revolutions_used = 0;
+    std::int64_t samples_rejected = 0;
+    std::array<double, 4> drift_um_per_rev{};  ///< slope of each probe, removed only when asked for
     double speed_rpm = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> angle_deg;                                  ///< as recorded, uniform
     std::array<ProbeStatistics, 4> probes;                          ///< in the order of Probe
@@ -81,7 +84,7 @@ struct TrajectorySection {
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
 };
 
-/// The sections along the workpiece. Profile R(u) = c0 + c1 u + c2 u² over u in [-1, 1].
+/// The sections along the workpiece, z from the free end. Profile R(u) = c0 + c1 u + c2 u² over u in [-1, 1].
 struct LongitudinalSection {
     std::vector<double> z_mm;
     std::vector<double> radius_mm;           ///< LSC radius of each section
@@ -103,24 +106,36 @@ struct TrajectoryResult {
     Values cutting;                    ///< what the records say of themselves: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
-    double mandrel_form_um = 0.2;  ///< floor: two probes cannot tell the mandrel's form from its motion
+    double mandrel_form_um = 0.2;        ///< floor: two probes cannot tell the mandrel's form from its motion
+    std::optional<FormVerdict> verdict;  ///< of the worst section, with form.tolerance_um
     Notes notes;
+
+    /// Index of the section with the largest deviation by form.circle; none without sections.
+    std::optional<std::size_t> worstSection() const;
 };
 
-/// Evaluates one or several records, in order. An averaged record brings its own sections. The same bits for any
-/// number of threads.
-/// Errors: DiameterMissing, ChannelsUnknown (the map does not fit the record), MarkerNotFound (no pulses, or a channel
-/// that is no marker), TooFewRevolutions, RecordTooShort… Notes: RevolutionsRejected, FewerRevolutions, SkewUnknown,
-/// ZUnknown (no longitudinal section), SizeNominal, ValueAssumed (`parameter`, `value`)… Throws Cancelled.
+/// Evaluates one or several records, in order. An averaged record brings its own sections. One record with
+/// `feed_mm_rev` is cut into `sections` stretches of equal length from its first mark on, z = 0 at that mark; the first
+/// `revolutions` of each stretch make the section, whose z_mm is the middle of them. The same bits for any number of
+/// threads.
+/// Errors (with `path`): DiameterMissing, ChannelsUnknown (the map does not fit the record), MarkerNotFound,
+/// MarkerElsewhere, AngleNotTurning, TimeNotIncreasing, TooFewRevolutions (`section`), RecordTooShort, RecordsDiffer;
+/// ValueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: SkewUnknown, RevolutionsRejected,
+/// FewerRevolutions, RevolutionsIncomplete, SpeedDiffers, Channel…, DisplacementsLarge, MotionOutliers, AveragesOnly,
+/// ZUnknown or TooFewSections (no longitudinal section), ValueAssumed, SizeReferenced, MandrelFloor; those of
+/// roundness() once each. Throws Cancelled.
 TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});
 
-/// One displacement signal with its revolutions, for the time plot: thinned to at most `limit` points.
+/// One signal with its revolutions, for the time plot: thinned to at most `limit` points, the extremes kept.
 struct TimeSignal {
-    std::string channel;
-    std::vector<double> time_s, value;  ///< µm for displacements, V for the marker
+    std::string channel;                ///< its name in the record
+    std::string signal;                 ///< "X3"…, "marker", "angle"; empty when the map does not name it
+    std::vector<double> time_s, value;  ///< µm for displacements, as recorded for others
     std::vector<double> revolution_starts_s;
 };
+
+/// Every channel of a record. A map or a marker that does not fit is no error here: the plot is to show why.
 std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryParameters& parameters, int limit = 4000,
                                     const Progress& progress = {});
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "engine/project/sample.h"
+#include "tests/app/cli/golden_spindle.h"
 #include "tests/engine/io/lgraph_files.h"
 
 namespace lathelier::golden {
@@ -137,6 +138,7 @@ void makeData(const std::string& folder)
     ::mkfifo((folder + "/fed.pipe").c_str(), 0666);
 
     makeRecords(write);
+    makeSpindleRecords(write);
 
     write("lobes.csv", section(360, 3, 0.005));
     write("lobes_um.csv", section(360, 3, 0.005, 1000));

@@ -130,8 +130,9 @@ TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lathelier_sample_test";
     std::filesystem::remove_all(folder);
     const std::vector<std::string> files = writeSample(folder.string(), 4);
-    ASSERT_EQ(files.size(), 4u);
-    const ProjectFile read = readProject(files[3]);
+    ASSERT_EQ(files.size(), 6u);
+    const ProjectFile read = readProject(files[5]);
+    EXPECT_TRUE(read.project.panels.at("roundness").inputs.at("record").synthetic);
     EXPECT_TRUE(read.notes.empty());
     EXPECT_TRUE(read.project.panels.at("compare").inputs.at("copy").synthetic);
     const FileBytes cloud(files[0]);

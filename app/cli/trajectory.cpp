@@ -1,0 +1,68 @@
+// trajectory RECORD...: from probe records to the image of the machined surface, its sections and the spindle's motion.
+#include "engine/spindle/trajectory.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/records.h"
+#include "app/cli/verbs.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/section_file.h"
+#include "engine/report/trajectory_report.h"
+#include "engine/spindle/trajectory_json.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr const char* tableOption = "--csv";
+constexpr const char* imageOption = "--image-csv";
+
+/// The options of the reader and of the recorder are one list for the command line.
+std::vector<Option> readingOptions()
+{
+    std::vector<Option> options = optionsOf<ImportOptions>();
+    for (Option& option : optionsOf<RecorderOptions>()) options.push_back(std::move(option));
+    return options;
+}
+
+void runTrajectory(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+{
+    std::vector<ProbeFile> records;
+    const auto count = static_cast<double>(request.operands.size());
+    for (const std::string& path : request.operands) {
+        const auto done = static_cast<double>(records.size());
+        const Progress reading =
+            progress.part(0.4 * done / count, 0.4 * (done + 1) / count, LT_TEXT("Engine", "Reading"));
+        records.push_back(readRecord(path, request, inputs, reading, answer));
+    }
+    auto result = std::make_shared<TrajectoryResult>(
+        trajectory(records, fromValues<TrajectoryParameters>(request.parameters), progress.part(0.4, 1)));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;  // the report shows those of the files as well
+    if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
+        writeSectionTable(table->second, *result);
+    if (const auto image = request.outputs.find(imageOption); image != request.outputs.end())
+        writeImages(image->second, *result);
+
+    answer.json = [result] { return toJson(*result); };
+    answer.report = [result] { return trajectoryReport(*result, {}); };
+    if (result->verdict && *result->verdict != FormVerdict::Undecided)
+        answer.pass = *result->verdict == FormVerdict::Pass;
+    answer.summary = toPlainText(trajectorySummary(*result));
+}
+
+}  // namespace
+
+Verb trajectoryVerb()
+{
+    return {"trajectory",
+            "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.",
+            {{"RECORD", "A probe record (CSV or L-Graph .dat/.par), or one for each section.", true}},
+            optionsOf<TrajectoryParameters>(),
+            readingOptions(),
+            {{tableOption, "Write the table of the sections as FILE.csv."},
+             {imageOption, "Write the images of the surface, point by point, as FILE.csv."}},
+            true,
+            runTrajectory};
+}
+
+}  // namespace lathelier::cli

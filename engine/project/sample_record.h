@@ -1,0 +1,65 @@
+// Synthetic probe records with known truth: a mandrel that whirls with its workpiece, a tool that shakes, four probes
+// behind a multiplexed converter, a marker.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/io/probe_record.h"
+
+namespace lathelier {
+
+/// One wave of a motion: x = x_um cos(upr θ - x_phase_rad), y likewise.
+struct MotionWave {
+    int upr = 1;
+    double x_um = 0, x_phase_rad = 0;
+    double y_um = 0, y_phase_rad = 0;
+};
+
+struct SpindleModel {
+    double workpiece_diameter_mm = 50;
+    double speed_rpm = 975;
+    double feed_mm_rev = 0.125;
+    int sections = 20;
+    int revolutions = 40;     ///< of a section
+    double lead_turns = 0.3;  ///< before the first mark and after the last
+    double rate_hz = 1625;    ///< frames a second
+    double channel_skew_s = 1 / (5 * 1625.0);
+    std::vector<MotionWave> axis;   ///< of the workpiece: X3, Y3
+    std::vector<MotionWave> tool;   ///< Xp, Yp
+    double taper_diameter_um = 16;  ///< over the sections' middles, + when the diameter grows with z
+    double barrel_um = 5;           ///< on radius
+    double axis_noise_um = 0.4;     ///< standard deviation, every sample anew
+    double tool_noise_um = 0.3;
+    double whirl_um = 0.8;         ///< asynchronous whirl of the axis at 0.43 of the speed
+    double drift_um_per_rev = 0;   ///< of X3 and Yp, upward
+    double resolution_um = 0.001;  ///< 0: none
+    double marker_noise_V = 0.01;  ///< on levels of 0.05 and 3.5 V
+    std::uint64_t seed = 1;
+};
+
+/// The practice model: eccentricity 12 µm, a few lobes, a tool that answers them.
+SpindleModel sampleSpindle();
+
+/// The same without noise, whirl and rounding: what has to come out exactly.
+SpindleModel quietSpindle();
+
+/// The whole recording: marker (V), X3, Y3, Xp, Yp (µm), with cutting data and "synthetic" in its header.
+ProbeRecord makeProbeRecord(const SpindleModel& model);
+
+/// Averages over the revolutions with the scatter that so many leave in them.
+AveragedRecord makeAveragedRecord(const SpindleModel& model, int points = 200);
+
+/// Middle of a section (from 0) along the workpiece, from the free end.
+double sectionMiddle_mm(const SpindleModel& model, int section);
+
+/// The true image of a section: mean motions without noise, drift and whirl, at `points` even angles of the spindle.
+std::vector<Eigen::Vector2d> trueImage_mm(const SpindleModel& model, int section, int points = 200);
+
+/// The records as text, as they stand in the sample folder.
+std::string toCsv(const ProbeRecord& record);
+std::string toCsv(const AveragedRecord& record);
+
+}  // namespace lathelier

@@ -1,0 +1,19 @@
+// The sections along the workpiece: taper, barrel, straightness, cylindricity.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/spindle/trajectory.h"
+
+namespace lathelier {
+
+/// Longitudinal section of at least three sections at three different known z; else nothing, with the note ZUnknown or
+/// TooFewSections.
+std::optional<LongitudinalSection> longitudinalSection(const std::vector<TrajectorySection>& sections, Notes& notes,
+                                                       const Progress& progress = {});
+
+/// c0, c1, c2 of value(u) = c0 + c1 u + c2 u² by least squares, u running from -1 to 1 over the extent of `z_mm`.
+std::array<double, 3> fitParabola(const std::vector<double>& z_mm, const std::vector<double>& values);
+
+}  // namespace lathelier

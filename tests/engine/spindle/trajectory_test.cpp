@@ -1,0 +1,371 @@
+#include "engine/spindle/trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/parallel.h"
+#include "engine/project/sample_record.h"
+#include "engine/spindle/surface_image.h"
+#include "tests/engine/spindle/truth.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+SpindleModel fineModel()
+{
+    SpindleModel model = quietSpindle();
+    model.sections = 5;
+    model.revolutions = 8;
+    model.rate_hz = 6500;
+    model.channel_skew_s = 1 / (5 * 6500.0);
+    return model;
+}
+
+ErrorCode codeOf(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {})
+{
+    try {
+        trajectory(records, parameters);
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('{'), std::string::npos) << error.what();
+        return error.code();
+    }
+    ADD_FAILURE() << "no error";
+    return ErrorCode::Internal;
+}
+
+TEST(Trajectory, WithoutNoiseTheTruthComesBack)
+{
+    const SpindleModel model = fineModel();
+    TrajectoryParameters parameters;
+    parameters.revolutions = model.revolutions;
+    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))}, parameters);
+    ASSERT_EQ(result.sections.size(), 5u);
+    for (int s = 0; s < model.sections; ++s) {
+        const TrajectorySection& section = result.sections[static_cast<std::size_t>(s)];
+        EXPECT_EQ(section.revolutions_used, 8);
+        EXPECT_NEAR(section.z_mm, sectionMiddle_mm(model, s), 1e-9);
+        EXPECT_NEAR(section.speed_rpm, 975, 1e-3);
+        EXPECT_LE(worstDifference_um(section, model, s), 0.01);
+        EXPECT_NEAR(section.spindle.asynchronous_um, 0, 0.01);
+    }
+    ASSERT_TRUE(result.longitudinal);
+    EXPECT_NEAR(result.longitudinal->taper_diameter_um, model.taper_diameter_um, 0.01);
+    EXPECT_NEAR(result.longitudinal->barrel_um, model.barrel_um, 0.01);
+    EXPECT_NEAR(result.longitudinal->axis_straightness_um, 0, 0.01);
+    EXPECT_NEAR(result.longitudinal->half_diameter_range_um, result.longitudinal->diameter_range_um / 2, 1e-12);
+    EXPECT_TRUE(contains(result.notes, NoteCode::ValueAssumed));  // feed and sections from the record
+}
+
+TEST(Trajectory, AHundredFramesARevolutionAreEnough)
+{
+    SpindleModel model = quietSpindle();
+    ASSERT_EQ(model.rate_hz, 1625);
+    model.sections = 4;
+    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))});
+    for (int s = 0; s < model.sections; ++s)
+        EXPECT_LE(worstDifference_um(result.sections[static_cast<std::size_t>(s)], model, s), 0.05);
+}
+
+TEST(Trajectory, NoiseIsAveragedDownToTheLimits)
+{
+    SpindleModel model = sampleSpindle();
+    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))});
+    ASSERT_EQ(result.sections.size(), 20u);
+    for (int s = 0; s < model.sections; ++s) {
+        const TrajectorySection& section = result.sections[static_cast<std::size_t>(s)];
+        EXPECT_EQ(section.revolutions_used, 40);
+        const ReferenceCircles truth = fitCircles(trueImage_mm(model, s));
+        const ReferenceCircles& found = section.roundness.circles;
+        EXPECT_NEAR(found.LSCI.RONt_um, truth.LSCI.RONt_um, 0.3) << s;
+        EXPECT_NEAR(found.MZCI.RONt_um, truth.MZCI.RONt_um, 0.3) << s;
+        EXPECT_LT((found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.2) << s;
+        // Noise of 0.4 µm over forty values and a whirl of 0.8 µm both ways.
+        EXPECT_NEAR(section.spindle.asynchronous_um, 2 * 0.8 + 4.5 * 0.4, 1.0);
+        EXPECT_GT(section.spindle.total_um, section.spindle.synchronous_um);
+    }
+    EXPECT_NEAR(result.longitudinal->taper_diameter_um, 16, 0.1);
+    EXPECT_NEAR(result.longitudinal->barrel_um, 5, 0.1);
+}
+
+TEST(Trajectory, AveragesAnswerLikeTheRecordItself)
+{
+    const SpindleModel model = quietSpindle();
+    const TrajectoryResult result = trajectory({fileOf(makeAveragedRecord(model))});
+    ASSERT_EQ(result.sections.size(), 20u);
+    for (int s = 0; s < model.sections; ++s)
+        EXPECT_LE(worstDifference_um(result.sections[static_cast<std::size_t>(s)], model, s), 1e-6);
+    // The samples of a revolution lie half a sample before its middle, on average.
+    EXPECT_NEAR(result.longitudinal->taper_diameter_um, 16, 5e-4);
+    EXPECT_NEAR(result.longitudinal->barrel_um, 5, 5e-4);
+    EXPECT_TRUE(contains(result.notes, NoteCode::AveragesOnly));
+    EXPECT_TRUE(std::isnan(result.sections[0].spindle.asynchronous_um));
+    EXPECT_EQ(result.sections[0].revolutions_used, 40);
+}
+
+TEST(Trajectory, UnevenRepeatedAndUnorderedAnglesOfAveragesAreHandled)
+{
+    SpindleModel model = quietSpindle();
+    model.sections = 1;
+    AveragedRecord record = makeAveragedRecord(model, 360);
+    AveragedSection& section = record.sections[0];
+    const auto eachColumn = [&](auto change) {
+        for (auto* column : {&section.angle_deg, &section.X3_um, &section.Y3_um, &section.Xp_um, &section.Yp_um})
+            change(*column);
+    };
+    eachColumn([](std::vector<double>& c) {
+        c.push_back(c[40]);                               // doubled
+        c.erase(c.begin() + 100);                         // missing
+        std::rotate(c.begin(), c.begin() + 77, c.end());  // starts elsewhere
+        std::swap(c[3], c[200]);                          // out of order
+    });
+    const TrajectoryResult result = trajectory({fileOf(record)});
+    const ReferenceCircles truth = fitCircles(trueImage_mm(model, 0, 360));
+    EXPECT_NEAR(result.sections[0].roundness.circles.LSCI.RONt_um, truth.LSCI.RONt_um, 0.03);
+    EXPECT_LT((result.sections[0].roundness.circles.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.01);
+}
+
+// The paper's eq. (1) takes the spindle's angle for that of the point on the part (form.md section 3, trap 4).
+TEST(PaperTraps, ThePolarAngleIsCorrected)
+{
+    // A tool that stands 5 mm high shows the whole image turned by 11.5°: with the paper's angle it would not be.
+    const std::vector<double> angle_deg{0, 90, 180, 270};
+    const std::vector<double> zero(4, 0.0), high(4, 5000.0);
+    const SurfaceImage image = imageOf({zero, zero, zero, high}, angle_deg, 50, Rotation::Same);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(image.radius_mm[i], std::hypot(25, 5), 1e-12);
+        EXPECT_NEAR(std::remainder(image.body_angle_deg[i] - (angle_deg[i] + std::atan2(-5, 25) * 180 / kPi), 360), 0,
+                    1e-9);
+    }
+    // A perfect shaft that runs out by e: its circle comes back at the part's own radius with the corrected angle only.
+    std::vector<double> x, y, even;
+    constexpr int n = 360;
+    constexpr double e_um = 2000, r_mm = 25;
+    for (int i = 0; i < n; ++i) {
+        const double t = 2 * kPi * i / n;
+        even.push_back(360.0 * i / n);
+        // The axis goes round the spindle's; the tool is drawn along the ray on which the surface stays a circle of
+        // radius r about the spindle axis: P = (r, 0).
+        x.push_back(e_um * std::cos(t));
+        y.push_back(e_um * std::sin(t));
+    }
+    const std::vector<double> still(n, 0.0);
+    const SurfaceImage round = imageOf({x, y, still, still}, even, 2 * r_mm, Rotation::Same);
+    const std::vector<Eigen::Vector2d> points = round.points_mm();
+    const FittedCircle circle = fitLeastSquaresCircle(points);
+    EXPECT_NEAR(circle.RONt_um, 0, 1e-6);
+    EXPECT_NEAR(circle.radius_mm, r_mm, 1e-9);
+    EXPECT_NEAR(circle.centre_mm.norm(), 1e-3 * e_um, 1e-9);
+    // With the paper's angle the same radii are no circle.
+    std::vector<Eigen::Vector2d> papers;
+    for (int i = 0; i < n; ++i)
+        papers.push_back(round.radius_mm[static_cast<std::size_t>(i)] *
+                         Eigen::Vector2d(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)));
+    EXPECT_GT(fitLeastSquaresCircle(papers).RONt_um, 50);
+}
+
+// Two probes cannot separate the mandrel's form from its motion (trap 5): it appears in full as form of the part.
+TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
+{
+    SpindleModel model = fineModel();
+    model.axis = {{1, 10, 0, 10, kPi / 2}};
+    model.tool = {};
+    model.taper_diameter_um = 0;
+    model.barrel_um = 0;
+    ProbeRecord record = makeProbeRecord(model);
+    for (std::size_t i = 0; i < record.frames(); ++i) {  // a mandrel with three lobes of 0.1 µm, seen by the X probe
+        const double turn = model.speed_rpm / 60 * (record.time_s[i] + model.channel_skew_s) - model.lead_turns;
+        record.channels[1].values[i] += 0.1 * std::cos(3 * 2 * kPi * turn);
+    }
+    const TrajectoryResult result = trajectory({fileOf(record)});
+    EXPECT_NEAR(result.sections[2].roundness.circles.LSCI.RONt_um, 0.2, 0.01);
+    EXPECT_EQ(result.mandrel_form_um, 0.2);
+    EXPECT_TRUE(contains(result.notes, NoteCode::MandrelFloor));
+}
+
+// Seen from the part the angle runs the other way (trap 6): the same form, a mirrored centre.
+TEST(PaperTraps, TheMirroredImageHasTheSameFormAndAnotherCentre)
+{
+    const SpindleModel model = fineModel();
+    TrajectoryParameters parameters;
+    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
+    const FittedCircle same = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
+    parameters.rotation = Rotation::Opposite;
+    const FittedCircle mirrored = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
+    EXPECT_NEAR(mirrored.RONt_um, same.RONt_um, 1e-6);
+    EXPECT_NEAR(mirrored.centre_mm.x(), same.centre_mm.x(), 1e-9);
+    EXPECT_NEAR(mirrored.centre_mm.y(), -same.centre_mm.y(), 1e-9);
+    EXPECT_GT(std::abs(same.centre_mm.y()) * 1e3, 1);
+}
+
+// Run-out is not roundness (trap 1); single revolutions show what their mean hides (trap 5).
+TEST(PaperTraps, RunOutAndSingleRevolutionsAreShownBesideRoundness)
+{
+    SpindleModel model = fineModel();
+    model.whirl_um = 2;
+    const TrajectorySection section = trajectory({fileOf(makeProbeRecord(model))}).sections[0];
+    EXPECT_GT(section.run_out_um, 20);
+    EXPECT_LT(section.roundness.circles.LSCI.RONt_um, 12);
+    ASSERT_EQ(section.revolution_RONt_um.size(), 8u);
+    ASSERT_EQ(section.envelope_min_mm.size(), 200u);
+    for (std::size_t i = 0; i < 200; ++i) {
+        EXPECT_LE(section.envelope_min_mm[i], section.radius_mm[i]);
+        EXPECT_GE(section.envelope_max_mm[i], section.radius_mm[i]);
+    }
+    EXPECT_NEAR(section.spindle.asynchronous_um, 4, 0.6);
+}
+
+TEST(Trajectory, DriftIsKeptUnlessAskedAndTheSizeStays)
+{
+    SpindleModel model = fineModel();
+    model.revolutions = 40;
+    model.drift_um_per_rev = 0.02;
+    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
+    TrajectoryParameters parameters;
+    const TrajectoryResult kept = trajectory(records, parameters);
+    parameters.drift = Drift::Section;
+    const TrajectoryResult removed = trajectory(records, parameters);
+    EXPECT_NEAR(kept.sections[0].drift_um_per_rev[0], 0.02, 1e-3);
+    EXPECT_GT(kept.sections[0].spindle.asynchronous_um, 0.7);
+    EXPECT_LT(removed.sections[0].spindle.asynchronous_um, 0.05);
+    for (std::size_t s = 0; s < 5; ++s)
+        EXPECT_NEAR(removed.sections[s].roundness.circles.LSCI.radius_mm,
+                    kept.sections[s].roundness.circles.LSCI.radius_mm, 1e-5);
+    // Slow drift looks like size: 0.02 µm a revolution over 160 of them.
+    EXPECT_NEAR(removed.longitudinal->taper_diameter_um, 16 - 2 * 0.02 * 160, 0.05);
+}
+
+TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
+{
+    SpindleModel model = sampleSpindle();
+    model.sections = 3;
+    ProbeRecord record = makeProbeRecord(model);
+    for (std::size_t i = 500; i < record.frames(); i += 1000) record.channels[3].values[i] += 40;
+    TrajectoryParameters parameters;
+    parameters.outliers = OutlierRule::Hampel;
+    const TrajectoryResult cleaned = trajectory({fileOf(record)}, parameters);
+    const TrajectoryResult kept = trajectory({fileOf(record)});
+    EXPECT_TRUE(contains(cleaned.notes, NoteCode::MotionOutliers));
+    for (std::size_t s = 0; s < 3; ++s) {
+        const double truth_um = fitCircles(trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
+        EXPECT_NEAR(cleaned.sections[s].roundness.circles.LSCI.RONt_um, truth_um, 0.6);
+        EXPECT_GT(kept.sections[s].roundness.circles.LSCI.RONt_um, truth_um + 0.6);
+    }
+}
+
+TEST(Trajectory, TheSameBitsForAnyNumberOfThreads)
+{
+    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(sampleSpindle()))};
+    const auto bits = [&](int threads) {
+        const ThreadLimit limit(threads);
+        const TrajectoryResult result = trajectory(records);
+        std::vector<double> numbers{result.longitudinal->taper_diameter_um, result.longitudinal->CYLt_MZCY_um};
+        for (const TrajectorySection& s : result.sections) {
+            numbers.push_back(s.roundness.circles.MZCI.RONt_um);
+            numbers.push_back(s.roundness.RONt_expanded_uncertainty_um);
+            numbers.push_back(s.spindle.total_um);
+            numbers.insert(numbers.end(), s.radius_mm.begin(), s.radius_mm.end());
+        }
+        return numbers;
+    };
+    EXPECT_EQ(bits(1), bits(0));
+}
+
+TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
+{
+    SpindleModel model = fineModel();
+    std::vector<ProbeFile> records;
+    for (int i = 0; i < 3; ++i) {
+        ProbeRecord record = makeProbeRecord(model);
+        std::erase_if(record.header, [](const auto& entry) { return entry.first == "sections"; });
+        records.push_back(fileOf(record));
+    }
+    TrajectoryParameters parameters;
+    parameters.revolutions = 8;
+    EXPECT_TRUE(contains(trajectory(records, parameters).notes, NoteCode::ZUnknown));
+    EXPECT_FALSE(trajectory(records, parameters).longitudinal);
+    parameters.z_mm = "5, 10,15.5";
+    const TrajectoryResult result = trajectory(records, parameters);
+    ASSERT_TRUE(result.longitudinal);
+    EXPECT_EQ(result.longitudinal->z_mm, (std::vector<double>{5, 10, 15.5}));
+    EXPECT_NEAR(result.longitudinal->taper_diameter_um, 0, 1e-6);
+    parameters.z_mm = "5,10";
+    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+    parameters.z_mm = "5,10,x";
+    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+    parameters.z_mm = "";
+    parameters.feed_mm_rev = 0.1;
+    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+}
+
+TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
+{
+    const SpindleModel model = fineModel();  // 40 revolutions
+    ProbeRecord record = makeProbeRecord(model);
+    const auto cut = [&](std::size_t frames) {
+        for (ProbeChannel& channel : record.channels) channel.values.resize(frames);
+        record.time_s.resize(frames);
+    };
+    cut(record.frames() / 2);
+    TrajectoryParameters parameters;
+    parameters.revolutions = 8;
+    const TrajectoryResult result = trajectory({fileOf(record)}, parameters);
+    EXPECT_TRUE(contains(result.notes, NoteCode::FewerRevolutions));
+    EXPECT_NEAR(result.sections.back().z_mm, model.feed_mm_rev * 17.5, 0.5);  // where the data are, not where asked
+    cut(2500);
+    EXPECT_EQ(codeOf({fileOf(record)}, parameters), ErrorCode::RecordTooShort);
+}
+
+TEST(Trajectory, WhatIsMissingIsRefused)
+{
+    const SpindleModel model = fineModel();
+    ProbeRecord record = makeProbeRecord(model);
+    std::erase_if(record.header, [](const auto& entry) { return entry.first == "D_mm"; });
+    EXPECT_EQ(codeOf({fileOf(record)}), ErrorCode::DiameterMissing);
+    TrajectoryParameters parameters;
+    parameters.workpiece_diameter_mm = 50;
+    EXPECT_EQ(trajectory({fileOf(record)}, parameters).workpiece_diameter_mm, 50);
+    parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
+    EXPECT_EQ(codeOf({fileOf(record)}, parameters), ErrorCode::MarkerElsewhere);
+    EXPECT_TRUE(trajectory({}).sections.empty());
+}
+
+TEST(Trajectory, ASuspiciousSpeedIsNoted)
+{
+    ProbeRecord record = makeProbeRecord(fineModel());
+    for (auto& [key, value] : record.header)
+        if (key == "rpm_nominal") value = std::string("480");
+    EXPECT_TRUE(contains(trajectory({fileOf(record)}).notes, NoteCode::SpeedDiffers));
+}
+
+TEST(Trajectory, CancelStopsIt)
+{
+    std::stop_source source;
+    source.request_stop();
+    const ProbeFile file = fileOf(makeProbeRecord(fineModel()));
+    EXPECT_THROW(trajectory({file}, {}, Progress(source.get_token(), nullptr)), Cancelled);
+}
+
+TEST(TimeSignals, PeaksSurviveTheThinning)
+{
+    const SpindleModel model = fineModel();
+    ProbeRecord record = makeProbeRecord(model);
+    record.channels[2].values[7777] = 99;
+    const std::vector<TimeSignal> signals = timeSignals(record, {}, 500);
+    ASSERT_EQ(signals.size(), 5u);
+    EXPECT_LE(signals[2].value.size(), 500u);
+    EXPECT_EQ(*std::max_element(signals[2].value.begin(), signals[2].value.end()), 99);
+    EXPECT_TRUE(std::is_sorted(signals[2].time_s.begin(), signals[2].time_s.end()));
+    EXPECT_EQ(signals[0].signal, "marker");
+    EXPECT_EQ(signals[3].signal, "Xp");
+    EXPECT_EQ(signals[1].revolution_starts_s.size(), 40u);
+    TrajectoryParameters wrong;
+    wrong.channels = "nonsense";
+    EXPECT_EQ(timeSignals(record, wrong, 500)[0].signal, "");
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -1,0 +1,32 @@
+// Results of trajectories against what the generator put in.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/project/sample_record.h"
+#include "engine/spindle/trajectory.h"
+
+namespace lathelier {
+
+template <class Record>
+ProbeFile fileOf(Record record)
+{
+    ProbeFile file;
+    file.facts.path = record.name;
+    file.record = std::move(record);
+    return file;
+}
+
+/// Largest difference in µm of LSC centre and radius, and of RONt(LSCI) and RONt(MZCI), from the true image's.
+inline double worstDifference_um(const TrajectorySection& section, const SpindleModel& model, int index)
+{
+    const ReferenceCircles truth = fitCircles(trueImage_mm(model, index));
+    const ReferenceCircles& found = section.roundness.circles;
+    return std::max({(found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3,
+                     std::abs(found.LSCI.radius_mm - truth.LSCI.radius_mm) * 1e3,
+                     std::abs(found.LSCI.RONt_um - truth.LSCI.RONt_um),
+                     std::abs(found.MZCI.RONt_um - truth.MZCI.RONt_um)});
+}
+
+}  // namespace lathelier

@@ -1512,7 +1512,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{path}: {code} converter codes of {device} were read as {volts} V.</source>
+        <source>{path}: {full_scale_code} converter codes of {device} were read as {volts} V.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1512,8 +1512,8 @@
         <translation>{path}: podane opóźnienie {stated_ms} ms nie pasuje do częstości; między kanałami przyjęto {used_ms} ms.</translation>
     </message>
     <message>
-        <source>{path}: {code} converter codes of {device} were read as {volts} V.</source>
-        <translation>{path}: kod przetwornika {code} urządzenia {device} odczytano jako {volts} V.</translation>
+        <source>{path}: {full_scale_code} converter codes of {device} were read as {volts} V.</source>
+        <translation>{path}: kod przetwornika {full_scale_code} urządzenia {device} odczytano jako {volts} V.</translation>
     </message>
     <message>
         <source>{path}: the recorder {device} is not known; the values are converter codes. State the full scale.</source>

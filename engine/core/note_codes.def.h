@@ -26,7 +26,7 @@ LATHELIER_NOTE(SamplesMissing, "samples_missing", Warning, LT_TEXT("Engine", "{p
 LATHELIER_NOTE(ChannelUnitUnknown, "channel_unit_unknown", Warning, LT_TEXT("Engine", "{path}: no unit of {channel} is stated."))
 LATHELIER_NOTE(ConverterRateWrong, "converter_rate_wrong", Info, LT_TEXT("Engine", "{path}: the stated converter rate of {stated_kHz} kHz does not fit {channels} channels; {used_kHz} kHz was used."))
 LATHELIER_NOTE(ConverterDelayDiffers, "converter_delay_differs", Info, LT_TEXT("Engine", "{path}: the stated delay of {stated_ms} ms does not fit the rates; {used_ms} ms from channel to channel was used."))
-LATHELIER_NOTE(FullScaleAssumed, "full_scale_assumed", Info, LT_TEXT("Engine", "{path}: {code} converter codes of {device} were read as {volts} V."))
+LATHELIER_NOTE(FullScaleAssumed, "full_scale_assumed", Info, LT_TEXT("Engine", "{path}: {full_scale_code} converter codes of {device} were read as {volts} V."))
 LATHELIER_NOTE(FullScaleUnknown, "full_scale_unknown", Warning, LT_TEXT("Engine", "{path}: the recorder {device} is not known; the values are converter codes. State the full scale."))
 LATHELIER_NOTE(RecordInSegments, "record_in_segments", Warning, LT_TEXT("Engine", "{path}: the recording has {count} segments; there may be gaps between them."))
 

@@ -41,7 +41,7 @@ std::optional<double> voltsPerCode(const LGraphHeader& header, const RecorderOpt
     if (device && !code && device->isAssumed)
         notes.push_back(
             {NoteCode::FullScaleAssumed,
-             {{"code", device->code}, {"device", header.device}, {"volts", volts.value_or(device->volts)}}});
+             {{"full_scale_code", device->code}, {"device", header.device}, {"volts", volts.value_or(device->volts)}}});
     if (device && !code) code = device->code;
     if (device && !volts) volts = device->volts;
     if (code && volts) return *volts / *code;

@@ -117,6 +117,20 @@ TEST(Texts, KeysAreUnique)
 #undef LATHELIER_NOTE
 }
 
+// In JSON the values of a note stand beside its "code".
+TEST(Errors, NoValueIsCalledCode)
+{
+    const auto namesCode = [](const Text& pattern) {
+        return std::string_view(pattern.english).find("{code}") != std::string_view::npos;
+    };
+#define LATHELIER_ERROR(code, name, kind, pattern) EXPECT_FALSE(namesCode(pattern)) << name;
+#include "engine/core/error_codes.def.h"
+#undef LATHELIER_ERROR
+#define LATHELIER_NOTE(code, name, severity, pattern) EXPECT_FALSE(namesCode(pattern)) << name;
+#include "engine/core/note_codes.def.h"
+#undef LATHELIER_NOTE
+}
+
 TEST(Json, NumbersThatDoNotExistAreNull)
 {
     EXPECT_EQ(toJson(Value(std::numeric_limits<double>::quiet_NaN())).dump(), "null");

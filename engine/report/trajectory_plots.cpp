@@ -19,6 +19,32 @@ std::vector<double> closed(std::vector<double> values, double addend = 0)
     return values;
 }
 
+/// A micrometre is as long along x as along y: an orbit shows its shape.
+void makeScalesEqual(Plot& plot)
+{
+    constexpr double widthToHeight = 3.26;  // of the frame
+    constexpr double air = 1.1;
+    Interval x{HUGE_VAL, -HUGE_VAL}, y = x;
+    const auto extend = [](Interval& range, const std::vector<double>& values) {
+        for (const double value : values) {
+            range.from = std::fmin(range.from, value);
+            range.to = std::fmax(range.to, value);
+        }
+    };
+    for (const Curve& curve : plot.curves) {
+        extend(x, curve.x);
+        extend(y, curve.y);
+    }
+    const double height = air * std::max(y.to - y.from, (x.to - x.from) / widthToHeight);
+    if (!std::isfinite(height) || height <= 0) return;
+    const auto about = [](const Interval& range, double length) {
+        const double middle = (range.from + range.to) / 2;
+        return Interval{middle - length / 2, middle + length / 2};
+    };
+    plot.x_range = about(x, widthToHeight * height);
+    plot.y_range = about(y, height);
+}
+
 }  // namespace
 
 Plot diameterAlongAxis(const LongitudinalSection& section)
@@ -93,6 +119,7 @@ Plot trajectoryPlot(const TrajectorySection& section)
     };
     plot.curves = {curve(LT_TEXT("Engine", "axis of the workpiece (X3, Y3)"), Probe::X3, Probe::Y3, measuredColour),
                    curve(LT_TEXT("Engine", "tool (Xp, Yp)"), Probe::Xp, Probe::Yp, toolColour)};
+    makeScalesEqual(plot);
     return plot;
 }
 
@@ -133,7 +160,9 @@ PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_dia
         trace.angle_deg = angle_deg;
         for (std::size_t i = 0; i < revolutions[k].size(); ++i)
             trace.deviation_um.push_back(static_cast<double>(revolutions[k][i]) - mean[i] + synchronous[i]);
-        trace.deviation_um = closed(std::move(trace.deviation_um));
+        if (k + 1 < revolutions.size() && !mean.empty())  // runs on into the next one
+            trace.deviation_um.push_back(static_cast<double>(revolutions[k + 1].front()) - mean[0] + synchronous[0]);
+        trace.angle_deg.resize(trace.deviation_um.size());
         trace.colour = singleColour;
         trace.thin = true;
         plot.traces.push_back(std::move(trace));

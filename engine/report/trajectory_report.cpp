@@ -65,6 +65,17 @@ QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResul
     return table;
 }
 
+/// For narrow columns.
+Text shortVerdict(FormVerdict verdict)
+{
+    switch (verdict) {
+        case FormVerdict::Pass: return LT_TEXT("Engine", "✓ within");
+        case FormVerdict::Fail: return LT_TEXT("Engine", "✗ above");
+        case FormVerdict::Undecided: return LT_TEXT("Engine", "? undecided");
+    }
+    return {};
+}
+
 Table sectionsTable(const TrajectoryResult& result)
 {
     Table table{LT_TEXT("Engine", "All sections"),
@@ -89,7 +100,7 @@ Table sectionsTable(const TrajectoryResult& result)
                                std::int64_t{s.revolutions_used}};
         if (judged) {
             Value verdict;
-            if (s.roundness.verdict) verdict = verdictName(*s.roundness.verdict);
+            if (s.roundness.verdict) verdict = shortVerdict(*s.roundness.verdict);
             row.push_back(std::move(verdict));
         }
         table.rows.push_back(std::move(row));
@@ -148,7 +159,7 @@ Section alongSection(const TrajectoryResult& result)
     return section;
 }
 
-Section motionSection(const TrajectorySection& worst, double workpiece_diameter_mm)
+Section motionSection(const TrajectorySection& worst, double workpiece_diameter_mm, const Language& language)
 {
     Section section{LT_TEXT("Engine", "Motion of spindle and tool in that section"),
                     {trajectoryPlot(worst), envelopePlot(worst), errorMotionPlot(worst, workpiece_diameter_mm),
@@ -163,7 +174,7 @@ Section motionSection(const TrajectorySection& worst, double workpiece_diameter_
             Paragraph{LT_TEXT("Engine",
                               "The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean "
                               "hides what differs from turn to turn."),
-                      {{"least", least}, {"most", most}}});
+                      {{"least", fixed(least, 2, language)}, {"most", fixed(most, 2, language)}}});
     }
     return section;
 }
@@ -236,7 +247,7 @@ Document trajectoryReport(const TrajectoryResult& result, const std::vector<Inpu
             {LT_TEXT("Engine", "Image of the surface in the section with the largest deviation"),
              {roundnessPolarPlot(section.roundness, language), spectrumPlot(section.roundness),
               harmonicsTable(section.roundness), methodTable(section.roundness, language)}});
-        document.sections.push_back(motionSection(section, result.workpiece_diameter_mm));
+        document.sections.push_back(motionSection(section, result.workpiece_diameter_mm, language));
     }
     Section method{LT_TEXT("Engine", "Method and parameters"), {}};
     if (!result.cutting.empty()) method.blocks.push_back(cuttingTable(result, language));

@@ -8,7 +8,7 @@
 namespace lathelier {
 
 PlotCanvas::PlotCanvas(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), style_(palette(), font()), parts_(std::make_unique<Parts>())
+    : PlotWidget(parent), plot_(new QCustomPlot(this)), style_(palette(), font()), parts_(std::make_unique<Parts>())
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

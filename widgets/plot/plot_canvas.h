@@ -2,33 +2,25 @@
 // to reset, keyboard, context menu with copy and save. PlotView and MapView put their content into it.
 #pragma once
 
-#include <QWidget>
 #include <memory>
 #include <optional>
 
 #include "widgets/plot/plot_data.h"
 #include "widgets/plot/plot_style.h"
+#include "widgets/plot/plot_widget.h"
 
 class QCustomPlot;
-class QMenu;
 
 namespace lathelier {
 
-class PlotCanvas : public QWidget {
+class PlotCanvas : public PlotWidget {
     Q_OBJECT
 
 public:
     ~PlotCanvas() override;
 
-    /// Writes .svg, .pdf or .png by the extension, dark on white; false when the file cannot be written.
-    bool savePicture(const QString& path);
-    /// Writes the data as CSV in UTF-8; false when the file cannot be written.
-    bool saveData(const QString& path) const;
-    virtual QString csv() const = 0;
-    QImage picture(double scale = 2);
-
-    /// Shows the whole of the data again.
-    void resetView();
+    QImage picture(double scale = 2) override;
+    void resetView() override;
     /// The visible ranges: x from the left, width, y from below, height.
     QRectF visibleRange() const;
     /// The place of a data point in this widget, for tests and for callouts.
@@ -40,8 +32,7 @@ public:
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void clicked(double x, double y);      ///< a click that was no drag, in data coordinates
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void clicked(double x, double y);  ///< a click that was no drag, in data coordinates
 
 protected:
     explicit PlotCanvas(QWidget* parent);
@@ -69,16 +60,13 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool saveVector(const QString& path) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Parts;
     void restyle(const QPalette& palette);
     void fitTexts();
-    void fillMenu(QMenu& menu);
-    void askAndSavePicture();
-    void askAndSaveData();
     void mousePressed(QMouseEvent* event);
     void mouseMoved(QMouseEvent* event);
     void mouseReleased(QMouseEvent* event);

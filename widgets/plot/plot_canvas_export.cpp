@@ -1,45 +1,9 @@
-// How a PlotCanvas leaves the program: clipboard, SVG, PDF, PNG, CSV.
-#include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QFileDialog>
-#include <QMenu>
-#include <QSaveFile>
+// How a PlotCanvas leaves the program: as picture and as vector file.
 #include <QSvgGenerator>
 
 #include "widgets/plot/plot_parts.h"
 
 namespace lathelier {
-
-void PlotCanvas::contextMenuEvent(QContextMenuEvent* event)
-{
-    QMenu menu(this);
-    fillMenu(menu);
-    menu.exec(event->globalPos());
-}
-
-void PlotCanvas::fillMenu(QMenu& menu)
-{
-    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture()); });
-    menu.addAction(tr("Save picture…"), this, &PlotCanvas::askAndSavePicture);
-    menu.addAction(tr("Save data as CSV…"), this, &PlotCanvas::askAndSaveData);
-    menu.addSeparator();
-    menu.addAction(tr("Show all"), this, &PlotCanvas::resetView);
-}
-
-void PlotCanvas::askAndSavePicture()
-{
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), accessibleName() + ".svg",
-                                                      tr("Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)"));
-    if (!path.isEmpty() && !savePicture(path)) emit notWritten(path);
-}
-
-void PlotCanvas::askAndSaveData()
-{
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save data"), accessibleName() + ".csv", tr("Table (*.csv)"));
-    if (!path.isEmpty() && !saveData(path)) emit notWritten(path);
-}
 
 QImage PlotCanvas::picture(double scale)
 {
@@ -51,9 +15,8 @@ QImage PlotCanvas::picture(double scale)
     return image;
 }
 
-bool PlotCanvas::savePicture(const QString& path)
+bool PlotCanvas::saveVector(const QString& path)
 {
-    if (path.endsWith(".png", Qt::CaseInsensitive)) return picture().save(path);
     hideCrosshair();
     restyle(paperPalette());
     bool done = false;
@@ -76,14 +39,6 @@ bool PlotCanvas::savePicture(const QString& path)
     restyle(palette());
     redraw();
     return done;
-}
-
-bool PlotCanvas::saveData(const QString& path) const
-{
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) return false;
-    file.write(csv().toUtf8());
-    return file.commit();
 }
 
 }  // namespace lathelier

@@ -1,0 +1,44 @@
+// A plot as its context menu and its exports see it: picture, vector file, data as CSV, "show all".
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+class QMenu;
+
+namespace lathelier {
+
+class PlotWidget : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The plot as shown, dark on white.
+    virtual QImage picture(double scale = 2) = 0;
+
+    /// Writes .svg, .pdf or .png by the extension, dark on white; false when the file cannot be written.
+    bool savePicture(const QString& path);
+
+    /// Writes the data as CSV in UTF-8; false when the file cannot be written.
+    bool saveData(const QString& path) const;
+    virtual QString csv() const = 0;
+
+    /// Shows the whole of the data again.
+    virtual void resetView() = 0;
+
+signals:
+    void notWritten(const QString& path);  ///< the system refused to write this file
+
+protected:
+    using QWidget::QWidget;
+
+    virtual bool saveVector(const QString& path) = 0;  ///< .svg, .pdf
+    virtual void addToMenu(QMenu&) {}                  ///< what a kind of plot offers besides
+
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void askAndSavePicture();
+    void askAndSaveData();
+};
+
+}  // namespace lathelier

@@ -1,0 +1,78 @@
+// The polar plot of roundness: closed profiles around a base circle at a stated magnification, reference circles,
+// contact points, one marked angle. An own painter, because no library plot magnifies deviations.
+#pragma once
+
+#include <QPixmap>
+
+#include "widgets/plot/plot_style.h"
+#include "widgets/plot/plot_widget.h"
+#include "widgets/plot/polar_data.h"
+
+namespace lathelier {
+
+/// The wheel (or + and -) changes the magnification, a double click (or Home) fits it again; ← and → move the mark from
+/// sample to sample of the first trace.
+class PolarView : public PlotWidget {
+    Q_OBJECT
+
+public:
+    explicit PolarView(QWidget* parent = nullptr);
+
+    /// Shows `picture`; the user's magnification stays when the title is the same as before.
+    void setPicture(const PolarPicturePtr& picture);
+    const PolarPicturePtr& polar() const { return picture_; }
+
+    /// Drawn deviation over drawn radius; what the plot states.
+    double magnification() const;
+    void setMagnification(std::optional<double> magnification);  ///< none: one that fits
+
+    /// Marks one angle, picked here or in a linked view.
+    void setMarker(std::optional<double> angle_deg);
+    std::optional<double> marker() const { return marker_; }
+
+    /// Angle and deviation under the pointer, else of the marker; empty when there is neither.
+    QString readout() const;
+
+    /// Where a sample stands in this widget, for tests and for callouts.
+    QPointF pixelAt(double angle_deg, double deviation_um) const;
+
+    QImage picture(double scale = 2) override;
+    QString csv() const override;
+    void resetView() override { setMagnification({}); }
+
+    QSize sizeHint() const override { return {480, 480}; }
+    QSize minimumSizeHint() const override { return {180, 180}; }
+
+signals:
+    void clicked(double angle_deg);  ///< or moved there by the keyboard
+    void pointed(double angle_deg);  ///< the pointer is over this angle
+    void pointerLeft();
+    void magnificationChanged(double magnification);
+
+protected:
+    bool saveVector(const QString& path) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void forgetPixmap();
+    void point(std::optional<double> angle_deg);
+    void step(int samples);
+    QString spoken(double angle_deg) const;
+
+    PolarPicturePtr picture_;
+    std::optional<double> chosen_;   ///< magnification
+    std::optional<double> marker_;   ///< degrees
+    std::optional<double> pointer_;  ///< degrees
+    QPixmap pixmap_;                 ///< everything that does not follow the pointer
+    int wheel_ = 0;
+};
+
+}  // namespace lathelier

@@ -6,7 +6,7 @@
 cmake_policy(VERSION 3.25)
 set(engine_order core signal io form spindle registration features beam receptance cutting stability deflection
     gcode cad cam report project)
-set(shared_widgets core plot scene)  # widgets/<folder> that every panel may include
+set(shared_widgets core plot scene spindle_common)  # widgets/<folder> that every panel may include
 set(foreign_in_headers "PCL|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
 set(findings "")
 

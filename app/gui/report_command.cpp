@@ -6,7 +6,7 @@
 
 #include "widgets/core/language.h"
 #include "widgets/core/report_files.h"
-#include "widgets/core/scan_store.h"
+#include "widgets/core/stores.h"
 
 namespace lathelier {
 namespace {
@@ -21,12 +21,15 @@ int exitCode(ErrorKind kind)
     return 4;
 }
 
-std::vector<std::string> reported(const Project& project)
+/// Ids of panels: those the user put into the report, else all that have something to work on.
+std::vector<std::string> reported(const Project& project, const std::vector<PanelFacts>& panels)
 {
     if (!project.report.empty()) return project.report;
     std::vector<std::string> all;
-    for (const auto& [id, panel] : project.panels)
-        if (!panel.inputs.empty()) all.push_back(id);
+    for (const PanelFacts& facts : panels) {
+        const auto state = project.panels.find(facts.stateKey());
+        if (state != project.panels.end() && hasWork(facts, state->second)) all.push_back(facts.id);
+    }
     return all;
 }
 
@@ -37,14 +40,15 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
     try {
         const ProjectFile opened = readProject(QFileInfo(project).absoluteFilePath().toStdString());
         for (const Note& note : opened.notes) std::cerr << screenText(note).toStdString() << '\n';
-        ScanStore scans;
+        Stores stores;
         std::vector<Document> parts;
-        for (const std::string& id : reported(opened.project)) {
+        for (const std::string& id : reported(opened.project, panels)) {
             const auto facts =
                 std::find_if(panels.begin(), panels.end(), [&](const PanelFacts& panel) { return panel.id == id; });
-            const auto state = opened.project.panels.find(id);
-            if (facts != panels.end() && state != opened.project.panels.end())
-                parts.push_back(facts->report(state->second, scans, screenLanguage(), {}));
+            if (facts == panels.end()) continue;
+            const auto state = opened.project.panels.find(facts->stateKey());
+            if (state != opened.project.panels.end())
+                parts.push_back(facts->report(state->second, stores, screenLanguage(), {}));
         }
         if (parts.empty()) {
             std::cerr << screenText(LT_TEXT("Engine", "The project has nothing to report.")).toStdString() << '\n';

@@ -329,7 +329,7 @@ private slots:
         session_->save(project);
         auto table = panels();
         for (PanelFacts& facts : table)
-            facts.report = [](const PanelState& state, ScanStore&, const Language&, const Progress&) {
+            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
                 Document document;
                 document.title = std::string("Report of ") + state.inputs.at("file").path;
                 return document;

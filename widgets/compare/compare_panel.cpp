@@ -20,8 +20,8 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    inputs.files = LT_TEXT("Engine", "Point clouds and meshes");
-    inputs.patterns = "*.xyz *.asc *.csv *.txt *.pts *.ply *.pcd *.stl *.obj";
+    inputs.files = {LT_TEXT("Engine", "Point clouds and meshes"),
+                    "*.xyz *.asc *.csv *.txt *.pts *.ply *.pcd *.stl *.obj"};
     inputs.fields = infos<CompareParameters>();
     inputs.defaults = toValues(CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
@@ -49,8 +49,8 @@ PanelFacts comparePanelFacts()
     facts.icon = "compare";
     facts.workspaces = {"inspection"};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
-    facts.report = [](const PanelState& state, ScanStore& scans, const Language& language, const Progress& progress) {
-        return reportOf(LastComparison().find(state, scans, progress), language, {});
+    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
+        return reportOf(LastComparison().find(state, *stores.of<ScanStore>(), progress), language, {});
     };
     return facts;
 }
@@ -100,7 +100,7 @@ void ComparePanel::swapInputs()
 ComparePanel::Compute ComparePanel::compute(const PanelState& state) const
 {
     fromValues<CompareParameters>(state.parameters);  // refuses now, not in the worker, what is out of range
-    return [state, last = last_, scans = session().sharedScans()](const Progress& progress) {
+    return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
         return last->find(state, *scans, progress);
     };
 }

@@ -1,25 +1,10 @@
 // The numbers of a comparison as tables that can be copied.
 #pragma once
 
-#include <QTableWidget>
-
 #include "widgets/compare/compare_picture.h"
+#include "widgets/core/copy_table.h"
 
 namespace lathelier {
-
-/// Rows are copied as tab-separated text, by Ctrl+C or the context menu.
-class CopyTable : public QTableWidget {
-    Q_OBJECT
-
-public:
-    explicit CopyTable(QWidget* parent = nullptr);
-    QString text(bool selectedOnly) const;
-    void copyToClipboard() const;
-
-protected:
-    void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
-};
 
 /// Every quantity of the result: name, value, unit.
 class StatisticsTable : public CopyTable {

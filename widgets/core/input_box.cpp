@@ -19,6 +19,13 @@ bool settledByImport(ErrorCode code)
     return code == ErrorCode::UnitUnknown || code == ErrorCode::NumberAmbiguous || code == ErrorCode::Malformed;
 }
 
+std::vector<FieldInfo> readingOf(const InputRole& role)
+{
+    std::vector<FieldInfo> fields = infos<ImportOptions>();
+    fields.insert(fields.end(), role.reading.begin(), role.reading.end());
+    return fields;
+}
+
 /// "ply_binary_little_endian": what a person wants to know of it, "PLY binary".
 QString formatText(const std::string& format)
 {
@@ -50,7 +57,7 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
       open_(button("openInput", "open")),
       clear_(button("clearInput", "remove")),
       how_(button("howToRead", "import")),
-      import_(new Form(infos<ImportOptions>()))
+      import_(new Form(readingOf(role)))
 {
     setObjectName(QString::fromStdString("input_" + role.role));
     setAcceptDrops(true);
@@ -81,16 +88,20 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
     retranslate();
 }
 
-void InputBox::setSource(const std::optional<Source>& source)
+void InputBox::setSources(const std::vector<Source>& sources)
 {
-    source_ = source;
-    import_->setValues(toValues(fromValues<ImportOptions>(source ? source->import : Values())));
+    sources_ = sources;
+    Values values = toValues(ImportOptions{});
+    for (const auto& [name, value] : role_.readingDefaults) lathelier::set(values, name, value);
+    if (!sources.empty())
+        for (const auto& [name, value] : sources.front().import) lathelier::set(values, name, value);
+    import_->setValues(values);
     refresh();
 }
 
-void InputBox::setUnderstood(const LoadedScanPtr& scan)
+void InputBox::setUnderstood(const QString& text)
 {
-    scan_ = scan;
+    understood_ = text;
     refresh();
 }
 
@@ -101,41 +112,44 @@ void InputBox::setProblem(const Error* error)
     refresh();
 }
 
-QString InputBox::understoodText() const
+QString understoodText(const FileFacts& facts, const QString& amount)
 {
-    const FileFacts& facts = scan_->file.facts;
-    const Scan& scan = scan_->file.scan;
     QStringList parts;
     parts << formatText(facts.format);
-    parts << (scan.isMesh() ? tr("%L1 triangles").arg(scan.triangles.size())
-                            : tr("%L1 points").arg(scan.points_mm.size()));
-    const QString unit = QString::fromStdString(facts.unit);
+    if (!amount.isEmpty()) parts << amount;
+    const QString unit = facts.unit == "um" ? QStringLiteral("µm") : QString::fromStdString(facts.unit);
     if (facts.unit_source == "guessed")
-        parts << tr("unit %1 (assumed)").arg(unit);
-    else
-        parts << tr("unit %1").arg(unit);
-    if (facts.decimal == "comma") parts << tr("decimal comma");
-    if (!facts.skipped.empty()) parts << tr("rows skipped: %L1").arg(facts.skipped.size());
+        parts << InputBox::tr("unit %1 (assumed)").arg(unit);
+    else if (!unit.isEmpty())
+        parts << InputBox::tr("unit %1").arg(unit);
+    if (facts.decimal == "comma") parts << InputBox::tr("decimal comma");
+    if (!facts.skipped.empty()) parts << InputBox::tr("rows skipped: %L1").arg(facts.skipped.size());
     return parts.join(QStringLiteral(" · "));
 }
 
 void InputBox::refresh()
 {
-    const QString path = source_ ? QString::fromStdString(source_->path) : QString();
-    clear_->setVisible(source_.has_value());
-    how_->setVisible(source_.has_value());
-    if (!source_) how_->setChecked(false);
-    const QString name = source_ ? QFileInfo(path).fileName() : screenText(role_.hint);
+    const bool there = !sources_.empty();
+    QStringList names, paths;
+    for (const Source& source : sources_) {
+        paths << QString::fromStdString(source.path);
+        names << QFileInfo(paths.back()).fileName();
+    }
+    clear_->setVisible(there);
+    how_->setVisible(there);
+    if (!there) how_->setChecked(false);
+    QString name = there ? names.front() : screenText(role_.hint);
+    if (names.size() > 1) name = tr("%1 and %n more", nullptr, static_cast<int>(names.size() - 1)).arg(name);
     file_->setText(file_->fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(width() - 4, 40)));
-    file_->setToolTip(source_ ? path : screenText(role_.hint));
+    file_->setToolTip(there ? paths.join('\n') : screenText(role_.hint));
     file_->setAccessibleName(name);
-    file_->setEnabled(source_.has_value());
+    file_->setEnabled(there);
     QStringList facts;
     if (problem_)
         facts << tr("⚠ This file could not be read.");
-    else if (source_ && scan_)
-        facts << understoodText();
-    if (source_ && source_->synthetic) facts << tr("Synthetic data");
+    else if (there && !understood_.isEmpty())
+        facts << understood_;
+    if (there && sources_.front().synthetic) facts << tr("Synthetic data");
     facts_->setText(facts.join('\n'));
     facts_->setVisible(!facts.isEmpty());
 }
@@ -168,15 +182,18 @@ void InputBox::resizeEvent(QResizeEvent* event)
 
 void InputBox::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().size() == 1) event->acceptProposedAction();
+    const auto files = event->mimeData()->urls().size();
+    if (files == 1 || (files > 1 && role_.several)) event->acceptProposedAction();
 }
 
 void InputBox::dropEvent(QDropEvent* event)
 {
-    const QString path = event->mimeData()->urls().value(0).toLocalFile();
-    if (path.isEmpty()) return;
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    if (paths.isEmpty()) return;
     event->acceptProposedAction();
-    emit fileDropped(path);
+    emit filesDropped(paths);
 }
 
 }  // namespace lathelier

@@ -1,33 +1,32 @@
-// One input file of a panel: which file, what was understood of it, and how to read it.
+// One input of a panel: which file or files, what was understood of them, and how to read them.
 #pragma once
 
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
-#include <optional>
 
+#include "engine/io/import.h"
 #include "widgets/core/panel_facts.h"
-#include "widgets/core/scan_store.h"
 
 namespace lathelier {
 
 class Form;
 
-/// Shows a Source and lets the user choose, drop, clear it, and settle what its file leaves open. Changes nothing by
-/// itself: the panel does, through the session.
+/// Shows the Sources of a role and lets the user choose, drop, clear them, and settle what the files leave open. Changes
+/// nothing by itself: the panel does, through the session.
 class InputBox : public QWidget {
     Q_OBJECT
 public:
     explicit InputBox(const InputRole& role, QWidget* parent = nullptr);
 
-    void setSource(const std::optional<Source>& source);
-    void setUnderstood(const LoadedScanPtr& scan);  ///< nullptr: not read (yet)
-    void setProblem(const Error* error);            ///< of this file; unfolds the reading options when they settle it
+    void setSources(const std::vector<Source>& sources);
+    void setUnderstood(const QString& text);  ///< empty: not read (yet)
+    void setProblem(const Error* error);      ///< of this file; unfolds the reading options when they settle it
 
 signals:
     void openWanted();
     void clearWanted();
-    void fileDropped(const QString& path);
+    void filesDropped(const QStringList& paths);
     void importChanged(const lathelier::Values& import);
 
 protected:
@@ -39,11 +38,10 @@ protected:
 private:
     void retranslate();
     void refresh();
-    QString understoodText() const;
 
     InputRole role_;
-    std::optional<Source> source_;
-    LoadedScanPtr scan_;
+    std::vector<Source> sources_;
+    QString understood_;
     bool problem_ = false;
     QLabel* title_;
     QLabel* file_;
@@ -53,5 +51,8 @@ private:
     QToolButton* how_;
     Form* import_;
 };
+
+/// "PLY binary · 732 000 points · unit mm": format, `amount`, and how the file was read.
+QString understoodText(const FileFacts& facts, const QString& amount);
 
 }  // namespace lathelier

@@ -1,5 +1,6 @@
 #include "widgets/core/input_column.h"
 
+#include <QCollator>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -53,16 +54,14 @@ InputBox* InputColumn::makeBox(const InputRole& role)
     auto* box = new InputBox(role);
     boxes_[role.role] = box;
     connect(box, &InputBox::openWanted, this, [this, role] { ask(role); });
-    connect(box, &InputBox::fileDropped, this, [this, role](const QString& path) { choose(role, path); });
-    connect(box, &InputBox::clearWanted, this, [this, role] {
-        emit sourceChosen(role.role, std::nullopt, tr("Take away: %1").arg(screenText(role.label)));
-    });
+    connect(box, &InputBox::filesDropped, this, [this, role](const QStringList& paths) { choose(role, paths); });
+    connect(box, &InputBox::clearWanted, this,
+            [this, role] { emit sourcesChosen(role, {}, tr("Take away: %1").arg(screenText(role.label))); });
     connect(box, &InputBox::importChanged, this, [this, role](const Values& import) {
-        const auto found = state_.inputs.find(role.role);
-        if (found == state_.inputs.end()) return;
-        Source source = found->second;
-        source.import = import;
-        emit sourceChosen(role.role, source, tr("Change how to read: %1").arg(screenText(role.label)));
+        std::vector<Source> sources = sourcesOf(state_, role);
+        for (Source& source : sources) source.import = import;
+        if (!sources.empty())
+            emit sourcesChosen(role, sources, tr("Change how to read: %1").arg(screenText(role.label)));
     });
     return box;
 }
@@ -75,34 +74,41 @@ void InputColumn::insertBefore(const std::string& role, QWidget* control)
 
 void InputColumn::ask(const InputRole& role)
 {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open: %1").arg(screenText(role.label)), {}, fileFilter(inputs_));
-    if (!path.isEmpty()) choose(role, path);
+    const QString title = tr("Open: %1").arg(screenText(role.label));
+    const QString filter = fileFilter(role.kind.value_or(inputs_.files));
+    QStringList paths;
+    if (role.several)
+        paths = QFileDialog::getOpenFileNames(this, title, {}, filter);
+    else
+        paths << QFileDialog::getOpenFileName(this, title, {}, filter);
+    paths.removeAll(QString());
+    if (!paths.isEmpty()) choose(role, paths);
 }
 
-void InputColumn::choose(const InputRole& role, const QString& path)
+void InputColumn::choose(const InputRole& role, const QStringList& paths)
 {
-    emit sourceChosen(role.role, newSource(path), tr("Open %1").arg(QFileInfo(path).fileName()));
+    std::vector<Source> sources;
+    for (const QString& path : counted(paths)) sources.push_back(newSource(path));
+    emit sourcesChosen(role, sources, tr("Open %1").arg(QFileInfo(paths.front()).fileName()));
 }
 
 void InputColumn::showState(const PanelState& state)
 {
     state_ = state;
     form_->setValues(state.parameters);
-    for (const auto& [role, box] : boxes_) {
-        const auto found = state.inputs.find(role);
-        box->setSource(found == state.inputs.end() ? std::nullopt : std::optional(found->second));
-    }
+    for (const InputRole& role : inputs_.roles) boxes_.at(role.role)->setSources(sourcesOf(state, role));
 }
 
-void InputColumn::showFacts(const ScanStore& scans, const std::optional<Error>& error)
+void InputColumn::showFacts(const Understood& understood, const std::optional<Error>& error)
 {
     const Value* path = error ? lathelier::find(error->values(), "path") : nullptr;
-    for (const auto& [role, box] : boxes_) {
-        const auto found = state_.inputs.find(role);
-        const bool there = found != state_.inputs.end();
-        box->setUnderstood(there ? scans.known(found->second) : nullptr);
-        box->setProblem(there && path && *path == Value(found->second.path) ? &*error : nullptr);
+    for (const InputRole& role : inputs_.roles) {
+        const std::vector<Source> sources = sourcesOf(state_, role);
+        InputBox* box = boxes_.at(role.role);
+        box->setUnderstood(sources.empty() ? QString() : understood(role, sources.front()));
+        const bool meant = path && std::any_of(sources.begin(), sources.end(),
+                                               [&](const Source& source) { return *path == Value(source.path); });
+        box->setProblem(meant ? &*error : nullptr);
     }
 }
 
@@ -113,9 +119,17 @@ Source newSource(const QString& path)
     return source;
 }
 
-QString fileFilter(const PanelInputs& inputs)
+QString fileFilter(const FileKind& kind)
 {
-    return InputColumn::tr("%1 (%2);;All files (*)").arg(screenText(inputs.files), inputs.patterns);
+    return InputColumn::tr("%1 (%2);;All files (*)").arg(screenText(kind.name), kind.patterns);
+}
+
+QStringList counted(QStringList paths)
+{
+    QCollator order;
+    order.setNumericMode(true);
+    std::sort(paths.begin(), paths.end(), order);
+    return paths;
 }
 
 }  // namespace lathelier

@@ -22,7 +22,8 @@ public:
     void showState(const PanelState& state);
 
     /// What was understood of the files so far, and which of them `error` is about.
-    void showFacts(const ScanStore& scans, const std::optional<Error>& error);
+    using Understood = std::function<QString(const InputRole&, const Source&)>;
+    void showFacts(const Understood& understood, const std::optional<Error>& error);
 
     Form& form() const { return *form_; }
 
@@ -30,7 +31,8 @@ public:
     void insertBefore(const std::string& role, QWidget* control);
 
 signals:
-    void sourceChosen(const std::string& role, const std::optional<lathelier::Source>& source, const QString& step);
+    void sourcesChosen(const lathelier::InputRole& role, const std::vector<lathelier::Source>& sources,
+                       const QString& step);
     void parameterEdited(const std::string& key, const lathelier::Value& value, int gesture, const QString& step);
 
 protected:
@@ -39,7 +41,7 @@ protected:
 private:
     InputBox* makeBox(const InputRole& role);
     void ask(const InputRole& role);
-    void choose(const InputRole& role, const QString& path);
+    void choose(const InputRole& role, const QStringList& paths);
 
     PanelInputs inputs_;
     PanelState state_;
@@ -51,6 +53,9 @@ private:
 Source newSource(const QString& path);
 
 /// "Point clouds and meshes (*.xyz *.ply);;All files (*)"
-QString fileFilter(const PanelInputs& inputs);
+QString fileFilter(const FileKind& kind);
+
+/// In the order a person counts them: "section2" before "section10".
+QStringList counted(QStringList paths);
 
 }  // namespace lathelier

@@ -28,13 +28,16 @@ protected:
     using Compute = std::function<Result(const Progress&)>;
 
     /// The computation for `state`, whose required inputs are all there. Called in the GUI thread; what it returns runs
-    /// in the worker and must own all it uses (session().sharedScans(), copies of values). Loads files itself.
+    /// in the worker and must own all it uses (what session().stores() gives, copies of values). Loads files itself.
     virtual Compute compute(const PanelState& state) const = 0;
 
     virtual void showResult(const std::shared_ptr<const Result>& result) = 0;
     virtual Headline headline(const Result& result) const = 0;
     virtual Notes notes(const Result& result) const = 0;
     virtual Document document(const Result& result) const = 0;
+
+    /// Why there is something to look at (what was understood of a file), but no answer.
+    virtual std::optional<Error> problem(const Result&) const { return std::nullopt; }
 
 private:
     Worker::Job makeJob(const PanelState& state) const final
@@ -51,6 +54,7 @@ private:
     Headline headlineOf(const void* value) const final { return headline(*static_cast<const Result*>(value)); }
     Notes notesOf(const void* value) const final { return notes(*static_cast<const Result*>(value)); }
     Document documentOf(const void* value) const final { return document(*static_cast<const Result*>(value)); }
+    std::optional<Error> problemOf(const void* value) const final { return problem(*static_cast<const Result*>(value)); }
 
     std::shared_ptr<const Result> result_;
 };

@@ -19,21 +19,7 @@ namespace {
 
 constexpr int pollInterval_ms = 33;
 
-bool isComplete(const PanelInputs& inputs, const PanelState& state)
-{
-    return std::all_of(inputs.roles.begin(), inputs.roles.end(),
-                       [&](const InputRole& role) { return !role.required || state.inputs.count(role.role) > 0; });
-}
-
-/// Reads what is there, so that its facts can be shown before the other inputs come.
-Worker::Job reading(std::shared_ptr<ScanStore> scans, const PanelState& state)
-{
-    return [scans, inputs = state.inputs](const Progress& progress) -> std::shared_ptr<const void> {
-        for (const auto& [role, source] : inputs)
-            scans->load(source, progress.part(0, 1, LT_TEXT("Engine", "Reading")));
-        return nullptr;
-    };
-}
+constexpr int patience_ms = 150;  // an answer that comes sooner needs no dimming
 
 }  // namespace
 
@@ -56,9 +42,12 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
 
     poll_.setInterval(pollInterval_ms);
     connect(&poll_, &QTimer::timeout, this, &PanelBase::pollWorker);
-    connect(column_, &InputColumn::sourceChosen, this, &PanelBase::setSource);
+    connect(column_, &InputColumn::sourcesChosen, this, &PanelBase::takeSources);
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
+    connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
+        if (state == facts_.stateKey()) worker_.cancel();
+    });
     // A virtual call: only once the panel is complete.
     QTimer::singleShot(0, this, &PanelBase::readProject);
 }
@@ -111,7 +100,7 @@ void PanelBase::setViews(QWidget* views)
 
 void PanelBase::readProject()
 {
-    PanelState state = session_.panel(facts_.id);
+    PanelState state = session_.panel(facts_.stateKey());
     Values parameters = inputs_.defaults;
     for (const auto& [name, value] : state.parameters) lathelier::set(parameters, name, value);
     state.parameters = parameters;
@@ -134,23 +123,30 @@ void PanelBase::request()
 {
     error_.reset();
     stopped_ = false;
-    column_->showFacts(session_.scans(), error_);
+    showFacts();
     message_->clear();
-    if (!isComplete(inputs_, state_)) result_.reset();  // the old picture answers nothing any more
-    if (state_.inputs.empty()) {
+    const bool complete = isComplete(state_);
+    if (!complete) result_.reset();  // the old picture answers nothing any more
+    if (!hasInputs()) {
         worker_.cancel();
     } else {
         try {
-            worker_.request(isComplete(inputs_, state_) ? makeJob(state_) : reading(session_.sharedScans(), state_));
+            worker_.request(complete ? makeJob(state_) : makeReadingJob(state_));
         } catch (const Error& error) {  // a parameter of the project file is out of its range
             worker_.cancel();
             refuse(error);
         }
     }
     const bool wasBusy = isBusy();
+    asking_.start();
     poll_.start();
     if (!wasBusy) emit busyChanged(true);
     updateStack();
+}
+
+bool PanelBase::isLate() const
+{
+    return isBusy() && asking_.elapsed() > patience_ms;
 }
 
 void PanelBase::pollWorker()
@@ -163,16 +159,22 @@ void PanelBase::pollWorker()
         else if (const auto* error = std::get_if<Error>(&*outcome))
             refuse(*error);
         else
-            stopped_ = !state_.inputs.empty();
+            stopped_ = hasInputs();
     } else if (state.busy) {
+        if (isLate() && !shade_->isVisibleTo(viewsPage_)) updateStack();
         return;
     }
     poll_.stop();
     progress_->showState({});
-    column_->showFacts(session_.scans(), error_);
+    showFacts();
     updateStack();
     emit busyChanged(false);
     if (isCurrent()) emit resultShown();
+}
+
+void PanelBase::showFacts()
+{
+    column_->showFacts([this](const InputRole& role, const Source& source) { return understood(role, source); }, error_);
 }
 
 void PanelBase::accept(std::shared_ptr<const void> result)
@@ -180,6 +182,7 @@ void PanelBase::accept(std::shared_ptr<const void> result)
     if (!result) return;  // only read
     result_ = std::move(result);
     showValue(result_);
+    if (auto problem = problemOf(result_.get())) return refuse(*problem);
     for (const Note& note : notesOf(result_.get())) emit messageRaised({note, facts_.title});
 }
 
@@ -191,35 +194,37 @@ void PanelBase::refuse(const Error& error)
 
 void PanelBase::cancel()
 {
-    worker_.cancel();
+    session_.stop(facts_.stateKey());
 }
 
 void PanelBase::updateStack()
 {
+    const bool complete = isComplete(state_);
     QStringList missing;
     for (const InputRole& role : inputs_.roles)
         if (role.required && !state_.inputs.count(role.role)) missing << screenText(role.label);
-    const bool begun = !state_.inputs.empty() && !missing.isEmpty();
+    const bool begun = hasInputs() && !missing.isEmpty();
     empty_->setInvitation(screenText(inputs_.invitation),
                           begun ? tr("Still missing: %1").arg(missing.join(", ")) : QString());
-    stack_->setCurrentWidget(hasResult() || (missing.isEmpty() && isBusy()) ? viewsPage_
-                                                                            : static_cast<QWidget*>(empty_));
+    stack_->setCurrentWidget(hasResult() || (complete && isBusy()) ? viewsPage_ : static_cast<QWidget*>(empty_));
     progress_->setResultThere(isCurrent());
-    shade_->setVisible(!isCurrent());
+    const bool onlyFacts = error_ && hasResult() && problemOf(result_.get());
+    shade_->setVisible(isBusy() ? isLate() || !hasResult() : !isCurrent() && !onlyFacts);
     showAnswer();
 }
 
 void PanelBase::showAnswer()
 {
-    if (hasResult()) {
+    if (hasResult() && !problemOf(result_.get())) {
         headline_->setHeadline(headlineOf(result_.get()));
         notes_->setNotes(notesOf(result_.get()));
     } else {
         headline_->clear();
         notes_->setNotes({});
     }
-    headline_->setEnabled(isCurrent());
-    notes_->setEnabled(isCurrent());
+    const bool dimmed = shade_->isVisibleTo(viewsPage_);
+    headline_->setEnabled(!dimmed);
+    notes_->setEnabled(!dimmed);
     if (error_)
         message_->setError(*error_);
     else if (stopped_ && !isBusy())
@@ -230,7 +235,7 @@ void PanelBase::showAnswer()
 
 std::optional<Document> PanelBase::reportDocument() const
 {
-    if (!hasResult()) return std::nullopt;
+    if (!hasResult() || problemOf(result_.get())) return std::nullopt;
     return documentOf(result_.get());
 }
 
@@ -244,6 +249,7 @@ void PanelBase::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() != QEvent::LanguageChange) return;
     retranslate();
+    showFacts();
     updateStack();
 }
 

@@ -1,8 +1,10 @@
 // What all panels share: inputs at the left, headline and notes above the views, progress and exports under them.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "widgets/core/message.h"
@@ -33,7 +35,7 @@ public:
     const PanelFacts& facts() const { return facts_; }
     bool isBusy() const { return poll_.isActive(); }
     bool hasResult() const { return result_ != nullptr; }
-    bool isCurrent() const { return hasResult() && !isBusy() && !error_; }  ///< what is shown answers what is asked
+    bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }  ///< it answers what is asked
     const std::optional<Error>& error() const { return error_; }
 
     /// Gives `paths` to the inputs: empty ones first, in their order. One undo step.
@@ -60,6 +62,10 @@ protected:
     Session& session() const { return session_; }
     InputColumn& inputColumn() const { return *column_; }
     const PanelState& state() const { return state_; }  ///< of this panel, with all parameters filled in
+    const PanelInputs& inputs() const { return inputs_; }
+
+    /// Changes the panel's state in the project: one undo step.
+    void editState(const QString& step, const std::function<void(PanelState&)>& change, const QString& mergeKey = {});
 
     void setViews(QWidget* views);
 
@@ -68,10 +74,23 @@ protected:
     virtual Headline headlineOf(const void* result) const = 0;
     virtual Notes notesOf(const void* result) const = 0;
     virtual Document documentOf(const void* result) const = 0;
+    virtual std::optional<Error> problemOf(const void* result) const = 0;
     virtual std::vector<PanelExport> exports() const { return {}; }
 
     /// Everything the panel says in its own views, again, in the language of the screen.
     virtual void retranslate() {}
+
+    /// Whether there is enough to compute; by default when all required inputs are there.
+    virtual bool isComplete(const PanelState& state) const;
+
+    /// Gives files of any kind to the inputs of `state`; by default empty ones first, in their order.
+    virtual void assignFiles(PanelState& state, const QStringList& paths) const;
+
+    /// Reads what is there of an incomplete state, so that its facts can be shown before the other inputs come.
+    virtual Worker::Job makeReadingJob(const PanelState& state) const;
+
+    /// What was understood of a file that was read, in the language of the screen; empty when it was not.
+    virtual QString understood(const InputRole& role, const Source& source) const;
 
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -86,7 +105,10 @@ private:
     void refuse(const Error& error);
     void showAnswer();
     void updateStack();
-    void setSource(const std::string& role, const std::optional<Source>& source, const QString& step);
+    void showFacts();
+    bool hasInputs() const;
+    bool isLate() const;
+    void takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step);
     void editParameter(const std::string& key, const Value& value, int gesture, const QString& step);
     void fillExportMenu();
     void runExport(const PanelExport& item);
@@ -111,6 +133,7 @@ private:
     Shade* shade_ = nullptr;
     ProgressRow* progress_ = nullptr;
     QTimer poll_;
+    QElapsedTimer asking_;  ///< since the newest request
     Worker worker_;  ///< last: stopped before anything else goes
 };
 

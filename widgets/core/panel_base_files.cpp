@@ -1,56 +1,93 @@
-// What the user gives to a panel and takes from it: files, parameters, exports.
+// How a panel comes to its files and parameters, and how its result leaves it.
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QUrl>
+#include <algorithm>
 
 #include "widgets/core/answer_parts.h"
+#include "widgets/core/input_box.h"
 #include "widgets/core/input_column.h"
+#include "widgets/core/language.h"
 #include "widgets/core/panel_base.h"
+#include "widgets/core/scan_store.h"
 #include "widgets/core/session.h"
 #include "widgets/core/wait_parts.h"
 
 namespace lathelier {
 
-void PanelBase::setSource(const std::string& role, const std::optional<Source>& source, const QString& step)
+bool PanelBase::hasInputs() const
 {
-    session_.edit(step, [&](Project& project) {
-        auto& inputs = project.panels[facts_.id].inputs;
-        if (source)
-            inputs[role] = *source;
-        else
-            inputs.erase(role);
-    });
+    return std::any_of(inputs_.roles.begin(), inputs_.roles.end(),
+                       [&](const InputRole& role) { return state_.inputs.count(role.role) > 0; });
+}
+
+bool PanelBase::isComplete(const PanelState& state) const
+{
+    return std::all_of(inputs_.roles.begin(), inputs_.roles.end(),
+                       [&](const InputRole& role) { return !role.required || state.inputs.count(role.role) > 0; });
+}
+
+Worker::Job PanelBase::makeReadingJob(const PanelState& state) const
+{
+    return [scans = session_.stores().of<ScanStore>(),
+            inputs = state.inputs](const Progress& progress) -> std::shared_ptr<const void> {
+        for (const auto& [role, source] : inputs)
+            scans->load(source, progress.part(0, 1, LT_TEXT("Engine", "Reading")));
+        return nullptr;
+    };
+}
+
+QString PanelBase::understood(const InputRole&, const Source& source) const
+{
+    const LoadedScanPtr loaded = session_.stores().of<ScanStore>()->known(source);
+    if (!loaded) return {};
+    const Scan& scan = loaded->file.scan;
+    return understoodText(loaded->file.facts, scan.isMesh() ? tr("%L1 triangles").arg(scan.triangles.size())
+                                                            : tr("%L1 points").arg(scan.points_mm.size()));
+}
+
+void PanelBase::editState(const QString& step, const std::function<void(PanelState&)>& change, const QString& mergeKey)
+{
+    session_.edit(step, [&](Project& project) { change(project.panels[facts_.stateKey()]); }, mergeKey);
+}
+
+void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step)
+{
+    editState(step, [&](PanelState& state) { setSources(state, role, sources); });
 }
 
 void PanelBase::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty()) return;
-    session_.edit(tr("Open %1").arg(QFileInfo(paths.front()).fileName()), [&](Project& project) {
-        auto& inputs = project.panels[facts_.id].inputs;
-        std::vector<std::string> free;
-        for (const InputRole& role : inputs_.roles)
-            if (!inputs.count(role.role)) free.push_back(role.role);
-        if (static_cast<qsizetype>(free.size()) < paths.size()) {  // more files than free places: start anew
-            free.clear();
-            for (const InputRole& role : inputs_.roles) free.push_back(role.role);
-        }
-        for (std::size_t i = 0; i < free.size() && static_cast<qsizetype>(i) < paths.size(); ++i)
-            inputs[free[i]] = newSource(paths[static_cast<int>(i)]);
-    });
+    editState(tr("Open %1").arg(QFileInfo(paths.front()).fileName()),
+              [&](PanelState& state) { assignFiles(state, paths); });
+}
+
+void PanelBase::assignFiles(PanelState& state, const QStringList& paths) const
+{
+    std::vector<std::string> free;
+    for (const InputRole& role : inputs_.roles)
+        if (!state.inputs.count(role.role)) free.push_back(role.role);
+    if (static_cast<qsizetype>(free.size()) < paths.size()) {  // more files than free places: start anew
+        free.clear();
+        for (const InputRole& role : inputs_.roles) free.push_back(role.role);
+    }
+    for (std::size_t i = 0; i < free.size() && static_cast<qsizetype>(i) < paths.size(); ++i)
+        state.inputs[free[i]] = newSource(paths[static_cast<int>(i)]);
 }
 
 void PanelBase::askForFiles()
 {
-    openFiles(QFileDialog::getOpenFileNames(this, tr("Open"), {}, fileFilter(inputs_)));
+    openFiles(QFileDialog::getOpenFileNames(this, tr("Open"), {}, fileFilter(inputs_.files)));
 }
 
 void PanelBase::editParameter(const std::string& key, const Value& value, int gesture, const QString& step)
 {
-    session_.edit(
-        step, [&](Project& project) { lathelier::set(project.panels[facts_.id].parameters, key, value); },
+    editState(
+        step, [&](PanelState& state) { lathelier::set(state.parameters, key, value); },
         QString("%1/%2/%3").arg(QString::fromStdString(facts_.id), QString::fromStdString(key)).arg(gesture));
 }
 

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,34 +16,62 @@
 namespace lathelier {
 
 class PanelBase;
-class ScanStore;
 class Session;
+class Stores;
+
+/// A kind of file, as file dialogs name it.
+struct FileKind {
+    Text name;         ///< "Point clouds and meshes"
+    QString patterns;  ///< "*.xyz *.ply"
+};
 
 /// One line of the panel table (app/gui/panels.cpp); menu, dock, layouts and reports follow from it.
 struct PanelFacts {
-    std::string id;  ///< key in the project, the layouts and the settings: "compare"
+    std::string id;  ///< key in the report, the layouts and the settings: "compare"
     Text title;
     QString icon;                         ///< name in resources/icons
     std::vector<std::string> workspaces;  ///< ids: "inspection"
     std::function<PanelBase*(Session&)> make;
 
     /// The panel's part of a report without any widget or display; blocks. Throws what the engine throws.
-    std::function<Document(const PanelState&, ScanStore&, const Language&, const Progress&)> report;
+    std::function<Document(const PanelState&, Stores&, const Language&, const Progress&)> report;
+
+    /// Key of the panel's state in the project; empty: the id. Panels with the same one work on one state together.
+    std::string state = {};
+
+    /// Whether the file at this path is certainly meant for this panel (a probe record); none: never certain.
+    std::function<bool(const std::string& path)> recognises = {};
+
+    /// Whether the state holds files that this panel works on; none: when it holds any.
+    std::function<bool(const PanelState&)> hasWork = {};
+
+    const std::string& stateKey() const { return state.empty() ? id : state; }
 };
 
-/// An input of a panel, given by a file.
+bool hasWork(const PanelFacts& facts, const PanelState& state);
+
+/// An input of a panel, given by a file, or by several that belong together.
 struct InputRole {
     std::string role;  ///< key in PanelState::inputs: "reference"
     Text label;
     Text hint;  ///< what belongs here, for tooltip and empty state
     bool required = true;
+    bool several = false;                 ///< more files follow under the keys "role.2", "role.3"…
+    std::vector<FieldInfo> reading = {};  ///< what a file may leave open besides ImportOptions
+    Values readingDefaults = {};          ///< of these fields
+    std::optional<FileKind> kind = {};    ///< for its file dialog; none: that of the panel
 };
+
+/// The files of a role, in order.
+std::vector<Source> sourcesOf(const PanelState& state, const InputRole& role);
+
+/// Puts `sources` in place of the files of a role.
+void setSources(PanelState& state, const InputRole& role, const std::vector<Source>& sources);
 
 /// The left column of a panel.
 struct PanelInputs {
     std::vector<InputRole> roles;
-    Text files;        ///< name of the kind of file: "Point clouds and meshes"
-    QString patterns;  ///< "*.xyz *.ply"
+    FileKind files;
     std::vector<FieldInfo> fields;
     Values defaults;  ///< of the fields
     Text invitation;  ///< the one sentence of the empty state

@@ -38,7 +38,7 @@ private:
     QString mergeKey_;
 };
 
-Session::Session(QObject* parent) : QObject(parent), scans_(std::make_shared<ScanStore>())
+Session::Session(QObject* parent) : QObject(parent), stores_(std::make_unique<Stores>())
 {
     connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }
@@ -123,7 +123,7 @@ Project Session::forDisk() const
     Project project = project_;
     for (auto& [id, panel] : project.panels)
         for (auto& [role, source] : panel.inputs)
-            if (const LoadedScanPtr scan = scans_->known(source)) source.sha256 = scan->sha256;
+            if (const auto digest = stores_->digest(source)) source.sha256 = *digest;
     return project;
 }
 

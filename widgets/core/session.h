@@ -7,19 +7,20 @@
 #include <functional>
 
 #include "engine/project/project.h"
-#include "widgets/core/scan_store.h"
+#include "widgets/core/stores.h"
 
 namespace lathelier {
 
 /// Owns the project. Everything on screen follows from changed(); every change goes through edit(), is one undo step,
-/// and is announced. Lives in the GUI thread (scans() may be used from jobs).
+/// and is announced. Lives in the GUI thread (what stores() gives may be used from jobs).
 class Session : public QObject {
     Q_OBJECT
 public:
     explicit Session(QObject* parent = nullptr);
 
     const Project& project() const { return project_; }
-    const PanelState& panel(const std::string& id) const;  ///< empty state when the project has none
+    /// A panel's state by its key in the project; empty when the project has none.
+    const PanelState& panel(const std::string& id) const;
 
     /// Changes the project. `text` names the step in the Edit menu ("Change the tolerance"). Consecutive edits with the
     /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
@@ -51,14 +52,18 @@ public:
     /// Writes what save() would write, without becoming clean: for autosave. Throws Error.
     void saveCopy(const QString& path) const;
 
-    ScanStore& scans() { return *scans_; }
-    std::shared_ptr<ScanStore> sharedScans() const { return scans_; }  ///< for jobs that may outlive a call
+    /// What panels share beside the project; jobs keep what they use of it.
+    Stores& stores() const { return *stores_; }
+
+    /// Stops the computations of all panels that work on this state.
+    void stop(const std::string& state) { emit stopWanted(state); }
 
 signals:
     void changed();      ///< the project has a new value
     void pathChanged();  ///< opened, saved under a name, or reset
     void modifiedChanged(bool modified);
     void workspaceChanged();
+    void stopWanted(const std::string& state);
 
 private:
     class Edit;
@@ -69,7 +74,7 @@ private:
     Project project_;
     QString path_;
     QUndoStack undo_;
-    std::shared_ptr<ScanStore> scans_;
+    std::unique_ptr<Stores> stores_;
 };
 
 }  // namespace lathelier

@@ -51,7 +51,7 @@ public:
                 "compare",
                 {workspace},
                 [id](Session& owner) { return new FakePanel(owner, id); },
-                [](const PanelState&, ScanStore&, const Language&, const Progress&) { return Document{}; }};
+                [](const PanelState&, Stores&, const Language&, const Progress&) { return Document{}; }};
     }
 
     QString shown() const { return views_->text(); }
@@ -99,8 +99,7 @@ private:
     static PanelInputs inputs()
     {
         return {{{"file", Text{"File"}, Text{"Any file"}}},
-                Text{"Files"},
-                "*.txt",
+                {Text{"Files"}, "*.txt"},
                 infos<FakeParameters>(),
                 toValues(FakeParameters()),
                 Text{"Drop a file."}};

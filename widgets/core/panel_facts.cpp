@@ -1,0 +1,38 @@
+#include "widgets/core/panel_facts.h"
+
+namespace lathelier {
+namespace {
+
+std::string keyOf(const std::string& role, std::size_t number)
+{
+    return number == 1 ? role : role + "." + std::to_string(number);
+}
+
+}  // namespace
+
+bool hasWork(const PanelFacts& facts, const PanelState& state)
+{
+    return facts.hasWork ? facts.hasWork(state) : !state.inputs.empty();
+}
+
+std::vector<Source> sourcesOf(const PanelState& state, const InputRole& role)
+{
+    std::vector<Source> sources;
+    for (std::size_t number = 1;; ++number) {
+        const auto found = state.inputs.find(keyOf(role.role, number));
+        if (found == state.inputs.end()) return sources;
+        sources.push_back(found->second);
+        if (!role.several) return sources;
+    }
+}
+
+void setSources(PanelState& state, const InputRole& role, const std::vector<Source>& sources)
+{
+    std::erase_if(state.inputs, [&](const auto& input) {
+        return input.first == role.role || input.first.starts_with(role.role + ".");
+    });
+    for (std::size_t i = 0; i < sources.size() && (i == 0 || role.several); ++i)
+        state.inputs[keyOf(role.role, i + 1)] = sources[i];
+}
+
+}  // namespace lathelier

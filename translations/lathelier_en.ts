@@ -2487,6 +2487,796 @@
         <source>Superimpose also the other way round.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The record does not say the workpiece&apos;s diameter. State it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{signal} cannot be channel {found}: {reason}. The record has {channels} channels, counted from 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{signal}: channel {found} ({channel}) states no unit; expected µm, mm or V in its heading, such as X3_um.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no marker of revolutions: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no marker of revolutions: {reason}. Channel {candidate} ({candidate_channel}) looks like one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no angle of revolution: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time does not go forward at row {row}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{found} whole revolutions are too few; at least {minimum} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{found} revolutions are too few for {sections} sections; at least {minimum} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The records are not of one workpiece: {parameter} is {first} in the first and {found} here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{parameter} is {value}: taken from {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {signal} ({channel}) stands still; is the probe connected?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {signal} ({channel}) rests at the end of its range for {share_percent} % of the time; the probe was out of range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {signal} reaches {largest_um} µm, more than a probe measures; check the sensitivity and the channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the delay from channel to channel is not known; taken as none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} revolutions of irregular length were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} revolutions with missing samples were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {found} revolutions in a section instead of {asked}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the marks come {found_rpm} times a minute, the record says {stated_rpm} rpm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{revolutions} revolutions and {samples} samples that stand out were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place along the workpiece is not known for {count} sections: no longitudinal section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A longitudinal section needs sections at {minimum} different places; there are {found}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The diameter of {diameter_mm} mm is nominal: form is measured, size is referenced to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two probes cannot tell the mandrel&apos;s own form (up to {form_um} µm) from its motion: nothing smaller is resolved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: averages over revolutions; asynchronous motion and single revolutions are not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the workpiece, from the free end (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitudinal section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter, deviation from its mean (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taper and barrel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roundness of the sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories over one turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis of the workpiece (X3, Y3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool (Xp, Yp)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius about the spindle axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation from the mean radius (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single revolutions: from the smallest to the largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error motion of the spindle, sensitive direction X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single revolutions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>synchronous (their mean)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taper on diameter (+ grows from the free end)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Barrel on radius (+ barrel, - saddle)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range of the diameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of it, as GOST 24642-81 has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straightness of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straightness of the profile (residual about its line)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylindricity CYLt(LSCY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylindricity CYLt(MZCY), locally optimal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The section with the largest deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the free end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radial run-out about the spindle axis (the paper&apos;s; not roundness)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diameter (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-point (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>run-out (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>revolutions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error motion (ISO 230-7), without mean and eccentricity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>synchronous (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asynchronous (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total (µm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift (µm/rev)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotating direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting data, as the record states them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the workpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of spindle and tool in that section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean hides what differs from turn to turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (section {section} of {count})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · taper {taper} µm on diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · saddle {size} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · barrel {size} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · within {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · above {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · not decided: too near to {tolerance} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories and the machined surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image of the surface in the section with the largest deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image of the surface is the path of the tool as seen from the axis of the workpiece: radius |AP| with A = (X3, Y3), P = (D/2 + Xp, Yp), at the angle of the spindle plus atan2(Y3 - Yp, D/2 - X3 + Xp). Diameters are referenced to the nominal one. Roundness by ISO 12181 about the fitted centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signal=channel, such as X3=1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each signal once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no channel has this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds angles, not displacements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it holds no angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each channel once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has hardly any values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not rest on two levels, as a marker does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a threshold between the levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its pulses follow each other within a few frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its pulses come at irregular times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it makes no whole turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it runs back and forth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its turns follow each other within a few frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the workpiece&apos;s diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers such as 5,10,15</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one continuous record, and no places of its sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one place for each section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding revolutions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evaluating sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workpiece diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal; by default as the record says. Form is measured, size is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angles of a revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every revolution is sampled anew at so many even angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revolutions of a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many are averaged; fewer when the record is shorter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay from channel to channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A multiplexed converter samples each channel so much after the one before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which channel is which signal, counted from 0: marker=0 or angle=0, X3=1, Y3=2, Xp=3, Yp=4; -X3=1 turns a sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of displacement channels recorded in volts; others need none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm/V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marker threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By default half way between the marker&apos;s two levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle on the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seen from the part, the angle may run against the spindle&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places of the sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the workpiece from its free end, one for each: 5,10,15.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts one continuous record into sections along the workpiece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/rev</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Into how many a continuous record is cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slope of a section removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of a section stays in any case: it is the size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out by Hampel&apos;s rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples and revolutions that stand out from the others of their section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In robust standard deviations from the median.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop the record of a whole workpiece here, or one record for each section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitudinal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface of all sections, deviations magnified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre x [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre y [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proved to [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the undulations say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share [%]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a measured profile or a probe record here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One record of all sections, or one for each: CSV or L-Graph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y, or angle and radius, of one section; goes before the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace to lay over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same section from a roundness instrument, for the difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe records and profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laying the trace on the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laid over each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error motion of all revolutions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>synchronous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a probe record here: a table, or a pair .dat and .par of L-Graph.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synchronous error motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asynchronous error motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Total error motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of spindle and tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error motion (ISO 230-7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::AngleBar</name>
+    <message>
+        <source>Play: run around the part by angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked angle on the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ChannelTable</name>
+    <message>
+        <source>not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>revolution marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of an encoder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (workpiece axis)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (tool)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels of the record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signal of channel %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -2726,6 +3516,18 @@
         <source>Copy all</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::EmptyState</name>
@@ -2847,17 +3649,17 @@
 Free software under the GNU General Public License, version 3 or later. It works offline; your files stay with you.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Measure roundness and the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In workspace Roundness, drop a probe record (CSV, or a pair .dat and .par of L-Graph) or a measured profile. Three panels look at the same data: Roundness shows one section with its four reference circles, Trajectory how axis and tool move, Longitudinal the whole workpiece. Section, circle and filter are chosen once for all of them. The worst section is shown first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::InputBox</name>
-    <message>
-        <source>%L1 triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%L1 points</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>unit %1 (assumed)</source>
         <translation type="unfinished"></translation>
@@ -2901,6 +3703,13 @@ Free software under the GNU General Public License, version 3 or later. It works
     <message>
         <source>rows skipped: %L1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2957,6 +3766,100 @@ Free software under the GNU General Public License, version 3 or later. It works
     </message>
     <message>
         <source>Limit of the colour scale in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalCharts</name>
+    <message>
+        <source>Longitudinal profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the workpiece, z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius − mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taper %1 µm on diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>barrel %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saddle %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalPanel</name>
+    <message>
+        <source>Table of all sections (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalViews</name>
+    <message>
+        <source>deviation × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface of all sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°
+deviation %3 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form of each section only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out where each section lies and how large it is: what is left is its roundness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times larger the surface draws the deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3110,6 +4013,10 @@ Free software under the GNU General Public License, version 3 or later. It works
         <source>Report</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Verify installation</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::MapView</name>
@@ -3205,9 +4112,17 @@ Free software under the GNU General Public License, version 3 or later. It works
         <source>Open</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%L1 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
-    <name>lathelier::PlotCanvas</name>
+    <name>lathelier::PlotWidget</name>
     <message>
         <source>Copy picture</source>
         <translation type="unfinished"></translation>
@@ -3238,6 +4153,32 @@ Free software under the GNU General Public License, version 3 or later. It works
     </message>
     <message>
         <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::PolarView</name>
+    <message>
+        <source>angle %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::PolarWords</name>
+    <message>
+        <source>outer contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inner contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 µm/div</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation × %1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3348,6 +4289,103 @@ Free software under the GNU General Public License, version 3 or later. It works
     </message>
 </context>
 <context>
+    <name>lathelier::RoundnessCharts</name>
+    <message>
+        <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before the filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undulations per revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 UPR</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::RoundnessPanel</name>
+    <message>
+        <source> · section %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile and circles as drawn (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::RoundnessViews</name>
+    <message>
+        <source>largest difference %1 µm, mean %2 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile with its reference circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laid over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile and the trace over each other, and their difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undulations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>lathelier::SceneBar</name>
     <message>
         <source>Oblique</source>
@@ -3442,6 +4480,104 @@ All other views work.</source>
     </message>
 </context>
 <context>
+    <name>lathelier::SectionBar</name>
+    <message>
+        <source>Section %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · z %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The section before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The section that all panels of this workspace show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Always the section with the largest roundness deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SectionTable</name>
+    <message>
+        <source>All sections against the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre x [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre y [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run-out [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point range [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revolutions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest minus smallest of opposite points&apos; distances; half of it: GOST</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Referenced to the nominal diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>lathelier::SettingsDialog</name>
     <message>
         <source>Settings</source>
@@ -3485,13 +4621,103 @@ All other views work.</source>
     </message>
 </context>
 <context>
+    <name>lathelier::SpindlePanel</name>
+    <message>
+        <source>%L1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>averages of %L1 sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose section %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the worst section</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>lathelier::StatisticsTable</name>
     <message>
         <source>Statistics</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryCharts</name>
     <message>
-        <source>Quantity</source>
+        <source>Trajectories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>workpiece axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates over the angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle as recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius vector R − mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>synchronous %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asynchronous %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3499,7 +4725,151 @@ All other views work.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unit</source>
+        <source>%1 revolution marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryPanel</name>
+    <message>
+        <source>Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories and images of all sections (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryViews</name>
+    <message>
+        <source>ISO 230-7, fixed sensitive direction, %1 revolutions: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first of %1 records:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorder: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames a second, %2 s, %3 channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averages over the revolutions: %1 sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file says: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workpiece axis (blue) and tool (orange) of all sections along z; displacements × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the trajectories of all sections behind the chosen one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The probe whose error motion is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sections in 3-D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record and channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::VerifyDialog</name>
+    <message>
+        <source>Write the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify installation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles, cylinders, lines, filters and harmonics with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinds of reference data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::XyView</name>
+    <message>
+        <source>radius vector %1 %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

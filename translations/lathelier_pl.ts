@@ -2487,6 +2487,796 @@
         <source>Superimpose also the other way round.</source>
         <translation>Nałóż także w odbiciu.</translation>
     </message>
+    <message>
+        <source>The record does not say the workpiece&apos;s diameter. State it.</source>
+        <translation>Zapis nie podaje średnicy przedmiotu. Podaj ją.</translation>
+    </message>
+    <message>
+        <source>{signal} cannot be channel {found}: {reason}. The record has {channels} channels, counted from 0.</source>
+        <translation>{signal} nie może być kanałem {found}: {reason}. Zapis ma {channels} kanałów, licząc od 0.</translation>
+    </message>
+    <message>
+        <source>{signal}: channel {found} ({channel}) states no unit; expected µm, mm or V in its heading, such as X3_um.</source>
+        <translation>{signal}: kanał {found} ({channel}) nie podaje jednostki; w nagłówku oczekiwano µm, mm lub V, np. X3_um.</translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no marker of revolutions: {reason}.</source>
+        <translation>Kanał {place} ({channel}) nie jest znacznikiem obrotów: {reason}.</translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no marker of revolutions: {reason}. Channel {candidate} ({candidate_channel}) looks like one.</source>
+        <translation>Kanał {place} ({channel}) nie jest znacznikiem obrotów: {reason}. Kanał {candidate} ({candidate_channel}) na niego wygląda.</translation>
+    </message>
+    <message>
+        <source>Channel {place} ({channel}) is no angle of revolution: {reason}.</source>
+        <translation>Kanał {place} ({channel}) nie jest kątem obrotu: {reason}.</translation>
+    </message>
+    <message>
+        <source>The time does not go forward at row {row}.</source>
+        <translation>Czas nie rośnie w wierszu {row}.</translation>
+    </message>
+    <message>
+        <source>{found} whole revolutions are too few; at least {minimum} are needed.</source>
+        <translation>{found} pełnych obrotów to za mało; potrzeba co najmniej {minimum}.</translation>
+    </message>
+    <message>
+        <source>{found} revolutions are too few for {sections} sections; at least {minimum} are needed.</source>
+        <translation>{found} obrotów to za mało na {sections} przekrojów; potrzeba co najmniej {minimum}.</translation>
+    </message>
+    <message>
+        <source>The records are not of one workpiece: {parameter} is {first} in the first and {found} here.</source>
+        <translation>Zapisy nie dotyczą jednego przedmiotu: {parameter} wynosi {first} w pierwszym, a tutaj {found}.</translation>
+    </message>
+    <message>
+        <source>{parameter} is {value}: taken from {source}.</source>
+        <translation>{parameter} wynosi {value}: źródło to {source}.</translation>
+    </message>
+    <message>
+        <source>{path}: {signal} ({channel}) stands still; is the probe connected?</source>
+        <translation>{path}: {signal} ({channel}) nie zmienia się; czy czujnik jest podłączony?</translation>
+    </message>
+    <message>
+        <source>{path}: {signal} ({channel}) rests at the end of its range for {share_percent} % of the time; the probe was out of range.</source>
+        <translation>{path}: {signal} ({channel}) pozostaje na końcu zakresu przez {share_percent} % czasu; czujnik był poza zakresem.</translation>
+    </message>
+    <message>
+        <source>{path}: {signal} reaches {largest_um} µm, more than a probe measures; check the sensitivity and the channels.</source>
+        <translation>{path}: {signal} osiąga {largest_um} µm, więcej niż mierzy czujnik; sprawdź czułość i kanały.</translation>
+    </message>
+    <message>
+        <source>{path}: the delay from channel to channel is not known; taken as none.</source>
+        <translation>{path}: opóźnienie między kanałami jest nieznane; przyjęto zerowe.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} revolutions of irregular length were left out.</source>
+        <translation>{path}: pominięto {count} obrotów o nieregularnej długości.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} revolutions with missing samples were left out.</source>
+        <translation>{path}: pominięto {count} obrotów z brakującymi próbkami.</translation>
+    </message>
+    <message>
+        <source>{path}: {found} revolutions in a section instead of {asked}.</source>
+        <translation>{path}: {found} obrotów w przekroju zamiast {asked}.</translation>
+    </message>
+    <message>
+        <source>{path}: the marks come {found_rpm} times a minute, the record says {stated_rpm} rpm.</source>
+        <translation>{path}: znaczniki pojawiają się {found_rpm} razy na minutę, zapis podaje {stated_rpm} obr/min.</translation>
+    </message>
+    <message>
+        <source>{revolutions} revolutions and {samples} samples that stand out were left out.</source>
+        <translation>Pominięto odstające: {revolutions} obrotów i {samples} próbek.</translation>
+    </message>
+    <message>
+        <source>The place along the workpiece is not known for {count} sections: no longitudinal section.</source>
+        <translation>Położenie wzdłuż przedmiotu jest nieznane dla {count} przekrojów: brak przekroju podłużnego.</translation>
+    </message>
+    <message>
+        <source>A longitudinal section needs sections at {minimum} different places; there are {found}.</source>
+        <translation>Przekrój podłużny wymaga przekrojów w {minimum} różnych miejscach; jest ich {found}.</translation>
+    </message>
+    <message>
+        <source>The diameter of {diameter_mm} mm is nominal: form is measured, size is referenced to it.</source>
+        <translation>Średnica {diameter_mm} mm jest nominalna: zmierzono kształt, wymiar jest do niej odniesiony.</translation>
+    </message>
+    <message>
+        <source>Two probes cannot tell the mandrel&apos;s own form (up to {form_um} µm) from its motion: nothing smaller is resolved.</source>
+        <translation>Dwa czujniki nie odróżnią kształtu trzpienia (do {form_um} µm) od jego ruchu: mniejszych wielkości nie widać.</translation>
+    </message>
+    <message>
+        <source>{path}: averages over revolutions; asynchronous motion and single revolutions are not known.</source>
+        <translation>{path}: średnie z obrotów; ruch asynchroniczny i pojedyncze obroty są nieznane.</translation>
+    </message>
+    <message>
+        <source>Along the workpiece, from the free end (mm)</source>
+        <translation>Wzdłuż przedmiotu, od wolnego końca (mm)</translation>
+    </message>
+    <message>
+        <source>Longitudinal section</source>
+        <translation>Przekrój podłużny</translation>
+    </message>
+    <message>
+        <source>Diameter, deviation from its mean (µm)</source>
+        <translation>Średnica, odchyłka od średniej (µm)</translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation>przekroje</translation>
+    </message>
+    <message>
+        <source>taper and barrel</source>
+        <translation>stożkowość i baryłkowość</translation>
+    </message>
+    <message>
+        <source>Roundness of the sections</source>
+        <translation>Okrągłość przekrojów</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>Trajectories over one turn</source>
+        <translation>Trajektorie w ciągu obrotu</translation>
+    </message>
+    <message>
+        <source>axis of the workpiece (X3, Y3)</source>
+        <translation>oś przedmiotu (X3, Y3)</translation>
+    </message>
+    <message>
+        <source>tool (Xp, Yp)</source>
+        <translation>narzędzie (Xp, Yp)</translation>
+    </message>
+    <message>
+        <source>Radius about the spindle axis</source>
+        <translation>Promień względem osi wrzeciona</translation>
+    </message>
+    <message>
+        <source>Deviation from the mean radius (µm)</source>
+        <translation>Odchyłka od średniego promienia (µm)</translation>
+    </message>
+    <message>
+        <source>single revolutions: from the smallest to the largest</source>
+        <translation>pojedyncze obroty: od najmniejszego do największego</translation>
+    </message>
+    <message>
+        <source>Error motion of the spindle, sensitive direction X</source>
+        <translation>Bicie wrzeciona, kierunek czuły X</translation>
+    </message>
+    <message>
+        <source>single revolutions</source>
+        <translation>pojedyncze obroty</translation>
+    </message>
+    <message>
+        <source>synchronous (their mean)</source>
+        <translation>synchroniczne (ich średnia)</translation>
+    </message>
+    <message>
+        <source>Taper on diameter (+ grows from the free end)</source>
+        <translation>Stożkowość na średnicy (+ rośnie od wolnego końca)</translation>
+    </message>
+    <message>
+        <source>Barrel on radius (+ barrel, - saddle)</source>
+        <translation>Baryłkowość na promieniu (+ baryłka, − siodło)</translation>
+    </message>
+    <message>
+        <source>Range of the diameters</source>
+        <translation>Rozstęp średnic</translation>
+    </message>
+    <message>
+        <source>Half of it, as GOST 24642-81 has it</source>
+        <translation>Jego połowa, jak w GOST 24642-81</translation>
+    </message>
+    <message>
+        <source>Straightness of the axis</source>
+        <translation>Prostoliniowość osi</translation>
+    </message>
+    <message>
+        <source>Straightness of the profile (residual about its line)</source>
+        <translation>Prostoliniowość profilu (reszta względem prostej)</translation>
+    </message>
+    <message>
+        <source>Cylindricity CYLt(LSCY)</source>
+        <translation>Walcowość CYLt(LSCY)</translation>
+    </message>
+    <message>
+        <source>Cylindricity CYLt(MZCY), locally optimal</source>
+        <translation>Walcowość CYLt(MZCY), lokalnie optymalna</translation>
+    </message>
+    <message>
+        <source>The section with the largest deviation</source>
+        <translation>Przekrój o największej odchyłce</translation>
+    </message>
+    <message>
+        <source>From the free end</source>
+        <translation>Od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Radial run-out about the spindle axis (the paper&apos;s; not roundness)</source>
+        <translation>Bicie promieniowe względem osi wrzeciona (z artykułu; to nie okrągłość)</translation>
+    </message>
+    <message>
+        <source>All sections</source>
+        <translation>Wszystkie przekroje</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>przekrój</translation>
+    </message>
+    <message>
+        <source>diameter (mm)</source>
+        <translation>średnica (mm)</translation>
+    </message>
+    <message>
+        <source>two-point (µm)</source>
+        <translation>dwupunktowy (µm)</translation>
+    </message>
+    <message>
+        <source>run-out (µm)</source>
+        <translation>bicie (µm)</translation>
+    </message>
+    <message>
+        <source>revolutions</source>
+        <translation>obroty</translation>
+    </message>
+    <message>
+        <source>Error motion (ISO 230-7), without mean and eccentricity</source>
+        <translation>Bicie (ISO 230-7), bez średniej i mimośrodowości</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>sygnał</translation>
+    </message>
+    <message>
+        <source>synchronous (µm)</source>
+        <translation>synchroniczne (µm)</translation>
+    </message>
+    <message>
+        <source>asynchronous (µm)</source>
+        <translation>asynchroniczne (µm)</translation>
+    </message>
+    <message>
+        <source>total (µm)</source>
+        <translation>całkowite (µm)</translation>
+    </message>
+    <message>
+        <source>drift (µm/rev)</source>
+        <translation>dryft (µm/obr)</translation>
+    </message>
+    <message>
+        <source>rotating direction</source>
+        <translation>kierunek obracający się</translation>
+    </message>
+    <message>
+        <source>Cutting data, as the record states them</source>
+        <translation>Dane skrawania według zapisu</translation>
+    </message>
+    <message>
+        <source>Along the workpiece</source>
+        <translation>Wzdłuż przedmiotu</translation>
+    </message>
+    <message>
+        <source>Motion of spindle and tool in that section</source>
+        <translation>Ruch wrzeciona i narzędzia w tym przekroju</translation>
+    </message>
+    <message>
+        <source>The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean hides what differs from turn to turn.</source>
+        <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least} do {most} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
+    </message>
+    <message>
+        <source> (section {section} of {count})</source>
+        <translation> (przekrój {section} z {count})</translation>
+    </message>
+    <message>
+        <source> · taper {taper} µm on diameter</source>
+        <translation> · stożkowość {taper} µm na średnicy</translation>
+    </message>
+    <message>
+        <source> · saddle {size} µm</source>
+        <translation> · siodłowość {size} µm</translation>
+    </message>
+    <message>
+        <source> · barrel {size} µm</source>
+        <translation> · baryłkowość {size} µm</translation>
+    </message>
+    <message>
+        <source> · within {tolerance} µm</source>
+        <translation> · w granicach {tolerance} µm</translation>
+    </message>
+    <message>
+        <source> · above {tolerance} µm</source>
+        <translation> · powyżej {tolerance} µm</translation>
+    </message>
+    <message>
+        <source> · not decided: too near to {tolerance} µm</source>
+        <translation> · nie rozstrzygnięto: zbyt blisko {tolerance} µm</translation>
+    </message>
+    <message>
+        <source>Trajectories and the machined surface</source>
+        <translation>Trajektorie i obrobiona powierzchnia</translation>
+    </message>
+    <message>
+        <source>Image of the surface in the section with the largest deviation</source>
+        <translation>Obraz powierzchni w przekroju o największej odchyłce</translation>
+    </message>
+    <message>
+        <source>The image of the surface is the path of the tool as seen from the axis of the workpiece: radius |AP| with A = (X3, Y3), P = (D/2 + Xp, Yp), at the angle of the spindle plus atan2(Y3 - Yp, D/2 - X3 + Xp). Diameters are referenced to the nominal one. Roundness by ISO 12181 about the fitted centre.</source>
+        <translation>Obraz powierzchni to droga narzędzia widziana z osi przedmiotu: promień |AP|, gdzie A = (X3, Y3), P = (D/2 + Xp, Yp), pod kątem wrzeciona plus atan2(Y3 - Yp, D/2 - X3 + Xp). Średnice odniesiono do nominalnej. Okrągłość według ISO 12181 względem dopasowanego środka.</translation>
+    </message>
+    <message>
+        <source>signal=channel, such as X3=1</source>
+        <translation>sygnał=kanał, np. X3=1</translation>
+    </message>
+    <message>
+        <source>each signal once</source>
+        <translation>każdy sygnał raz</translation>
+    </message>
+    <message>
+        <source>there is no such channel</source>
+        <translation>nie ma takiego kanału</translation>
+    </message>
+    <message>
+        <source>no channel has this name</source>
+        <translation>żaden kanał nie ma tej nazwy</translation>
+    </message>
+    <message>
+        <source>it holds angles, not displacements</source>
+        <translation>zawiera kąty, nie przemieszczenia</translation>
+    </message>
+    <message>
+        <source>it holds no angles</source>
+        <translation>nie zawiera kątów</translation>
+    </message>
+    <message>
+        <source>each channel once</source>
+        <translation>każdy kanał raz</translation>
+    </message>
+    <message>
+        <source>it has hardly any values</source>
+        <translation>prawie nie ma wartości</translation>
+    </message>
+    <message>
+        <source>it stands still</source>
+        <translation>nie zmienia się</translation>
+    </message>
+    <message>
+        <source>it does not rest on two levels, as a marker does</source>
+        <translation>nie przyjmuje dwóch poziomów jak znacznik</translation>
+    </message>
+    <message>
+        <source>the record</source>
+        <translation>zapis</translation>
+    </message>
+    <message>
+        <source>a threshold between the levels</source>
+        <translation>próg między poziomami</translation>
+    </message>
+    <message>
+        <source>its pulses follow each other within a few frames</source>
+        <translation>impulsy następują po sobie co kilka ramek</translation>
+    </message>
+    <message>
+        <source>its pulses come at irregular times</source>
+        <translation>impulsy pojawiają się nieregularnie</translation>
+    </message>
+    <message>
+        <source>it makes no whole turn</source>
+        <translation>nie wykonuje pełnego obrotu</translation>
+    </message>
+    <message>
+        <source>it runs back and forth</source>
+        <translation>biegnie tam i z powrotem</translation>
+    </message>
+    <message>
+        <source>its turns follow each other within a few frames</source>
+        <translation>jego obroty następują po sobie co kilka ramek</translation>
+    </message>
+    <message>
+        <source>the workpiece&apos;s diameter</source>
+        <translation>średnica przedmiotu</translation>
+    </message>
+    <message>
+        <source>numbers such as 5,10,15</source>
+        <translation>liczby takie jak 5,10,15</translation>
+    </message>
+    <message>
+        <source>one continuous record, and no places of its sections</source>
+        <translation>jeden ciągły zapis bez położeń przekrojów</translation>
+    </message>
+    <message>
+        <source>one place for each section</source>
+        <translation>jedno położenie na przekrój</translation>
+    </message>
+    <message>
+        <source>Finding revolutions</source>
+        <translation>Wyszukiwanie obrotów</translation>
+    </message>
+    <message>
+        <source>Evaluating sections</source>
+        <translation>Ocena przekrojów</translation>
+    </message>
+    <message>
+        <source>Workpiece diameter</source>
+        <translation>Średnica przedmiotu</translation>
+    </message>
+    <message>
+        <source>Nominal; by default as the record says. Form is measured, size is not.</source>
+        <translation>Nominalna; domyślnie według zapisu. Mierzy się kształt, nie wymiar.</translation>
+    </message>
+    <message>
+        <source>Angles of a revolution</source>
+        <translation>Kąty obrotu</translation>
+    </message>
+    <message>
+        <source>Every revolution is sampled anew at so many even angles.</source>
+        <translation>Każdy obrót próbkuje się na nowo w tylu równych kątach.</translation>
+    </message>
+    <message>
+        <source>Revolutions of a section</source>
+        <translation>Obroty przekroju</translation>
+    </message>
+    <message>
+        <source>So many are averaged; fewer when the record is shorter.</source>
+        <translation>Tyle się uśrednia; mniej, gdy zapis jest krótszy.</translation>
+    </message>
+    <message>
+        <source>Delay from channel to channel</source>
+        <translation>Opóźnienie między kanałami</translation>
+    </message>
+    <message>
+        <source>A multiplexed converter samples each channel so much after the one before.</source>
+        <translation>Przetwornik z multiplekserem próbkuje każdy kanał o tyle później od poprzedniego.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanały</translation>
+    </message>
+    <message>
+        <source>Which channel is which signal, counted from 0: marker=0 or angle=0, X3=1, Y3=2, Xp=3, Yp=4; -X3=1 turns a sign.</source>
+        <translation>Który kanał jest którym sygnałem, licząc od 0: marker=0 lub angle=0, X3=1, Y3=2, Xp=3, Yp=4; -X3=1 zmienia znak.</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Czułość</translation>
+    </message>
+    <message>
+        <source>Of displacement channels recorded in volts; others need none.</source>
+        <translation>Kanałów przemieszczeń zapisanych w woltach; inne jej nie potrzebują.</translation>
+    </message>
+    <message>
+        <source>µm/V</source>
+        <translation>µm/V</translation>
+    </message>
+    <message>
+        <source>Marker threshold</source>
+        <translation>Próg znacznika</translation>
+    </message>
+    <message>
+        <source>By default half way between the marker&apos;s two levels.</source>
+        <translation>Domyślnie w połowie między dwoma poziomami znacznika.</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Jak w zapisie</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>Przeciwnie</translation>
+    </message>
+    <message>
+        <source>Angle on the part</source>
+        <translation>Kąt na części</translation>
+    </message>
+    <message>
+        <source>Seen from the part, the angle may run against the spindle&apos;s.</source>
+        <translation>Widziany z części kąt może biec przeciwnie do kąta wrzeciona.</translation>
+    </message>
+    <message>
+        <source>Places of the sections</source>
+        <translation>Położenia przekrojów</translation>
+    </message>
+    <message>
+        <source>Along the workpiece from its free end, one for each: 5,10,15.</source>
+        <translation>Wzdłuż przedmiotu od wolnego końca, po jednym na przekrój: 5,10,15.</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Posuw</translation>
+    </message>
+    <message>
+        <source>Cuts one continuous record into sections along the workpiece.</source>
+        <translation>Dzieli jeden ciągły zapis na przekroje wzdłuż przedmiotu.</translation>
+    </message>
+    <message>
+        <source>mm/rev</source>
+        <translation>mm/obr</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Przekroje</translation>
+    </message>
+    <message>
+        <source>Into how many a continuous record is cut.</source>
+        <translation>Na ile dzieli się ciągły zapis.</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Zachowany</translation>
+    </message>
+    <message>
+        <source>Slope of a section removed</source>
+        <translation>Usunięto nachylenie przekroju</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dryft</translation>
+    </message>
+    <message>
+        <source>The mean of a section stays in any case: it is the size.</source>
+        <translation>Średnia przekroju zawsze pozostaje: to wymiar.</translation>
+    </message>
+    <message>
+        <source>Left out by Hampel&apos;s rule</source>
+        <translation>Pomijane według reguły Hampela</translation>
+    </message>
+    <message>
+        <source>Samples and revolutions that stand out from the others of their section.</source>
+        <translation>Próbki i obroty odstające od innych w swoim przekroju.</translation>
+    </message>
+    <message>
+        <source>Outliers from</source>
+        <translation>Odstające od</translation>
+    </message>
+    <message>
+        <source>In robust standard deviations from the median.</source>
+        <translation>W odpornych odchyleniach standardowych od mediany.</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Drop the record of a whole workpiece here, or one record for each section.</source>
+        <translation>Upuść tu zapis całego przedmiotu albo po jednym zapisie na przekrój.</translation>
+    </message>
+    <message>
+        <source>Longitudinal</source>
+        <translation>Przekrój podłużny</translation>
+    </message>
+    <message>
+        <source>Surface of all sections, deviations magnified</source>
+        <translation>Powierzchnia wszystkich przekrojów, odchyłki powiększone</translation>
+    </message>
+    <message>
+        <source>Reference circles</source>
+        <translation>Okręgi odniesienia</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Okrąg</translation>
+    </message>
+    <message>
+        <source>Radius [mm]</source>
+        <translation>Promień [mm]</translation>
+    </message>
+    <message>
+        <source>Centre x [mm]</source>
+        <translation>Środek x [mm]</translation>
+    </message>
+    <message>
+        <source>Centre y [mm]</source>
+        <translation>Środek y [mm]</translation>
+    </message>
+    <message>
+        <source>Proved to [µm]</source>
+        <translation>Udowodniono do [µm]</translation>
+    </message>
+    <message>
+        <source>What the undulations say</source>
+        <translation>Co mówią falistości</translation>
+    </message>
+    <message>
+        <source>Amplitude [µm]</source>
+        <translation>Amplituda [µm]</translation>
+    </message>
+    <message>
+        <source>Share [%]</source>
+        <translation>Udział [%]</translation>
+    </message>
+    <message>
+        <source>Usual cause</source>
+        <translation>Zwykła przyczyna</translation>
+    </message>
+    <message>
+        <source>Drop a measured profile or a probe record here.</source>
+        <translation>Upuść tu zmierzony profil albo zapis czujników.</translation>
+    </message>
+    <message>
+        <source>Probe records</source>
+        <translation>Zapisy czujników</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>Probe record</source>
+        <translation>Zapis czujników</translation>
+    </message>
+    <message>
+        <source>One record of all sections, or one for each: CSV or L-Graph</source>
+        <translation>Jeden zapis wszystkich przekrojów albo po jednym na każdy: CSV lub L-Graph</translation>
+    </message>
+    <message>
+        <source>Measured profile</source>
+        <translation>Zmierzony profil</translation>
+    </message>
+    <message>
+        <source>x and y, or angle and radius, of one section; goes before the record</source>
+        <translation>x i y albo kąt i promień jednego przekroju; ma pierwszeństwo przed zapisem</translation>
+    </message>
+    <message>
+        <source>Trace to lay over</source>
+        <translation>Wykres do nałożenia</translation>
+    </message>
+    <message>
+        <source>The same section from a roundness instrument, for the difference</source>
+        <translation>Ten sam przekrój z przyrządu do okrągłości, dla porównania</translation>
+    </message>
+    <message>
+        <source>Probe records and profiles</source>
+        <translation>Zapisy czujników i profile</translation>
+    </message>
+    <message>
+        <source>Reading the profile</source>
+        <translation>Odczyt profilu</translation>
+    </message>
+    <message>
+        <source>Reading the record</source>
+        <translation>Odczyt zapisu</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Trajektorie</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Sygnały</translation>
+    </message>
+    <message>
+        <source>Reading the trace</source>
+        <translation>Odczyt wykresu</translation>
+    </message>
+    <message>
+        <source>Laying the trace on the profile</source>
+        <translation>Nakładanie wykresu na profil</translation>
+    </message>
+    <message>
+        <source>Laid over each other</source>
+        <translation>Nałożone na siebie</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>wykres</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>różnica</translation>
+    </message>
+    <message>
+        <source>Error motion of all revolutions</source>
+        <translation>Bicie wszystkich obrotów</translation>
+    </message>
+    <message>
+        <source>synchronous</source>
+        <translation>synchroniczne</translation>
+    </message>
+    <message>
+        <source>Drop a probe record here: a table, or a pair .dat and .par of L-Graph.</source>
+        <translation>Upuść tu zapis czujników: tabelę albo parę .dat i .par programu L-Graph.</translation>
+    </message>
+    <message>
+        <source>Synchronous error motion</source>
+        <translation>Bicie synchroniczne</translation>
+    </message>
+    <message>
+        <source>Asynchronous error motion</source>
+        <translation>Bicie asynchroniczne</translation>
+    </message>
+    <message>
+        <source>Total error motion</source>
+        <translation>Bicie całkowite</translation>
+    </message>
+    <message>
+        <source>Motion of spindle and tool</source>
+        <translation>Ruch wrzeciona i narzędzia</translation>
+    </message>
+    <message>
+        <source>Error motion (ISO 230-7)</source>
+        <translation>Bicie (ISO 230-7)</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trajektoria</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::AngleBar</name>
+    <message>
+        <source>Play: run around the part by angle</source>
+        <translation>Odtwarzaj: obiegaj część według kąta</translation>
+    </message>
+    <message>
+        <source>Marked angle on the part</source>
+        <translation>Zaznaczony kąt na części</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::ChannelTable</name>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nieużywany</translation>
+    </message>
+    <message>
+        <source>revolution marker</source>
+        <translation>znacznik obrotu</translation>
+    </message>
+    <message>
+        <source>angle of an encoder</source>
+        <translation>kąt z enkodera</translation>
+    </message>
+    <message>
+        <source> (workpiece axis)</source>
+        <translation> (oś przedmiotu)</translation>
+    </message>
+    <message>
+        <source> (tool)</source>
+        <translation> (narzędzie)</translation>
+    </message>
+    <message>
+        <source>Channels of the record</source>
+        <translation>Kanały zapisu</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Zakres</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Wzmocnienie</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Sygnał</translation>
+    </message>
+    <message>
+        <source>Signal of channel %1</source>
+        <translation>Sygnał kanału %1</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -2726,6 +3516,18 @@
         <source>Copy all</source>
         <translation>Kopiuj wszystko</translation>
     </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::EmptyState</name>
@@ -2849,17 +3651,17 @@ Free software under the GNU General Public License, version 3 or later. It works
 
 Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza. Działa bez sieci; Twoje pliki zostają u Ciebie.</translation>
     </message>
+    <message>
+        <source>Measure roundness and the spindle</source>
+        <translation>Mierzenie okrągłości i wrzeciona</translation>
+    </message>
+    <message>
+        <source>In workspace Roundness, drop a probe record (CSV, or a pair .dat and .par of L-Graph) or a measured profile. Three panels look at the same data: Roundness shows one section with its four reference circles, Trajectory how axis and tool move, Longitudinal the whole workpiece. Section, circle and filter are chosen once for all of them. The worst section is shown first.</source>
+        <translation>W przestrzeni Okrągłość upuść zapis czujników (CSV albo parę .dat i .par programu L-Graph) lub zmierzony profil. Trzy panele pokazują te same dane: Okrągłość jeden przekrój z czterema okręgami odniesienia, Trajektoria ruch osi i narzędzia, Przekrój podłużny cały przedmiot. Przekrój, okrąg i filtr wybiera się raz dla wszystkich. Najpierw widać najgorszy przekrój.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::InputBox</name>
-    <message>
-        <source>%L1 triangles</source>
-        <translation>trójkąty: %L1</translation>
-    </message>
-    <message>
-        <source>%L1 points</source>
-        <translation>punkty: %L1</translation>
-    </message>
     <message>
         <source>unit %1 (assumed)</source>
         <translation>jednostka %1 (przyjęta)</translation>
@@ -2903,6 +3705,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>rows skipped: %L1</source>
         <translation>pominięte wiersze: %L1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 i jeszcze %n</numerusform>
+            <numerusform>%1 i jeszcze %n</numerusform>
+            <numerusform>%1 i jeszcze %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2960,6 +3770,101 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Limit of the colour scale in mm</source>
         <translation>Granica skali barw w mm</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalCharts</name>
+    <message>
+        <source>Longitudinal profile</source>
+        <translation>Profil podłużny</translation>
+    </message>
+    <message>
+        <source>Along the workpiece, z</source>
+        <translation>Wzdłuż przedmiotu, z</translation>
+    </message>
+    <message>
+        <source>Radius − mean</source>
+        <translation>Promień − średnia</translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation>przekroje</translation>
+    </message>
+    <message>
+        <source>taper %1 µm on diameter</source>
+        <translation>stożkowość %1 µm na średnicy</translation>
+    </message>
+    <message>
+        <source>barrel %1 µm</source>
+        <translation>baryłkowość %1 µm</translation>
+    </message>
+    <message>
+        <source>saddle %1 µm</source>
+        <translation>siodłowość %1 µm</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalPanel</name>
+    <message>
+        <source>Table of all sections (CSV)…</source>
+        <translation>Tabela wszystkich przekrojów (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation>Wszystkie liczby (JSON)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation>Q-DAS (*.dfq)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::LongitudinalViews</name>
+    <message>
+        <source>deviation × %1</source>
+        <translation>odchyłka × %1</translation>
+    </message>
+    <message>
+        <source>Surface of all sections</source>
+        <translation>Powierzchnia wszystkich przekrojów</translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°
+deviation %3 µm</source>
+        <translation>przekrój %1, kąt %2°
+odchyłka %3 µm</translation>
+    </message>
+    <message>
+        <source>form of each section only</source>
+        <translation>tylko kształt każdego przekroju</translation>
+    </message>
+    <message>
+        <source>Take out where each section lies and how large it is: what is left is its roundness</source>
+        <translation>Bez położenia i wymiaru przekrojów: zostaje sama okrągłość</translation>
+    </message>
+    <message>
+        <source>How many times larger the surface draws the deviation</source>
+        <translation>Ile razy powiększono odchyłkę na powierzchni</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>Deviation [mm]</source>
+        <translation>Odchyłka [mm]</translation>
     </message>
 </context>
 <context>
@@ -3112,6 +4017,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Report</source>
         <translation>Raport</translation>
     </message>
+    <message>
+        <source>&amp;Verify installation</source>
+        <translation>Sprawdź &amp;instalację</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::MapView</name>
@@ -3207,9 +4116,17 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Open</source>
         <translation>Otwórz</translation>
     </message>
+    <message>
+        <source>%L1 triangles</source>
+        <translation>trójkąty: %L1</translation>
+    </message>
+    <message>
+        <source>%L1 points</source>
+        <translation>punkty: %L1</translation>
+    </message>
 </context>
 <context>
-    <name>lathelier::PlotCanvas</name>
+    <name>lathelier::PlotWidget</name>
     <message>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
@@ -3232,7 +4149,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)</source>
-        <translation>Obraz wektorowy (*.svg);;PDF (*.pdf);;Obraz (*.png)</translation>
+        <translation>Obraz skalowalny (*.svg);;PDF (*.pdf);;Obraz (*.png)</translation>
     </message>
     <message>
         <source>Save data</source>
@@ -3241,6 +4158,32 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::PolarView</name>
+    <message>
+        <source>angle %1°</source>
+        <translation>kąt %1°</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::PolarWords</name>
+    <message>
+        <source>outer contact</source>
+        <translation>styk zewnętrzny</translation>
+    </message>
+    <message>
+        <source>inner contact</source>
+        <translation>styk wewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1 µm/div</source>
+        <translation>%1 µm/dz.</translation>
+    </message>
+    <message>
+        <source>deviation × %1 · %2</source>
+        <translation>odchyłka × %1 · %2</translation>
     </message>
 </context>
 <context>
@@ -3350,6 +4293,103 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::RoundnessCharts</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Widmo</translation>
+    </message>
+    <message>
+        <source>before the filter</source>
+        <translation>przed filtrem</translation>
+    </message>
+    <message>
+        <source>Undulations per revolution</source>
+        <translation>Liczba fal na obrót</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplituda</translation>
+    </message>
+    <message>
+        <source>%1 UPR</source>
+        <translation>%1 UPR</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::RoundnessPanel</name>
+    <message>
+        <source> · section %1 of %2</source>
+        <translation> · przekrój %1 z %2</translation>
+    </message>
+    <message>
+        <source>Profile and circles as drawn (CSV)…</source>
+        <translation>Profil i okręgi jak na wykresie (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation>Wszystkie liczby (JSON)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation>Q-DAS (*.dfq)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::RoundnessViews</name>
+    <message>
+        <source>largest difference %1 µm, mean %2 µm</source>
+        <translation>największa różnica %1 µm, średnia %2 µm</translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation>Okrągłość</translation>
+    </message>
+    <message>
+        <source>The profile with its reference circles</source>
+        <translation>Profil z okręgami odniesienia</translation>
+    </message>
+    <message>
+        <source>Laid over</source>
+        <translation>Nałożone</translation>
+    </message>
+    <message>
+        <source>The profile and the trace over each other, and their difference</source>
+        <translation>Profil i wykres nałożone na siebie oraz ich różnica</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Okręgi</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Metody</translation>
+    </message>
+    <message>
+        <source>Undulations</source>
+        <translation>Falistości</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::SceneBar</name>
     <message>
         <source>Oblique</source>
@@ -3445,6 +4485,104 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::SectionBar</name>
+    <message>
+        <source>Section %1 of %2</source>
+        <translation>Przekrój %1 z %2</translation>
+    </message>
+    <message>
+        <source> · z %1 mm</source>
+        <translation> · z %1 mm</translation>
+    </message>
+    <message>
+        <source>The section before</source>
+        <translation>Poprzedni przekrój</translation>
+    </message>
+    <message>
+        <source>The next section</source>
+        <translation>Następny przekrój</translation>
+    </message>
+    <message>
+        <source>The section that all panels of this workspace show</source>
+        <translation>Przekrój pokazywany we wszystkich panelach tej przestrzeni</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>najgorszy</translation>
+    </message>
+    <message>
+        <source>Always the section with the largest roundness deviation</source>
+        <translation>Zawsze przekrój o największej odchyłce okrągłości</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::SectionTable</name>
+    <message>
+        <source>All sections against the tolerance</source>
+        <translation>Wszystkie przekroje względem tolerancji</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>z [mm]</source>
+        <translation>z [mm]</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Diameter [mm]</source>
+        <translation>Średnica [mm]</translation>
+    </message>
+    <message>
+        <source>Centre x [µm]</source>
+        <translation>Środek x [µm]</translation>
+    </message>
+    <message>
+        <source>Centre y [µm]</source>
+        <translation>Środek y [µm]</translation>
+    </message>
+    <message>
+        <source>Run-out [µm]</source>
+        <translation>Bicie [µm]</translation>
+    </message>
+    <message>
+        <source>Two-point range [µm]</source>
+        <translation>Rozstęp dwupunktowy [µm]</translation>
+    </message>
+    <message>
+        <source>Revolutions</source>
+        <translation>Obroty</translation>
+    </message>
+    <message>
+        <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
+        <translation>Największy minus najmniejszy promień względem osi wrzeciona: wartość z artykułu</translation>
+    </message>
+    <message>
+        <source>Largest minus smallest of opposite points&apos; distances; half of it: GOST</source>
+        <translation>Największa minus najmniejsza odległość punktów przeciwległych; połowa: GOST</translation>
+    </message>
+    <message>
+        <source>Referenced to the nominal diameter</source>
+        <translation>Odniesiona do średnicy nominalnej</translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ w tolerancji</translation>
+    </message>
+    <message>
+        <source>✗ out</source>
+        <translation>✗ poza tolerancją</translation>
+    </message>
+    <message>
+        <source>? not decided</source>
+        <translation>? nie rozstrzygnięto</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::SettingsDialog</name>
     <message>
         <source>Settings</source>
@@ -3488,22 +4626,256 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::SpindlePanel</name>
+    <message>
+        <source>%L1 points</source>
+        <translation>punkty: %L1</translation>
+    </message>
+    <message>
+        <source>averages of %L1 sections</source>
+        <translation>średnie przekrojów: %L1</translation>
+    </message>
+    <message>
+        <source>%L1 channels</source>
+        <translation>kanały: %L1</translation>
+    </message>
+    <message>
+        <source>%L1 frames</source>
+        <translation>ramki: %L1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>Choose section %1</source>
+        <translation>Wybierz przekrój %1</translation>
+    </message>
+    <message>
+        <source>Choose the worst section</source>
+        <translation>Wybierz najgorszy przekrój</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::StatisticsTable</name>
     <message>
         <source>Statistics</source>
         <translation>Statystyka</translation>
     </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryCharts</name>
     <message>
-        <source>Quantity</source>
-        <translation>Wielkość</translation>
+        <source>Trajectories</source>
+        <translation>Trajektorie</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>kąt</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>przekrój %1</translation>
+    </message>
+    <message>
+        <source>workpiece axis</source>
+        <translation>oś przedmiotu</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>narzędzie</translation>
+    </message>
+    <message>
+        <source>Coordinates over the angle</source>
+        <translation>Współrzędne według kąta</translation>
+    </message>
+    <message>
+        <source>Angle as recorded</source>
+        <translation>Kąt jak w zapisie</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Przemieszczenie</translation>
+    </message>
+    <message>
+        <source>radius vector R − mean</source>
+        <translation>promień wodzący R − średnia</translation>
+    </message>
+    <message>
+        <source>synchronous %1 µm</source>
+        <translation>synchroniczne %1 µm</translation>
+    </message>
+    <message>
+        <source>asynchronous %1 µm</source>
+        <translation>asynchroniczne %1 µm</translation>
+    </message>
+    <message>
+        <source>total %1 µm</source>
+        <translation>całkowite %1 µm</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Sygnały</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
     </message>
     <message>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>Jednostka</translation>
+        <source>%1 revolution marks</source>
+        <translation>znaczniki obrotów: %1</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>znaczniki</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryPanel</name>
+    <message>
+        <source>Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)</source>
+        <translation>Wrzeciono, przekrój %1: bicie %2 (ISO 230-7, X3, obroty: %3)</translation>
+    </message>
+    <message>
+        <source>Change the channels</source>
+        <translation>Zmień kanały</translation>
+    </message>
+    <message>
+        <source>Trajectories and images of all sections (CSV)…</source>
+        <translation>Trajektorie i obrazy wszystkich przekrojów (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation>Wszystkie liczby (JSON)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::TrajectoryViews</name>
+    <message>
+        <source>ISO 230-7, fixed sensitive direction, %1 revolutions: %2</source>
+        <translation>ISO 230-7, stały kierunek czuły, obroty: %1: bicie %2</translation>
+    </message>
+    <message>
+        <source>The first of %1 records:</source>
+        <translation>Pierwszy z %1 zapisów:</translation>
+    </message>
+    <message>
+        <source>Recorder: %1</source>
+        <translation>Rejestrator: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+    <message>
+        <source>%1 frames a second, %2 s, %3 channels</source>
+        <translation>%1 ramek na sekundę, %2 s, kanały: %3</translation>
+    </message>
+    <message>
+        <source>Averages over the revolutions: %1 sections</source>
+        <translation>Średnie z obrotów: przekroje: %1</translation>
+    </message>
+    <message>
+        <source>The file says: %1</source>
+        <translation>Plik podaje: %1</translation>
+    </message>
+    <message>
+        <source>Workpiece axis (blue) and tool (orange) of all sections along z; displacements × %1</source>
+        <translation>Oś przedmiotu (niebieska) i narzędzie (pomarańczowe) wszystkich przekrojów wzdłuż z; przemieszczenia × %1</translation>
+    </message>
+    <message>
+        <source>all sections</source>
+        <translation>wszystkie przekroje</translation>
+    </message>
+    <message>
+        <source>Draw the trajectories of all sections behind the chosen one</source>
+        <translation>Rysuj trajektorie wszystkich przekrojów za wybraną</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>The probe whose error motion is shown</source>
+        <translation>Czujnik, którego bicie jest pokazane</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Trajektorie</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Sygnały</translation>
+    </message>
+    <message>
+        <source>All sections in 3-D</source>
+        <translation>Wszystkie przekroje w 3D</translation>
+    </message>
+    <message>
+        <source>Record and channels</source>
+        <translation>Zapis i kanały</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::VerifyDialog</name>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Verify installation</source>
+        <translation>Sprawdzenie instalacji</translation>
+    </message>
+    <message>
+        <source>Circles, cylinders, lines, filters and harmonics with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
+        <translation>Na tym komputerze oblicza się okręgi, walce, proste, filtry i harmoniczne o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Obliczanie…</translation>
+    </message>
+    <message>
+        <source>Kinds of reference data</source>
+        <translation>Rodzaje danych wzorcowych</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Raport…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::XyView</name>
+    <message>
+        <source>radius vector %1 %2</source>
+        <translation>promień wodzący %1 %2</translation>
     </message>
 </context>
 <context>

@@ -7,8 +7,8 @@
 #include "app/cli/verbs.h"
 #include "engine/form/roundness_json.h"
 #include "engine/form/superimpose.h"
-#include "engine/io/dfq_writer.h"
 #include "engine/report/plain_text.h"
+#include "engine/report/roundness_dfq.h"
 #include "engine/report/roundness_report.h"
 
 namespace lathelier::cli {
@@ -64,33 +64,6 @@ Json toJson(const Found& found)
     }
     if (found.superimposed) json["superimposed"] = lathelier::toJson(*found.superimposed);
     return json;
-}
-
-/// For statistical process control: RONt by the four circles and the two-point range of each profile; the limit belongs
-/// to the circle of the verdict.
-QdasFile toQdas(const Found& found)
-{
-    QdasFile file;
-    file.part_description = "Lathelier roundness";
-    for (std::size_t i = 0; i < found.results.size(); ++i) {
-        const RoundnessResult& result = found.results[i];
-        const std::string part = std::to_string(i + 1) + ".";
-        const std::string filter = filterName(bandOf(result.parameters));
-        for (const ReferenceCircle circle :
-             {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
-            QdasCharacteristic& c = file.characteristics.emplace_back();
-            c.number = part + std::to_string(static_cast<int>(circle) + 1);
-            c.description = "RONt(" + std::string(name(circle)) + ") " + filter + " " + result.name;
-            c.unit = "µm";
-            c.nominal = 0;
-            if (circle == result.parameters.circle && result.parameters.tolerance_um) {
-                c.lower_limit = 0;
-                c.upper_limit = *result.parameters.tolerance_um;
-            }
-            c.values = {result.circles.of(circle).RONt_um};
-        }
-    }
-    return file;
 }
 
 /// All pass: pass; any out of tolerance: fail; otherwise none.
@@ -159,7 +132,7 @@ void runRoundness(const Request& request, Inputs& inputs, const Progress& progre
         }
     }
     if (const auto dfq = request.outputs.find(dfqOption); dfq != request.outputs.end() && answer.errors.empty())
-        writeDfq(dfq->second, toQdas(*found));
+        writeDfq(dfq->second, qdasFile(found->results));
     answer.pass = verdictOf(found->results);
     answer.summary = summaryOf(*found);
     answer.report = [found] {

@@ -83,7 +83,11 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
 {
     panel->setPresenting(presenting_);
     connect(panel, &PanelBase::messageRaised, this, &MainWindow::announce);
-    connect(panel, &PanelBase::sampleWanted, &files_, &ProjectFiles::openSample);
+    connect(panel, &PanelBase::sampleWanted, this, [this] {
+        const std::string here = layouts_->workspace();
+        files_.openSample();
+        enterWorkspace(here);  // where it was asked for, whatever workspace the sample was saved in
+    });
     connect(panel, &PanelBase::reportWanted, this,
             [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
 }
@@ -119,10 +123,23 @@ void MainWindow::openPaths(const QStringList& paths)
         else
             others << path;
     }
-    if (others.isEmpty() || !activeDock()) return;
+    if (others.isEmpty()) return;
+    goWhereItBelongs(others.front());
+    if (!activeDock()) return;
     activeDock()->show();
     activeDock()->raise();
     activeDock()->panel().openFiles(others);
+}
+
+/// A file that is certainly meant for another panel opens that panel's workspace.
+void MainWindow::goWhereItBelongs(const QString& path)
+{
+    const auto takes = [&](const PanelDock* dock) {
+        return dock->facts().recognises && dock->facts().recognises(path.toStdString());
+    };
+    if (activeDock() && takes(activeDock())) return;
+    const auto found = std::find_if(docks_.begin(), docks_.end(), takes);
+    if (found != docks_.end()) enterWorkspace((*found)->facts().workspaces.front());
 }
 
 void MainWindow::askForFiles()

@@ -60,6 +60,7 @@ private:
     void updateUndo();
     void fillRecent();
     void askForFiles();
+    void goWhereItBelongs(const QString& path);
     void askForSettings();
     void showPalette();
     void showHelp();

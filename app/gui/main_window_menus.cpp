@@ -10,6 +10,7 @@
 
 #include "app/gui/help_window.h"
 #include "app/gui/main_window.h"
+#include "app/gui/verify_dialog.h"
 #include "widgets/core/icons.h"
 
 namespace lathelier {
@@ -68,6 +69,11 @@ void MainWindow::makeActions()
 
     makeAction("help", "help", {QKeySequence("F1")}, [this] { showHelp(); });
     makeAction("palette", "palette", {QKeySequence("Ctrl+Shift+P")}, [this] { showPalette(); });
+    makeAction("verify", "", {}, [this] {
+        auto* dialog = new VerifyDialog(this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
     makeAction("about", "", {}, [this] { showAbout(this); });
 }
 
@@ -95,7 +101,7 @@ void MainWindow::makeMenus()
     for (const char* name : {"compute", "cancel"}) menus_["view"]->addAction(action(name));
     menus_["view"]->addSeparator();
     for (const char* name : {"resetLayout", "presenter", "fullScreen"}) menus_["view"]->addAction(action(name));
-    add("help_menu", {"help", "palette", "", "about"});
+    add("help_menu", {"help", "palette", "", "verify", "about"});
     fillRecent();
 }
 
@@ -172,6 +178,7 @@ void MainWindow::retranslate()
     word("fullScreen", tr("&Full screen"));
     word("help", tr("&Help"));
     word("palette", tr("All &commands…"));
+    word("verify", tr("&Verify installation"));
     word("about", tr("&About Lathelier"));
     updateUndo();
     menus_["file"]->setTitle(tr("&File"));

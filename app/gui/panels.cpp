@@ -1,12 +1,16 @@
 #include "app/gui/panels.h"
 
 #include "widgets/compare/compare_panel.h"
+#include "widgets/longitudinal/longitudinal_panel.h"
+#include "widgets/roundness/roundness_panel.h"
+#include "widgets/trajectory/trajectory_panel.h"
 
 namespace lathelier {
 
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{comparePanelFacts()};
+    static const std::vector<PanelFacts> table{comparePanelFacts(), roundnessPanelFacts(), trajectoryPanelFacts(),
+                                               longitudinalPanelFacts()};
     return table;
 }
 

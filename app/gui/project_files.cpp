@@ -149,7 +149,8 @@ QString ProjectFiles::makeSample()
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
     const QString project = folder + "/sample.lathelier";  // written last
-    if (QFileInfo::exists(project)) return project;
+    // A folder of an earlier version lacks what came later.
+    if (QFileInfo::exists(project) && QFileInfo::exists(folder + "/probe_record.csv")) return project;
 
     QProgressDialog progress(tr("Making the sample scans…"), tr("Cancel"), 0, 1000, window_);
     progress.setWindowModality(Qt::WindowModal);

@@ -4,9 +4,13 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QTabWidget>
 #include <QTimer>
 #include <algorithm>
+#include <functional>
 #include <iostream>
+
+#include "app/gui/verify_dialog.h"
 
 namespace lathelier {
 namespace {
@@ -42,29 +46,70 @@ bool write(QWidget& widget, const QString& path)
     return written;
 }
 
+/// The active panel: in its window, alone, and each of its further pages.
+bool shootPanel(MainWindow& window, PanelDock& dock, const QDir& shots, const QString& suffix)
+{
+    dock.show();
+    dock.raise();
+    bool good = waitForResults(window);
+    pause(settling_ms);
+    const QString id = QString::fromStdString(dock.facts().id);
+    good = dock.panel().isCurrent() && good;
+    good = write(window, shots.filePath("window_" + id + suffix)) && good;
+    good = write(dock.panel(), shots.filePath(id + suffix)) && good;
+    auto* pages = dock.panel().findChild<QTabWidget*>("pages");
+    for (int page = 1; pages && page < pages->count(); ++page) {
+        if (!pages->isTabEnabled(page)) continue;
+        pages->setCurrentIndex(page);
+        pause(settling_ms);
+        good = write(dock.panel(), shots.filePath(QString("%1_page%2%3").arg(id).arg(page).arg(suffix))) && good;
+    }
+    if (pages) pages->setCurrentIndex(0);
+    return good;
+}
+
+bool shootVerification(MainWindow& window, const QDir& shots)
+{
+    window.action("verify")->trigger();
+    auto* dialog = window.findChild<VerifyDialog*>();
+    QElapsedTimer clock;
+    clock.start();
+    while (!dialog->result() && clock.elapsed() < patience_ms) pause(100);
+    pause(settling_ms);
+    const bool good = write(*dialog, shots.filePath("verify.png")) && dialog->result();
+    dialog->close();
+    return good;
+}
+
 }  // namespace
 
 int takeShots(MainWindow& window, const QString& folder)
 {
     const QDir shots(folder);
     bool good = shots.mkpath(".");
+    const auto inTurn = [&](const std::function<void(PanelDock&)>& shoot) {
+        for (PanelDock* dock : window.docks()) {
+            window.enterWorkspace(dock->facts().workspaces.front());
+            shoot(*dock);
+        }
+    };
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
         const QString suffix = QString("_%1x%2.png").arg(size.width()).arg(size.height());
         window.resize(size);
         window.show();
-        good = waitForResults(window) && good;
-        pause(settling_ms);
-        good = write(window, shots.filePath("window" + suffix)) && good;
-        for (PanelDock* dock : window.docks()) {
-            if (!dock->isVisible()) continue;
-            good = dock->panel().isCurrent() && good;
-            good = write(dock->panel(), shots.filePath(QString::fromStdString(dock->facts().id) + suffix)) && good;
-        }
+        inTurn([&](PanelDock& dock) { good = shootPanel(window, dock, shots, suffix) && good; });
     }
-    window.setPresenting(true);
-    pause(settling_ms);
-    good = write(window, shots.filePath("presenter_1920x1080.png")) && good;
-    window.setPresenting(false);
+    good = shootVerification(window, shots) && good;
+    inTurn([&](PanelDock& dock) {
+        dock.show();
+        dock.raise();
+        pause(settling_ms);
+        window.setPresenting(true);
+        pause(settling_ms);
+        const QString name = QString("presenter_%1_1920x1080.png").arg(QString::fromStdString(dock.facts().id));
+        good = write(window, shots.filePath(name)) && good;
+        window.setPresenting(false);
+    });
     return good ? 0 : 1;
 }
 

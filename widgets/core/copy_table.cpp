@@ -76,6 +76,12 @@ void CopyTable::copyToClipboard() const
     QApplication::clipboard()->setText(text(selectionModel()->hasSelection()));
 }
 
+void CopyTable::changeEvent(QEvent* event)
+{
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitCells();
+}
+
 void CopyTable::keyPressEvent(QKeyEvent* event)
 {
     if (event->matches(QKeySequence::Copy)) return copyToClipboard();

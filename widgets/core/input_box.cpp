@@ -151,6 +151,7 @@ void InputBox::refresh()
         facts << understood_;
     if (there && sources_.front().synthetic) facts << tr("Synthetic data");
     facts_->setText(facts.join('\n'));
+    facts_->setMinimumHeight(facts.isEmpty() ? 0 : facts_->heightForWidth(std::max(width(), 40)));  // no line is cut
     facts_->setVisible(!facts.isEmpty());
 }
 

@@ -12,8 +12,8 @@ namespace lathelier {
 
 class Form;
 
-/// Shows the Sources of a role and lets the user choose, drop, clear them, and settle what the files leave open. Changes
-/// nothing by itself: the panel does, through the session.
+/// Shows the Sources of a role and lets the user choose, drop, clear them, and settle what the files leave open.
+/// Changes nothing by itself: the panel does, through the session.
 class InputBox : public QWidget {
     Q_OBJECT
 public:

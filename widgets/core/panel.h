@@ -54,7 +54,10 @@ private:
     Headline headlineOf(const void* value) const final { return headline(*static_cast<const Result*>(value)); }
     Notes notesOf(const void* value) const final { return notes(*static_cast<const Result*>(value)); }
     Document documentOf(const void* value) const final { return document(*static_cast<const Result*>(value)); }
-    std::optional<Error> problemOf(const void* value) const final { return problem(*static_cast<const Result*>(value)); }
+    std::optional<Error> problemOf(const void* value) const final
+    {
+        return problem(*static_cast<const Result*>(value));
+    }
 
     std::shared_ptr<const Result> result_;
 };

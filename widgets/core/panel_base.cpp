@@ -18,7 +18,6 @@ namespace lathelier {
 namespace {
 
 constexpr int pollInterval_ms = 33;
-
 constexpr int patience_ms = 150;  // an answer that comes sooner needs no dimming
 
 }  // namespace
@@ -168,13 +167,15 @@ void PanelBase::pollWorker()
     progress_->showState({});
     showFacts();
     updateStack();
+    layOutAgain();
     emit busyChanged(false);
     if (isCurrent()) emit resultShown();
 }
 
 void PanelBase::showFacts()
 {
-    column_->showFacts([this](const InputRole& role, const Source& source) { return understood(role, source); }, error_);
+    column_->showFacts([this](const InputRole& role, const Source& source) { return understood(role, source); },
+                       error_);
 }
 
 void PanelBase::accept(std::shared_ptr<const void> result)
@@ -242,6 +243,20 @@ std::optional<Document> PanelBase::reportDocument() const
 void PanelBase::setPresenting(bool presenting)
 {
     notes_->setPresenting(presenting);
+}
+
+/// What changed its size while the panel was hidden behind another tab has told nobody of it.
+void PanelBase::layOutAgain()
+{
+    QTimer::singleShot(0, this, [this] {
+        for (QLayout* layout : findChildren<QLayout*>()) layout->invalidate();
+    });
+}
+
+void PanelBase::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    layOutAgain();
 }
 
 void PanelBase::changeEvent(QEvent* event)

@@ -93,6 +93,7 @@ protected:
     virtual QString understood(const InputRole& role, const Source& source) const;
 
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -104,6 +105,7 @@ private:
     void accept(std::shared_ptr<const void> result);
     void refuse(const Error& error);
     void showAnswer();
+    void layOutAgain();
     void updateStack();
     void showFacts();
     bool hasInputs() const;
@@ -134,7 +136,7 @@ private:
     ProgressRow* progress_ = nullptr;
     QTimer poll_;
     QElapsedTimer asking_;  ///< since the newest request
-    Worker worker_;  ///< last: stopped before anything else goes
+    Worker worker_;         ///< last: stopped before anything else goes
 };
 
 }  // namespace lathelier

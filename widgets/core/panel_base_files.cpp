@@ -51,7 +51,8 @@ QString PanelBase::understood(const InputRole&, const Source& source) const
 
 void PanelBase::editState(const QString& step, const std::function<void(PanelState&)>& change, const QString& mergeKey)
 {
-    session_.edit(step, [&](Project& project) { change(project.panels[facts_.stateKey()]); }, mergeKey);
+    session_.edit(
+        step, [&](Project& project) { change(project.panels[facts_.stateKey()]); }, mergeKey);
 }
 
 void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step)

@@ -38,7 +38,7 @@ private:
     QString mergeKey_;
 };
 
-Session::Session(QObject* parent) : QObject(parent), stores_(std::make_unique<Stores>())
+Session::Session(QObject* parent) : QObject(parent), stores_(std::make_shared<Stores>())
 {
     connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }

@@ -54,6 +54,7 @@ public:
 
     /// What panels share beside the project; jobs keep what they use of it.
     Stores& stores() const { return *stores_; }
+    std::shared_ptr<Stores> sharedStores() const { return stores_; }
 
     /// Stops the computations of all panels that work on this state.
     void stop(const std::string& state) { emit stopWanted(state); }
@@ -74,7 +75,7 @@ private:
     Project project_;
     QString path_;
     QUndoStack undo_;
-    std::unique_ptr<Stores> stores_;
+    std::shared_ptr<Stores> stores_;
 };
 
 }  // namespace lathelier

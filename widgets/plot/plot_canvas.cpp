@@ -110,6 +110,11 @@ void PlotCanvas::showEvent(QShowEvent* event)
     redraw();
 }
 
+bool PlotCanvas::isViewChosen() const
+{
+    return parts_->viewChosen;
+}
+
 void PlotCanvas::resetView()
 {
     parts_->viewChosen = false;

@@ -46,6 +46,7 @@ protected:
     void refresh(bool keepView);
     void redraw();  ///< soon, if it is visible
     void drawOverlay();
+    bool isViewChosen() const;  ///< the user has zoomed or panned
 
     virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
     virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says

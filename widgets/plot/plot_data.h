@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <QStringList>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct PlotCurve {
     std::optional<QColor> colour;  ///< none: the next one of a colour-blind-safe row
     std::vector<double> readout;   ///< what the crosshair and the CSV say instead of y (a magnified error's true value)
     QString readoutUnit;           ///< unit of `readout`
+    QStringList words;             ///< what the crosshair says besides, by sample: "three lobes: a three-jaw chuck"
     bool spoken = true;            ///< the crosshair says its value
 };
 

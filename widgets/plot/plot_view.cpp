@@ -284,6 +284,8 @@ QString PlotView::readoutAt(double x, double y) const
                          withUnit(readable(curve.y[i], range.height(), locale()), data.y.unit);
         else
             parts << name + ' ' + withUnit(readable(curve.y[i], range.height(), locale()), data.y.unit);
+        if (static_cast<int>(i) < curve.words.size() && !curve.words[static_cast<int>(i)].isEmpty())
+            parts << curve.words[static_cast<int>(i)];
     }
     if (!any) parts << data.y.title + ' ' + withUnit(readable(y, range.height(), locale()), data.y.unit);
     return parts.join("  ·  ");

@@ -173,7 +173,7 @@ double PolarScale::angleOf(const QPointF& place) const
 double fittingMagnification(const PolarPicture& picture)
 {
     const double reach_um = std::max({picture.highest_um, -picture.lowest_um, 1e-6});
-    return rounded(0.45 * baseOf(picture.plot) * 1000 / reach_um, false);
+    return rounded(0.4 * baseOf(picture.plot) * 1000 / reach_um, false);
 }
 
 double steppedMagnification(double magnification, int steps)

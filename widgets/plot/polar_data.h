@@ -57,8 +57,8 @@ private:
     double base_px_;
 };
 
-/// The largest magnification of 1, 2, 5 × 10^n whose drawing keeps a clear middle. A plot that has no base radius (error
-/// motion) counts as if it had one of 1 mm.
+/// The largest magnification of 1, 2, 5 × 10^n whose drawing keeps a clear middle. A plot that has no base radius
+/// (error motion) counts as if it had one of 1 mm.
 double fittingMagnification(const PolarPicture& picture);
 
 /// The next larger or smaller one of 1, 2, 5 × 10^n.

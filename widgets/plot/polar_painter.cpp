@@ -67,8 +67,8 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines() const
     for (const PolarPlot::Trace& trace : picture_.plot.traces) {
         const QString name = words(trace.name);
         if (!name.isEmpty() && !known(name))
-            lines.push_back({name, colourOf(trace.colour, position),
-                             trace.thin ? LegendLine::Kind::Thin : LegendLine::Kind::Line});
+            lines.push_back(
+                {name, colourOf(trace.colour, position), trace.thin ? LegendLine::Kind::Thin : LegendLine::Kind::Line});
         ++position;
     }
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
@@ -82,8 +82,8 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines() const
         return std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
                            [&](const PolarPlot::Mark& mark) { return mark.outer == outer; });
     };
-    if (contacts(true)) lines.push_back({PolarWords::tr("rests outside"), style_.text, LegendLine::Kind::Outer});
-    if (contacts(false)) lines.push_back({PolarWords::tr("rests inside"), style_.text, LegendLine::Kind::Inner});
+    if (contacts(true)) lines.push_back({PolarWords::tr("outer contact"), style_.text, LegendLine::Kind::Outer});
+    if (contacts(false)) lines.push_back({PolarWords::tr("inner contact"), style_.text, LegendLine::Kind::Inner});
     return lines;
 }
 
@@ -119,7 +119,7 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
             rest.setBottom(layout.legend.top());
         }
     }
-    const double degrees = metrics.horizontalAdvance("270°") / 2 + line * 0.7;
+    const double degrees = metrics.horizontalAdvance("180°") + line * 0.5;
     const double side = std::max(20.0, std::min(rest.width(), rest.height()) - 2 * degrees);
     layout.disc = QRectF(rest.center().x() - side / 2, rest.center().y() - side / 2, side, side);
     return layout;
@@ -195,10 +195,15 @@ void PolarPainter::paintGrid(QPainter& painter) const
         painter.setPen(QPen(style_.grid, 1));
         painter.drawLine(centre + (end - centre) * 0.05, end);
         painter.setPen(style_.text);
-        const QPointF place = centre + (end - centre) * ((room + 0.85 * line) / room);
-        painter.drawText(QRectF(place.x() - 3 * line, place.y() - line, 6 * line, 2 * line), Qt::AlignCenter,
-                         QStringLiteral("%1°").arg(angle));
+        // Clear of the disc by half a line in every direction, also where the label lies beside it.
+        const QString label = QStringLiteral("%1°").arg(angle);
+        const QPointF outward = (end - centre) / room;
+        const double half = QFontMetricsF(font_).horizontalAdvance(label) / 2;
+        const QPointF place = end + QPointF(outward.x() * (half + 0.4 * line), outward.y() * 0.9 * line);
+        painter.drawText(QRectF(place.x() - 3 * line, place.y() - line, 6 * line, 2 * line), Qt::AlignCenter, label);
     }
+    painter.setPen(QPen(style_.text, 1, Qt::DotLine));
+    painter.drawEllipse(centre, scale_.base_px(), scale_.base_px());
     painter.setPen(QPen(style_.text, 1));
     painter.drawEllipse(layout_.disc);
     painter.drawLine(centre - QPointF(line / 3, 0), centre + QPointF(line / 3, 0));
@@ -216,6 +221,7 @@ void PolarPainter::paintScale(QPainter& painter) const
     for (int ring = -inward; ring <= outward; ++ring) {
         if (ring % every != 0) continue;
         const double value_um = ring * division_um_;
+        if (scale_.base_px() + ring * step > scale_.room_px() - 0.6 * metrics.height()) break;
         const QString label = ring == 0 ? QStringLiteral("0 µm") : signedDivision(value_um, locale_);
         QRectF plate(0, 0, metrics.horizontalAdvance(label) + 6, metrics.height());
         plate.moveCenter(scale_.at(75, value_um));
@@ -258,8 +264,8 @@ void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
-        painter.setPen(QPen(colourOf(circle.colour, position++), style_.lineWidth,
-                            circle.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.setPen(
+            QPen(colourOf(circle.colour, position++), style_.lineWidth, circle.dashed ? Qt::DashLine : Qt::SolidLine));
         QPolygonF points;
         for (int i = 0; i <= 720; ++i) {
             const double deviation_um = deviationAt(circle, picture_.plot.base_radius_mm, i / 2.0);

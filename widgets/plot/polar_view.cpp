@@ -102,7 +102,9 @@ QPointF PolarView::pixelAt(double angle_deg, double deviation_um) const
 {
     if (!picture_) return {};
     const PlotStyle style(palette(), font());
-    return PolarPainter(*picture_, magnification(), rect(), font(), style, locale()).scale().at(angle_deg, deviation_um);
+    return PolarPainter(*picture_, magnification(), rect(), font(), style, locale())
+        .scale()
+        .at(angle_deg, deviation_um);
 }
 
 void PolarView::paintEvent(QPaintEvent*)

@@ -38,8 +38,9 @@ struct FakeResult {
 
 class FakePanel : public Panel<FakeResult> {
 public:
-    explicit FakePanel(Session& owner, const std::string& id = "fake")
-        : Panel(owner, factsOf(id), inputs()), views_(new QLabel)
+    /// `state`: key of a state that it shares with other panels; empty: its own.
+    explicit FakePanel(Session& owner, const std::string& id = "fake", const std::string& state = {})
+        : Panel(owner, sharing(factsOf(id), state), inputs()), views_(new QLabel)
     {
         setViews(views_);
     }
@@ -96,6 +97,11 @@ protected:
     }
 
 private:
+    static PanelFacts sharing(PanelFacts facts, const std::string& state)
+    {
+        facts.state = state;
+        return facts;
+    }
     static PanelInputs inputs()
     {
         return {{{"file", Text{"File"}, Text{"Any file"}}},

@@ -58,6 +58,24 @@ class PanelTest : public QObject {
 
 private slots:
     void initTestCase() { useResources(); }
+
+    void panelsThatShareAStateFollowEachOther()
+    {
+        FakePanel other(*session_, "other", "fake");
+        other.show();
+        drop({makeFile("shared.txt", 30)});
+        QTRY_VERIFY(panel_->isCurrent() && other.isCurrent());
+        QCOMPARE(other.shown(), QString("60"));
+        QCOMPARE(session_->project().panels.size(), std::size_t{1});
+        session_->edit("endless",
+                       [](Project& project) { lathelier::set(project.panels["fake"].parameters, "endless", true); });
+        QTRY_VERIFY(panel_->isBusy() && other.isBusy());
+        other.cancel();
+        QTRY_VERIFY(!panel_->isBusy() && !other.isBusy());
+        QVERIFY(!panel_->isCurrent());  // what is shown is not what was asked for
+        session_->undoStack().undo();
+        QTRY_VERIFY(panel_->isCurrent() && other.isCurrent());
+    }
     void init()
     {
         session_ = std::make_unique<Session>();

@@ -1,0 +1,84 @@
+#include "widgets/plot/xy_view.h"
+
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+using namespace lathelier;
+
+class XyViewTest : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<XyView> view_;
+
+    static XyData circle()
+    {
+        XyData data;
+        data.title = "Path";
+        data.x = {"X", "µm"};
+        data.y = {"Y", "µm"};
+        data.along = {"angle", "°"};
+        XyCurve curve;
+        curve.name = "axis";
+        for (int i = 0; i < 360; ++i) {
+            const double angle = i * std::numbers::pi / 180;
+            curve.x.push_back(12 * std::cos(angle));
+            curve.y.push_back(12 * std::sin(angle));
+            curve.along.push_back(i);
+        }
+        data.curves.push_back(curve);
+        return data;
+    }
+
+private slots:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        view_ = std::make_unique<XyView>();
+        view_->resize(700, 320);
+        view_->show();
+        view_->setData(circle());
+        QTest::qWait(60);
+    }
+    void cleanup() { view_.reset(); }
+
+    void aCircleLooksLikeOne()
+    {
+        for (const QSize& size : {QSize(700, 320), QSize(320, 600)}) {
+            view_->resize(size);
+            QTest::qWait(80);
+            const double wide = view_->pixelAt(12, 0).x() - view_->pixelAt(-12, 0).x();
+            const double high = view_->pixelAt(0, -12).y() - view_->pixelAt(0, 12).y();
+            QVERIFY2(std::abs(wide / high - 1) < 0.02, qPrintable(QString("%1 %2").arg(wide).arg(high)));
+            const QRectF seen = view_->visibleRange();
+            QVERIFY(seen.contains(QPointF(12, 0)) && seen.contains(QPointF(0, -12)));
+        }
+    }
+
+    void pointerReadsCoordinatesAndRadiusVector()
+    {
+        QTest::mouseMove(view_->findChild<QWidget*>(), view_->pixelAt(0, 11).toPoint());
+        QCoreApplication::processEvents();
+        const QString text = view_->readout();
+        QVERIFY2(text.contains("radius vector 12") && text.contains("angle 90"), qPrintable(text));
+    }
+
+    void dataAreWritten()
+    {
+        const QString csv = view_->csv();
+        QVERIFY(csv.startsWith("curve,angle [°],x,y\n\"axis\",0,12,0\n"));
+        QCOMPARE(csv.count('\n'), 361);
+    }
+
+    void markerAndEmptyDataAreDrawn()
+    {
+        view_->setMarker(45.0);
+        view_->setMarker({});
+        view_->setData({});
+        QVERIFY(!view_->grab().isNull());
+    }
+};
+
+QTEST_MAIN(XyViewTest)
+#include "xy_view_test.moc"

@@ -1,0 +1,172 @@
+#include "widgets/longitudinal/longitudinal_charts.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/report/colours.h"
+#include "widgets/core/language.h"
+
+namespace lathelier {
+
+/// The words of these plots.
+struct LongitudinalCharts {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::LongitudinalCharts)
+};
+
+namespace {
+
+constexpr std::size_t angles = 360;
+
+double turned(double angle_rad)
+{
+    const double turn = 2 * std::numbers::pi;
+    const double rest = std::fmod(angle_rad, turn);
+    return rest < 0 ? rest + turn : rest;
+}
+
+/// Deviations of closed points at even angles about a centre: linear between neighbours in angle.
+std::vector<double> radiiAtEvenAngles(const std::vector<Eigen::Vector2d>& points_mm, const Eigen::Vector2d& centre_mm)
+{
+    std::vector<std::pair<double, double>> polar;
+    for (const Eigen::Vector2d& point : points_mm) {
+        const Eigen::Vector2d arm = point - centre_mm;
+        polar.emplace_back(turned(std::atan2(arm.y(), arm.x())), arm.norm());
+    }
+    std::sort(polar.begin(), polar.end());
+    std::vector<double> radii(angles, 0);
+    if (polar.empty()) return radii;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < angles; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / angles;
+        while (next < polar.size() && polar[next].first < angle) ++next;
+        const auto& [a, ra] = polar[(next + polar.size() - 1) % polar.size()];
+        const auto& [b, rb] = polar[next % polar.size()];
+        const double span = turned(b - a);
+        const double share = span > 0 ? turned(angle - a) / span : 0;
+        radii[i] = ra + share * (rb - ra);
+    }
+    return radii;
+}
+
+double roundedDown(double value)
+{
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    const double lead = value / power;
+    return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+}  // namespace
+
+std::size_t SectionStack::vertexAt(std::size_t section, double angle_deg) const
+{
+    const auto step = static_cast<std::size_t>(std::lround(angle_deg / 360 * static_cast<double>(angles)));
+    return section * angles + step % angles;
+}
+
+SectionStack sectionStack(const TrajectoryResult& result, bool form_only)
+{
+    SectionStack stack;
+    stack.angles = angles;
+    const std::size_t count = result.sections.size();
+    if (count < 2) return stack;
+    double mean_mm = 0;
+    for (const TrajectorySection& section : result.sections) mean_mm += section.roundness.circles.LSCI.radius_mm;
+    mean_mm /= static_cast<double>(count);
+
+    std::vector<std::vector<double>> deviation(count);
+    double reach_mm = 1e-7;
+    for (std::size_t i = 0; i < count; ++i) {
+        const RoundnessResult& form = result.sections[i].roundness;
+        const FittedCircle& circle = form.circles.LSCI;
+        deviation[i] = radiiAtEvenAngles(form.evaluated_mm, form_only ? circle.centre_mm : Eigen::Vector2d::Zero());
+        for (double& radius : deviation[i]) {
+            radius -= form_only ? circle.radius_mm : mean_mm;
+            reach_mm = std::max(reach_mm, std::abs(radius));
+        }
+    }
+    stack.limit_mm = niceLimit(reach_mm);
+    stack.magnification = std::max(1.0, roundedDown(0.35 * mean_mm / reach_mm));
+
+    // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const TrajectorySection& section : result.sections) {
+        low = std::min(low, section.z_mm);
+        high = std::max(high, section.z_mm);
+    }
+    const bool known = std::isfinite(low) && std::isfinite(high) && high > low;
+    auto scan = std::make_shared<Scan>();
+    auto values = std::make_shared<std::vector<float>>();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z_mm = known ? result.sections[i].z_mm : static_cast<double>(i) * mean_mm / 5;
+        for (std::size_t k = 0; k < angles; ++k) {
+            const double angle = 2 * std::numbers::pi * static_cast<double>(k) / angles;
+            const double radius = mean_mm + stack.magnification * deviation[i][k];
+            scan->points_mm.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z_mm);
+            values->push_back(static_cast<float>(deviation[i][k]));
+        }
+    }
+    stack.length_mm = known ? high - low : static_cast<double>(count - 1) * mean_mm / 5;
+    // Outside is to the right of the way from one angle to the next when z rises.
+    const bool rises = scan->points_mm.back().z() > scan->points_mm.front().z();
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        for (std::size_t k = 0; k < angles; ++k) {
+            const auto a = static_cast<std::uint32_t>(i * angles + k);
+            const auto b = static_cast<std::uint32_t>(i * angles + (k + 1) % angles);
+            const auto c = static_cast<std::uint32_t>(a + angles), d = static_cast<std::uint32_t>(b + angles);
+            if (rises) {
+                scan->triangles.push_back({a, b, d});
+                scan->triangles.push_back({a, d, c});
+            } else {
+                scan->triangles.push_back({a, d, b});
+                scan->triangles.push_back({a, c, d});
+            }
+        }
+    stack.scan = scan;
+    stack.deviation_mm = values;
+    return stack;
+}
+
+PlotData profileAlongZ(const TrajectoryResult& result)
+{
+    PlotData data;
+    data.title = LongitudinalCharts::tr("Longitudinal profile");
+    data.x = {LongitudinalCharts::tr("Along the workpiece, z"), QStringLiteral("mm")};
+    data.y = {LongitudinalCharts::tr("Radius − mean"), QStringLiteral("µm")};
+    if (!result.longitudinal) return data;
+    const LongitudinalSection& section = *result.longitudinal;
+    std::vector<std::size_t> order(section.z_mm.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return section.z_mm[a] < section.z_mm[b]; });
+    double mean_mm = 0;
+    for (const double radius : section.radius_mm) mean_mm += radius / static_cast<double>(section.radius_mm.size());
+    PlotCurve measured, line, parabola;
+    measured.name = LongitudinalCharts::tr("sections");
+    measured.style = PlotCurve::Style::Points;
+    line.name = LongitudinalCharts::tr("taper %1 µm on diameter").arg(screenNumber(section.taper_diameter_um, 1));
+    line.style = PlotCurve::Style::Dashed;
+    parabola.name =
+        (section.barrel_um >= 0 ? LongitudinalCharts::tr("barrel %1 µm") : LongitudinalCharts::tr("saddle %1 µm"))
+            .arg(screenNumber(std::abs(section.barrel_um), 1));
+    for (const std::size_t i : order) {
+        measured.x.push_back(section.z_mm[i]);
+        measured.y.push_back((section.radius_mm[i] - mean_mm) * 1000);
+    }
+    const double low = measured.x.front(), high = measured.x.back();
+    for (int step = 0; step <= 100 && high > low; ++step) {
+        const double z = low + (high - low) * step / 100, u = 2 * (z - low) / (high - low) - 1;
+        const auto& [c0, c1, c2] = section.fit_mm;
+        line.x.push_back(z);
+        parabola.x.push_back(z);
+        // The line that leaves the parabola's own bow out of the taper: its mean height.
+        line.y.push_back((c0 + c1 * u + c2 / 3 - mean_mm) * 1000);
+        parabola.y.push_back((c0 + c1 * u + c2 * u * u - mean_mm) * 1000);
+    }
+    line.spoken = false;
+    data.curves = {std::move(parabola), std::move(line), std::move(measured)};
+    return data;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,36 @@
+// All sections of a record as surface, profile and table.
+#pragma once
+
+#include <memory>
+
+#include "engine/spindle/trajectory.h"
+#include "widgets/plot/plot_data.h"
+#include "widgets/scene/scene_data.h"
+
+namespace lathelier {
+
+/// The images of all sections as one closed surface around the axis, deviations drawn magnified. They count from the
+/// mean LSC radius of all sections about the spindle's axis, or (with `form_only`) from each section's own LSC circle.
+struct SectionStack {
+    std::shared_ptr<const Scan> scan;
+    std::shared_ptr<const std::vector<float>> deviation_mm;  ///< one for each vertex
+    std::size_t angles = 0;                                  ///< vertices of a section
+    double magnification = 1;
+    double limit_mm = 0.001;  ///< a readable limit of the colours
+    double length_mm = 1;     ///< drawn
+
+    std::size_t sectionOf(std::size_t vertex) const { return vertex / angles; }
+    double angle_deg(std::size_t vertex) const
+    {
+        return 360.0 * static_cast<double>(vertex % angles) / static_cast<double>(angles);
+    }
+    std::size_t vertexAt(std::size_t section, double angle_deg) const;
+};
+
+/// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
+SectionStack sectionStack(const TrajectoryResult& result, bool form_only);
+
+/// Radius of each section along z with line (taper) and parabola (barrel).
+PlotData profileAlongZ(const TrajectoryResult& result);
+
+}  // namespace lathelier

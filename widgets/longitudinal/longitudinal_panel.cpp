@@ -1,0 +1,91 @@
+#include "widgets/longitudinal/longitudinal_panel.h"
+
+#include "engine/io/file.h"
+#include "engine/report/roundness_dfq.h"
+#include "engine/report/section_file.h"
+#include "engine/report/trajectory_report.h"
+#include "widgets/core/language.h"
+#include "widgets/longitudinal/longitudinal_views.h"
+#include "widgets/spindle_common/spindle_inputs.h"
+
+namespace lathelier {
+namespace {
+
+PanelInputs panelInputs()
+{
+    return spindleInputs(
+        {&recordRole()}, {"circle", "cutoff_upr", "tolerance_um", "z_mm"},
+        {"decision", "workpiece_diameter_mm", "feed_mm_rev", "sections", "rotation"},
+        LT_TEXT("Engine", "Drop the record of a whole workpiece here, or one record for each section."));
+}
+
+Document reportOf(const SpindlePicture& picture, const Language& language, std::vector<Picture> pictures)
+{
+    Document document = trajectoryReport(*picture.trajectory, picture.inputs, language);
+    if (!pictures.empty() && !document.sections.empty())
+        for (Picture& shown : pictures) document.sections.front().blocks.push_back(std::move(shown));
+    document.synthetic = document.synthetic || picture.synthetic;
+    document.results = {trajectoryJson(picture)};
+    return document;
+}
+
+}  // namespace
+
+PanelFacts longitudinalPanelFacts()
+{
+    PanelFacts facts =
+        spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"), "longitudinal", SpindleWant::Longitudinal);
+    facts.make = [](Session& session) -> PanelBase* { return new LongitudinalPanel(session); };
+    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
+        return reportOf(findPicture(state, SpindleWant::Longitudinal, stores, progress), language, {});
+    };
+    return facts;
+}
+
+LongitudinalPanel::LongitudinalPanel(Session& owner, QWidget* parent)
+    : SpindlePanel(owner, longitudinalPanelFacts(), panelInputs(), SpindleWant::Longitudinal, parent),
+      views_(new LongitudinalViews(markedAngle()))
+{
+    setViews(views_);
+    connect(views_, &LongitudinalViews::sectionWanted, this, &LongitudinalPanel::chooseSection);
+    connect(views_, &LongitudinalViews::notWritten, this, &LongitudinalPanel::sayNotWritten);
+}
+
+void LongitudinalPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
+{
+    views_->setPicture(picture, isSectionChosen());
+}
+
+Headline LongitudinalPanel::headline(const SpindlePicture& picture) const
+{
+    return lathelier::headline(*picture.trajectory, screenLanguage());
+}
+
+Document LongitudinalPanel::document(const SpindlePicture& picture) const
+{
+    return reportOf(picture, screenLanguage(), views_->pictures());
+}
+
+std::vector<PanelExport> LongitudinalPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    return {
+        {tr("Table of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
+         [picture](const QString& path) { writeSectionTable(path.toStdString(), *picture->trajectory); }},
+        {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
+         [picture](const QString& path) { writeFile(path.toStdString(), trajectoryJson(*picture)); }},
+        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [picture](const QString& path) {
+             std::vector<RoundnessResult> results;
+             for (const TrajectorySection& section : picture->trajectory->sections)
+                 results.push_back(section.roundness);
+             writeDfq(path.toStdString(), qdasFile(results));
+         }}};
+}
+
+void LongitudinalPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier

@@ -1,0 +1,173 @@
+#include "widgets/longitudinal/longitudinal_views.h"
+
+#include <QBuffer>
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/core/language.h"
+#include "widgets/longitudinal/section_table.h"
+#include "widgets/scene/scene_view.h"
+
+namespace lathelier {
+
+LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
+    : QWidget(parent),
+      angle_(angle),
+      section_(new SectionBar),
+      angleBar_(new AngleBar(angle)),
+      formOnly_(new QCheckBox),
+      magnification_(new QLabel),
+      synthetic_(new QLabel),
+      scene_(new SceneView),
+      profile_(new PlotView),
+      table_(new SectionTable)
+{
+    scene_->setObjectName("stack");
+    profile_->setObjectName("profile");
+    formOnly_->setObjectName("formOnly");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    buildBar();
+    auto* upper = new QSplitter(Qt::Horizontal);
+    upper->addWidget(scene_);
+    upper->addWidget(profile_);
+    auto* rows = new QSplitter(Qt::Vertical);
+    rows->addWidget(upper);
+    rows->addWidget(table_);
+    for (QSplitter* splitter : {upper, rows}) {
+        splitter->setChildrenCollapsible(false);
+        splitter->setStretchFactor(0, 5);
+        splitter->setStretchFactor(1, 4);
+    }
+    layout->addWidget(rows, 1);
+
+    connect(section_, &SectionBar::sectionWanted, this, &LongitudinalViews::sectionWanted);
+    connect(table_, &SectionTable::sectionPicked, this, &LongitudinalViews::sectionWanted);
+    connect(formOnly_, &QCheckBox::toggled, this, [this] {
+        stacked_.reset();
+        limit_mm_.reset();
+        showStack();
+    });
+    connect(scene_, &SceneView::pointPicked, this, [this](int, qint64 point) {
+        const auto vertex = static_cast<std::size_t>(point);
+        angle_.set(stack_.angle_deg(vertex));
+        const std::size_t index = stack_.sectionOf(vertex);
+        if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
+    });
+    connect(scene_, &SceneView::limitEdited, this, [this](double limit_mm) {
+        limit_mm_ = limit_mm;
+        scene_->setColours({limit_mm, {}});
+    });
+    connect(profile_, &PlotCanvas::clicked, this, [this](double z_mm, double) {
+        const auto& sections = picture_->trajectory->sections;
+        const auto nearest = std::min_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
+            return std::abs(a.z_mm - z_mm) < std::abs(b.z_mm - z_mm);
+        });
+        if (nearest != sections.end()) emit sectionWanted(nearest->section);
+    });
+    connect(profile_, &PlotWidget::notWritten, this, &LongitudinalViews::notWritten);
+    connect(&angle_, &MarkedAngle::changed, this, &LongitudinalViews::markPlace);
+    retranslate();
+}
+
+void LongitudinalViews::buildBar()
+{
+    auto* row = new QHBoxLayout;
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    row->addWidget(section_);
+    row->addSpacing(8);
+    row->addWidget(angleBar_);
+    row->addSpacing(8);
+    row->addWidget(formOnly_);
+    row->addWidget(magnification_);
+    row->addStretch(1);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    row->addWidget(synthetic_);
+}
+
+void LongitudinalViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen)
+{
+    const bool news = !picture_ || picture_->trajectory != picture->trajectory;
+    picture_ = picture;
+    section_->setPicture(*picture, sectionChosen);
+    synthetic_->setVisible(picture->synthetic);
+    if (news) {
+        table_->setResult(*picture->trajectory);
+        profile_->setData(profileAlongZ(*picture->trajectory));
+    }
+    profile_->setVisible(picture->trajectory->longitudinal.has_value());
+    showStack();
+    markPlace();
+}
+
+void LongitudinalViews::showStack()
+{
+    if (!picture_ || stacked_ == picture_->trajectory) return;
+    stacked_ = picture_->trajectory;
+    stack_ = sectionStack(*stacked_, formOnly_->isChecked());
+    scene_->setVisible(stack_.scan != nullptr);
+    if (!stack_.scan) return;
+    magnification_->setText(tr("deviation × %1").arg(screenNumber(stack_.magnification, 0)));
+    SceneObject surface;
+    surface.name = tr("Surface of all sections");
+    surface.scan = stack_.scan;
+    surface.values = stack_.deviation_mm;
+    scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    scene_->setColours({limit_mm_.value_or(stack_.limit_mm), {}});
+    scene_->setObjects({surface});
+    markPlace();
+}
+
+void LongitudinalViews::markPlace()
+{
+    if (!picture_ || !picture_->section) return;
+    const std::size_t index = *picture_->section;
+    const TrajectorySection& section = picture_->trajectory->sections[index];
+    table_->markSection(index);
+    profile_->setMarker(std::isfinite(section.z_mm) ? std::optional(section.z_mm) : std::nullopt);
+    if (!stack_.scan || stacked_ != picture_->trajectory) return;
+    if (!angle_.angle_deg()) return scene_->setMarker({});
+    const std::size_t vertex = stack_.vertexAt(index, *angle_.angle_deg());
+    const double deviation_um = (*stack_.deviation_mm)[vertex] * 1000;
+    scene_->setMarker(
+        stack_.scan->points_mm[vertex],
+        tr("section %1, angle %2°\ndeviation %3 µm")
+            .arg(section.section)
+            .arg(screenNumber(*angle_.angle_deg(), 1), (deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2)));
+}
+
+std::vector<Picture> LongitudinalViews::pictures()
+{
+    std::vector<Picture> pictures;
+    if (!stack_.scan || !scene_->canDraw()) return pictures;
+    const QImage image = scene_->picture(SceneViewpoint::Oblique);
+    if (image.isNull()) return pictures;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    pictures.push_back({LT_TEXT("Engine", "Surface of all sections, deviations magnified"), bytes.toStdString()});
+    return pictures;
+}
+
+void LongitudinalViews::retranslate()
+{
+    formOnly_->setText(tr("form of each section only"));
+    formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
+    magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
+    synthetic_->setText(tr("Synthetic data"));
+    scene_->setScaleTitle(tr("Deviation [mm]"));
+    if (!picture_) return;
+    const auto picture = std::move(picture_);
+    picture_.reset();
+    stacked_.reset();
+    setPicture(picture, !section_->isWorst());
+}
+
+}  // namespace lathelier

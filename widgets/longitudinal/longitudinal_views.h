@@ -1,0 +1,56 @@
+// The views along the workpiece, linked: all sections as a surface in 3-D, the profile along z, the table of sections.
+#pragma once
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QWidget>
+
+#include "engine/report/document.h"
+#include "widgets/longitudinal/longitudinal_charts.h"
+#include "widgets/plot/plot_view.h"
+#include "widgets/spindle_common/section_bar.h"
+
+namespace lathelier {
+
+class SceneView;
+class SectionTable;
+
+class LongitudinalViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LongitudinalViews(MarkedAngle& angle, QWidget* parent = nullptr);
+
+    void setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen);
+    const SectionStack& stack() const { return stack_; }
+
+    /// The 3-D view for the report; empty without OpenGL.
+    std::vector<Picture> pictures();
+
+    void retranslate();
+
+signals:
+    void sectionWanted(std::optional<int> section);
+    void notWritten(const QString& path);
+
+private:
+    void buildBar();
+    void showStack();
+    void markPlace();
+
+    MarkedAngle& angle_;
+    std::shared_ptr<const SpindlePicture> picture_;
+    SectionStack stack_;
+    std::shared_ptr<const TrajectoryResult> stacked_;
+    std::optional<double> limit_mm_;
+    SectionBar* section_;
+    AngleBar* angleBar_;
+    QCheckBox* formOnly_;
+    QLabel* magnification_;
+    QLabel* synthetic_;
+    SceneView* scene_;
+    PlotView* profile_;
+    SectionTable* table_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,26 @@
+// All sections against the tolerance.
+#pragma once
+
+#include "engine/spindle/trajectory.h"
+#include "widgets/core/copy_table.h"
+
+namespace lathelier {
+
+/// Section, z, radius, RONt by the chosen circle, out-of-place, run-out, two-point range, revolutions, verdict; a
+/// section beyond the tolerance carries a symbol and a word.
+class SectionTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit SectionTable(QWidget* parent = nullptr);
+    void setResult(const TrajectoryResult& result);
+    void markSection(std::size_t index);
+
+signals:
+    void sectionPicked(int section);  ///< its number
+
+private:
+    std::vector<int> numbers_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,111 @@
+#include "widgets/roundness/roundness_charts.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "widgets/core/language.h"
+
+namespace lathelier {
+
+/// The words of these plots.
+struct RoundnessCharts {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::RoundnessCharts)
+};
+
+namespace {
+
+constexpr int fewHarmonics = 60;  // shown at first; the rest comes with the wheel
+
+Value orNothing(double value)
+{
+    return std::isfinite(value) ? Value(value) : Value();
+}
+
+}  // namespace
+
+PlotData spectrumData(const RoundnessResult& result)
+{
+    PlotData plot;
+    plot.title = RoundnessCharts::tr("Spectrum");
+    plot.remark = RoundnessCharts::tr("before the filter");
+    plot.x = {RoundnessCharts::tr("Undulations per revolution"), "UPR"};
+    plot.y = {RoundnessCharts::tr("Amplitude"), "µm"};
+    plot.yFromZero = true;
+    PlotCurve bars;
+    bars.style = PlotCurve::Style::Bars;
+    bars.colour = QColor(0, 114, 178);
+    for (const Harmonic& harmonic : result.harmonics) {
+        if (harmonic.upr < 2) continue;
+        bars.x.push_back(harmonic.upr);
+        bars.y.push_back(harmonic.amplitude);
+        const auto hint = std::find_if(result.hints.begin(), result.hints.end(),
+                                       [&](const RoundnessHint& h) { return h.upr == harmonic.upr; });
+        bars.words << (hint == result.hints.end() ? QString() : screenText(hint->meaning));
+    }
+    if (bars.x.empty()) return plot;
+    plot.xRange = std::pair{1.5, std::min<double>(fewHarmonics, bars.x.back()) + 0.5};
+    const ProfileBand band = bandOf(result.parameters);
+    if (band.high_upr)
+        plot.limits.push_back(
+            {Qt::Vertical, *band.high_upr, RoundnessCharts::tr("%1 UPR").arg(screenNumber(*band.high_upr, 0)), false});
+    if (band.low_upr)
+        plot.limits.push_back(
+            {Qt::Vertical, *band.low_upr, RoundnessCharts::tr("%1 UPR").arg(screenNumber(*band.low_upr, 0)), false});
+    plot.curves.push_back(std::move(bars));
+    return plot;
+}
+
+Table circleTable(const RoundnessResult& result)
+{
+    Table table;
+    table.title = LT_TEXT("Engine", "Reference circles");
+    table.columns = {
+        LT_TEXT("Engine", "Circle"),        std::string("RONt [µm]"),           std::string("RONp [µm]"),
+        std::string("RONv [µm]"),           std::string("RONq [µm]"),           LT_TEXT("Engine", "Radius [mm]"),
+        LT_TEXT("Engine", "Centre x [mm]"), LT_TEXT("Engine", "Centre y [mm]"), LT_TEXT("Engine", "Proved to [µm]")};
+    table.decimals = {0, 3, 3, 3, 3, 5, 5, 5, 6};
+    for (const ReferenceCircle which :
+         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+        const FittedCircle& circle = result.circles.of(which);
+        std::string label(name(which));
+        if (which == result.parameters.circle) label += " ◀";
+        table.rows.push_back({label, orNothing(circle.RONt_um), orNothing(circle.RONp_um), orNothing(circle.RONv_um),
+                              orNothing(circle.RONq_um), orNothing(circle.radius_mm), orNothing(circle.centre_mm.x()),
+                              orNothing(circle.centre_mm.y()),
+                              circle.certified_gap_um ? orNothing(*circle.certified_gap_um) : Value()});
+    }
+    return table;
+}
+
+Table hintTable(const RoundnessResult& result)
+{
+    Table table;
+    table.title = LT_TEXT("Engine", "What the undulations say");
+    table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude [µm]"), LT_TEXT("Engine", "Share [%]"),
+                     LT_TEXT("Engine", "Usual cause")};
+    table.decimals = {0, 3, 0, 0};
+    for (const RoundnessHint& hint : result.hints)
+        table.rows.push_back(
+            {std::int64_t{hint.upr}, hint.amplitude_um, orNothing(hint.share_percent), Value(hint.meaning)});
+    return table;
+}
+
+PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const Harmonic& harmonic)
+{
+    PolarPlot plot = picture->plot;
+    PolarPlot::Trace wave;
+    wave.name = std::to_string(harmonic.upr) + " UPR";
+    wave.colour = 3;
+    const int samples = std::max(360, 16 * harmonic.upr);
+    for (int i = 0; i < samples; ++i) {
+        const double angle = 2 * std::numbers::pi * i / samples;
+        wave.angle_deg.push_back(360.0 * i / samples);
+        wave.deviation_um.push_back(harmonic.amplitude * std::cos(harmonic.upr * angle - harmonic.phase_rad));
+    }
+    plot.traces.push_back(std::move(wave));
+    return polarPicture(std::move(plot));
+}
+
+}  // namespace lathelier

@@ -1,0 +1,89 @@
+#include "widgets/roundness/roundness_panel.h"
+
+#include "engine/io/file.h"
+#include "engine/report/roundness_dfq.h"
+#include "engine/report/roundness_report.h"
+#include "widgets/core/language.h"
+#include "widgets/roundness/roundness_charts.h"
+#include "widgets/roundness/roundness_views.h"
+#include "widgets/spindle_common/spindle_inputs.h"
+
+namespace lathelier {
+namespace {
+
+PanelInputs panelInputs()
+{
+    return spindleInputs({&recordRole(), &profileRole(), &traceRole()}, {"circle", "cutoff_upr", "tolerance_um"},
+                         {"band_upr", "exclude_deg", "outliers", "decision", "probe_uncertainty_um"},
+                         LT_TEXT("Engine", "Drop a measured profile or a probe record here."));
+}
+
+Document reportOf(const SpindlePicture& picture, const Language& language)
+{
+    Document document = roundnessReport({*picture.roundness()}, picture.inputs, language);
+    if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed, language));
+    document.synthetic = document.synthetic || picture.synthetic;
+    document.results = {roundnessJson(picture)};
+    return document;
+}
+
+}  // namespace
+
+PanelFacts roundnessPanelFacts()
+{
+    PanelFacts facts = spindleFacts("roundness", LT_TEXT("Engine", "Roundness"), "roundness", SpindleWant::Roundness);
+    facts.make = [](Session& session) -> PanelBase* { return new RoundnessPanel(session); };
+    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
+        return reportOf(findPicture(state, SpindleWant::Roundness, stores, progress), language);
+    };
+    return facts;
+}
+
+RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
+    : SpindlePanel(owner, roundnessPanelFacts(), panelInputs(), SpindleWant::Roundness, parent),
+      views_(new RoundnessViews(markedAngle()))
+{
+    setViews(views_);
+    connect(views_, &RoundnessViews::sectionWanted, this, &RoundnessPanel::chooseSection);
+    connect(views_, &RoundnessViews::notWritten, this, &RoundnessPanel::sayNotWritten);
+}
+
+void RoundnessPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
+{
+    views_->setPicture(picture, isSectionChosen());
+}
+
+Headline RoundnessPanel::headline(const SpindlePicture& picture) const
+{
+    Headline headline = lathelier::headline(*picture.roundness(), screenLanguage());
+    if (const TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection())
+        headline.text +=
+            tr(" · section %1 of %2").arg(section->section).arg(picture.trajectory->sections.size()).toStdString();
+    return headline;
+}
+
+Document RoundnessPanel::document(const SpindlePicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> RoundnessPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    return {
+        {tr("Profile and circles as drawn (CSV)…"), tr("Table (*.csv)"), "csv",
+         [picture](const QString& path) { writeFile(path.toStdString(), toCsv(picture->polar->plot).toStdString()); }},
+        {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
+         [picture](const QString& path) { writeFile(path.toStdString(), roundnessJson(*picture)); }},
+        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq",
+         [picture](const QString& path) { writeDfq(path.toStdString(), qdasFile({*picture->roundness()})); }}};
+}
+
+void RoundnessPanel::retranslate()
+{
+    views_->retranslate();
+    if (hasResult()) recompute();  // the polar plots carry words; the answers are there
+}
+
+}  // namespace lathelier

@@ -1,0 +1,32 @@
+// The panel "Roundness": how round is this section, by which circle and filter, and how sure is that?
+#pragma once
+
+#include "widgets/spindle_common/spindle_panel.h"
+
+namespace lathelier {
+
+class RoundnessViews;
+
+/// The panel's line of the panel table.
+PanelFacts roundnessPanelFacts();
+
+class RoundnessPanel : public SpindlePanel {
+    Q_OBJECT
+
+public:
+    explicit RoundnessPanel(Session& session, QWidget* parent = nullptr);
+
+    RoundnessViews& views() const { return *views_; }
+
+protected:
+    void showResult(const std::shared_ptr<const SpindlePicture>& picture) override;
+    Headline headline(const SpindlePicture& picture) const override;
+    Document document(const SpindlePicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void retranslate() override;
+
+private:
+    RoundnessViews* views_;
+};
+
+}  // namespace lathelier

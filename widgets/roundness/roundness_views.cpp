@@ -1,0 +1,181 @@
+#include "widgets/roundness/roundness_views.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/report/roundness_report.h"
+#include "widgets/core/language.h"
+#include "widgets/roundness/roundness_charts.h"
+
+namespace lathelier {
+
+RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
+    : QWidget(parent),
+      angle_(angle),
+      section_(new SectionBar),
+      form_(new QToolButton),
+      laid_(new QToolButton),
+      difference_(new QLabel),
+      synthetic_(new QLabel),
+      polar_(new PolarView),
+      spectrum_(new PlotView),
+      tabs_(new QTabWidget),
+      circles_(new CopyTable),
+      methods_(new CopyTable),
+      hints_(new CopyTable),
+      numbers_(new CopyTable)
+{
+    polar_->setObjectName("polar");
+    spectrum_->setObjectName("spectrum");
+    circles_->setObjectName("circles");
+    methods_->setObjectName("methods");
+    hints_->setObjectName("hints");
+    numbers_->setObjectName("numbers");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    buildBar();
+    tabs_->setDocumentMode(true);
+    for (CopyTable* table : {circles_, methods_, hints_, numbers_}) tabs_->addTab(table, QString());
+    auto* side = new QSplitter(Qt::Vertical);
+    side->addWidget(spectrum_);
+    side->addWidget(tabs_);
+    side->setChildrenCollapsible(false);
+    side->setStretchFactor(0, 1);
+    side->setStretchFactor(1, 1);
+    auto* both = new QSplitter(Qt::Horizontal);
+    both->addWidget(polar_);
+    both->addWidget(side);
+    both->setChildrenCollapsible(false);
+    both->setStretchFactor(0, 5);
+    both->setStretchFactor(1, 4);
+    layout->addWidget(both, 1);
+
+    connect(section_, &SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);
+    connect(polar_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
+    connect(&angle_, &MarkedAngle::changed, this, &RoundnessViews::markAngle);
+    connect(spectrum_, &PlotCanvas::clicked, this, [this](double upr, double) {
+        const int wanted = static_cast<int>(std::lround(upr));
+        markHarmonic(harmonic_ == wanted ? std::nullopt : std::optional(wanted));
+    });
+    connect(hints_, &QTableWidget::cellClicked, this, [this](int row, int) {
+        const auto& hints = picture_->roundness()->hints;
+        if (row < static_cast<int>(hints.size())) markHarmonic(hints[static_cast<std::size_t>(row)].upr);
+    });
+    for (PlotWidget* plot : {static_cast<PlotWidget*>(polar_), static_cast<PlotWidget*>(spectrum_)})
+        connect(plot, &PlotWidget::notWritten, this, &RoundnessViews::notWritten);
+    retranslate();
+}
+
+void RoundnessViews::buildBar()
+{
+    auto* row = new QHBoxLayout;
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    row->addWidget(section_);
+    auto* group = new QButtonGroup(this);
+    for (QToolButton* button : {form_, laid_}) {
+        button->setCheckable(true);
+        button->setAutoRaise(true);
+        group->addButton(button);
+        row->addWidget(button);
+        button->hide();
+    }
+    form_->setObjectName("showForm");
+    laid_->setObjectName("showLaid");
+    form_->setChecked(true);
+    difference_->setObjectName("difference");
+    row->addWidget(difference_);
+    row->addStretch(1);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    row->addWidget(synthetic_);
+    connect(group, &QButtonGroup::idToggled, this, [this] { showPolar(); });
+}
+
+void RoundnessViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen)
+{
+    const bool newTrace = picture->trace && (!picture_ || picture_->trace != picture->trace);
+    picture_ = picture;
+    section_->setPicture(*picture, sectionChosen);
+    const bool laid = picture->superimposed != nullptr;
+    form_->setVisible(laid);
+    laid_->setVisible(laid);
+    difference_->setVisible(laid);
+    if (newTrace && laid) laid_->setChecked(true);  // what was just asked for is what is shown
+    if (!laid) form_->setChecked(true);
+    if (laid)
+        difference_->setText(tr("largest difference %1 µm, mean %2 µm")
+                                 .arg(screenNumber(picture->superimposed->largest_difference_um, 2),
+                                      screenNumber(picture->superimposed->mean_difference_um, 2)));
+    synthetic_->setVisible(picture->synthetic);
+    spectrum_->setData(spectrumData(*picture->roundness()));
+    showPolar();
+    showTables();
+}
+
+void RoundnessViews::showPolar()
+{
+    if (!picture_) return;
+    PolarPicturePtr shown = laid_->isChecked() && picture_->laid ? picture_->laid : picture_->polar;
+    if (harmonic_ && shown == picture_->polar) {
+        const std::vector<Harmonic>& all = picture_->roundness()->harmonics;
+        const auto wanted =
+            std::find_if(all.begin(), all.end(), [&](const Harmonic& h) { return h.upr == *harmonic_; });
+        if (wanted != all.end()) shown = withHarmonic(shown, *wanted);
+    }
+    polar_->setPicture(shown);
+    markAngle();
+}
+
+void RoundnessViews::showTables()
+{
+    const RoundnessResult& result = *picture_->roundness();
+    circles_->setTable(circleTable(result));
+    methods_->setTable(methodTable(result, screenLanguage()));
+    hints_->setTable(hintTable(result));
+    Document document = roundnessReport({result}, picture_->inputs, screenLanguage());
+    if (picture_->superimposed)
+        document.sections.insert(document.sections.begin(),
+                                 superimposeSection(*picture_->superimposed, screenLanguage()));
+    numbers_->setQuantities(document);
+}
+
+void RoundnessViews::markHarmonic(std::optional<int> upr)
+{
+    harmonic_ = upr;
+    spectrum_->setMarker(upr ? std::optional<double>(*upr) : std::nullopt);
+    hints_->clearSelection();
+    if (picture_ && upr) {
+        const auto& hints = picture_->roundness()->hints;
+        for (std::size_t row = 0; row < hints.size(); ++row)
+            if (hints[row].upr == *upr) hints_->selectRow(static_cast<int>(row));
+    }
+    showPolar();
+}
+
+void RoundnessViews::markAngle()
+{
+    polar_->setMarker(angle_.angle_deg());
+}
+
+void RoundnessViews::retranslate()
+{
+    form_->setText(tr("Roundness"));
+    form_->setToolTip(tr("The profile with its reference circles"));
+    laid_->setText(tr("Laid over"));
+    laid_->setToolTip(tr("The profile and the trace over each other, and their difference"));
+    synthetic_->setText(tr("Synthetic data"));
+    const QStringList names{tr("Circles"), tr("Methods"), tr("Undulations"), tr("Numbers")};
+    for (int i = 0; i < names.size(); ++i) {
+        tabs_->setTabText(i, names[i]);
+        tabs_->widget(i)->setAccessibleName(names[i]);
+    }
+    if (picture_) setPicture(picture_, !section_->isWorst());
+}
+
+}  // namespace lathelier

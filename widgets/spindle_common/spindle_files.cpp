@@ -1,0 +1,69 @@
+#include "widgets/spindle_common/spindle_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace lathelier {
+namespace {
+
+/// The other half of an L-Graph pair, with the same case of letters; empty when there is none.
+std::string partnerOf(const std::string& path)
+{
+    const std::filesystem::path file(path);
+    const std::string suffix = file.extension().string();
+    std::string other;
+    if (suffix == ".dat") other = ".par";
+    if (suffix == ".par") other = ".dat";
+    if (suffix == ".DAT") other = ".PAR";
+    if (suffix == ".PAR") other = ".DAT";
+    if (other.empty()) return {};
+    std::filesystem::path partner = file;
+    partner.replace_extension(other);
+    std::error_code problem;
+    return std::filesystem::is_regular_file(partner, problem) ? partner.string() : std::string();
+}
+
+}  // namespace
+
+ProbeFile RecordStore::read(const Source& source, std::string_view, const Progress& progress) const
+{
+    return readProbeRecord(source.path, fromValues<ImportOptions>(source.import),
+                           fromValues<RecorderOptions>(source.import), progress);
+}
+
+ProfileFile ProfileStore::read(const Source& source, std::string_view bytes, const Progress& progress) const
+{
+    return readProfile(source.path, bytes, fromValues<ImportOptions>(source.import),
+                       fromValues<ProfileOptions>(source.import), progress);
+}
+
+std::vector<InputFile> inputFilesOf(const Loaded<ProbeFile>& record)
+{
+    const std::string& path = record.file.facts.path;
+    std::vector<InputFile> files{{path, record.bytes, record.sha256}};
+    if (!record.file.facts.format.starts_with("lgraph")) return files;
+    const std::string partner = partnerOf(path);
+    if (partner.empty()) return files;
+    const FileBytes bytes(partner);
+    files.push_back({partner, static_cast<std::int64_t>(bytes.view().size()), sha256(bytes.view())});
+    return files;
+}
+
+InputFile inputFileOf(const Loaded<ProfileFile>& profile)
+{
+    return {profile.file.facts.path, profile.bytes, profile.sha256};
+}
+
+std::vector<std::string> withoutPartners(const std::vector<std::string>& paths)
+{
+    std::vector<std::string> kept;
+    for (const std::string& path : paths) {
+        const std::string suffix = std::filesystem::path(path).extension().string();
+        const bool isData = suffix == ".dat" || suffix == ".DAT";
+        if (isData && std::find(paths.begin(), paths.end(), partnerOf(path)) != paths.end()) continue;
+        kept.push_back(path);
+    }
+    return kept;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,129 @@
+#include "widgets/trajectory/trajectory_panel.h"
+
+#include <array>
+#include <cmath>
+
+#include "engine/io/file.h"
+#include "engine/report/section_file.h"
+#include "engine/report/trajectory_plots.h"
+#include "engine/report/trajectory_report.h"
+#include "widgets/core/language.h"
+#include "widgets/spindle_common/spindle_inputs.h"
+#include "widgets/trajectory/trajectory_charts.h"
+#include "widgets/trajectory/trajectory_views.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
+
+PanelInputs panelInputs()
+{
+    return spindleInputs({&recordRole()}, {"workpiece_diameter_mm", "z_mm", "feed_mm_rev"},
+                         {"channels", "sensitivity_um_per_V", "marker_threshold_V", "channel_skew_s", "rotation",
+                          "points", "revolutions", "sections", "drift", "outlier_sigmas"},
+                         LT_TEXT("Engine", "Drop a probe record here: a table, or a pair .dat and .par of L-Graph."));
+}
+
+Headline motionHeadline(const TrajectorySection& section)
+{
+    Headline headline;
+    headline.text = TrajectoryPanel::tr("Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)")
+                        .arg(section.section)
+                        .arg(motionText(section.spindle))
+                        .arg(section.revolutions_used)
+                        .toStdString();
+    return headline;
+}
+
+QuantityTable motionTable(const TrajectorySection& section, std::size_t probe)
+{
+    const Text um = LT_TEXT("Engine", "µm");
+    const ErrorMotion& motion = section.error_motion[probe];
+    const auto orNothing = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
+    return {std::string(probeNames[probe]),
+            {{LT_TEXT("Engine", "Synchronous error motion"), orNothing(motion.synchronous_um), um, 2},
+             {LT_TEXT("Engine", "Asynchronous error motion"), orNothing(motion.asynchronous_um), um, 2},
+             {LT_TEXT("Engine", "Total error motion"), orNothing(motion.total_um), um, 2}}};
+}
+
+/// The motion in the chosen section. The workpiece's form is the report of the other panels; of the whole report of
+/// trajectories only method and parameters, which come last, are taken over.
+Document reportOf(const SpindlePicture& picture, const Language& language)
+{
+    const TrajectoryResult& result = *picture.trajectory;
+    const TrajectorySection& section = *picture.chosenSection();
+    Document whole = trajectoryReport(result, picture.inputs, language);
+    Document document;
+    document.title = LT_TEXT("Engine", "Motion of spindle and tool");
+    document.inputs = picture.inputs;
+    document.synthetic = whole.synthetic || picture.synthetic;
+    Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {motionHeadline(section)}};
+    for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
+        motion.blocks.push_back(motionTable(section, probe));
+    motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm));
+    motion.blocks.push_back(picture.notes);
+    document.sections.push_back(std::move(motion));
+    document.sections.push_back({LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section), envelopePlot(section)}});
+    if (!whole.sections.empty()) document.sections.push_back(std::move(whole.sections.back()));
+    document.results = {trajectoryJson(picture)};
+    return document;
+}
+
+}  // namespace
+
+PanelFacts trajectoryPanelFacts()
+{
+    PanelFacts facts =
+        spindleFacts("trajectory", LT_TEXT("Engine", "Trajectory"), "trajectory", SpindleWant::Trajectory);
+    facts.make = [](Session& session) -> PanelBase* { return new TrajectoryPanel(session); };
+    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
+        const SpindlePicture picture = findPicture(state, SpindleWant::Longitudinal, stores, progress);
+        return reportOf(picture, language);
+    };
+    return facts;
+}
+
+TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
+    : SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(), SpindleWant::Trajectory, parent),
+      views_(new TrajectoryViews(markedAngle()))
+{
+    setViews(views_);
+    connect(views_, &TrajectoryViews::sectionWanted, this, &TrajectoryPanel::chooseSection);
+    connect(views_, &TrajectoryViews::notWritten, this, &TrajectoryPanel::sayNotWritten);
+    connect(views_, &TrajectoryViews::mapEdited, this,
+            [this](const std::string& map) { setParameter("channels", map, tr("Change the channels")); });
+}
+
+void TrajectoryPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
+{
+    views_->setPicture(picture, isSectionChosen(), fromValues<TrajectoryParameters>(state().parameters).channels);
+}
+
+Headline TrajectoryPanel::headline(const SpindlePicture& picture) const
+{
+    const TrajectorySection* chosen = picture.chosenSection();
+    return chosen ? motionHeadline(*chosen) : Headline();
+}
+
+Document TrajectoryPanel::document(const SpindlePicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> TrajectoryPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture || !picture->trajectory) return {};
+    return {{tr("Trajectories and images of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
+             [picture](const QString& path) { writeImages(path.toStdString(), *picture->trajectory); }},
+            {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
+             [picture](const QString& path) { writeFile(path.toStdString(), trajectoryJson(*picture)); }}};
+}
+
+void TrajectoryPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier

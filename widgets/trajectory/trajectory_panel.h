@@ -1,0 +1,32 @@
+// The panel "Trajectory": what the probes recorded, how axis and tool move, and how well the spindle turns.
+#pragma once
+
+#include "widgets/spindle_common/spindle_panel.h"
+
+namespace lathelier {
+
+class TrajectoryViews;
+
+/// The panel's line of the panel table.
+PanelFacts trajectoryPanelFacts();
+
+class TrajectoryPanel : public SpindlePanel {
+    Q_OBJECT
+
+public:
+    explicit TrajectoryPanel(Session& session, QWidget* parent = nullptr);
+
+    TrajectoryViews& views() const { return *views_; }
+
+protected:
+    void showResult(const std::shared_ptr<const SpindlePicture>& picture) override;
+    Headline headline(const SpindlePicture& picture) const override;
+    Document document(const SpindlePicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void retranslate() override;
+
+private:
+    TrajectoryViews* views_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,244 @@
+#include "widgets/trajectory/trajectory_views.h"
+
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/core/language.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/trajectory/channel_table.h"
+#include "widgets/trajectory/trajectory_charts.h"
+
+namespace lathelier {
+
+TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
+    : QWidget(parent),
+      angle_(angle),
+      section_(new SectionBar),
+      angleBar_(new AngleBar(angle)),
+      all_(new QCheckBox),
+      synthetic_(new QLabel),
+      pages_(new QTabWidget),
+      axes_(new XyView),
+      probe_(new QComboBox),
+      motionText_(new QLabel),
+      motion_(new PolarView),
+      coordinates_(new PlotView),
+      signals_(new PlotView),
+      scene_(new SceneView),
+      spaceText_(new QLabel),
+      channelTable_(new ChannelTable),
+      recordText_(new QLabel)
+{
+    axes_->setObjectName("axes");
+    motion_->setObjectName("motion");
+    coordinates_->setObjectName("coordinates");
+    signals_->setObjectName("signals");
+    scene_->setObjectName("scene");
+    pages_->setObjectName("pages");
+    probe_->setObjectName("probe");
+    all_->setObjectName("allSections");
+    all_->setChecked(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    buildBar();
+
+    auto* upper = new QSplitter(Qt::Horizontal);
+    upper->addWidget(axes_);
+    upper->addWidget(makeMotion());
+    upper->setStretchFactor(0, 1);
+    upper->setStretchFactor(1, 1);
+    upper->setChildrenCollapsible(false);
+    auto* rows = new QSplitter(Qt::Vertical);
+    rows->addWidget(upper);
+    rows->addWidget(coordinates_);
+    rows->setStretchFactor(0, 5);
+    rows->setStretchFactor(1, 4);
+    rows->setChildrenCollapsible(false);
+    auto* space = new QWidget;
+    auto* spaceLayout = new QVBoxLayout(space);
+    spaceLayout->setContentsMargins(0, 4, 0, 0);
+    spaceLayout->addWidget(spaceText_);
+    spaceLayout->addWidget(scene_, 1);
+    pages_->setDocumentMode(true);
+    pages_->insertTab(Trajectories, rows, QString());
+    pages_->insertTab(Signals, signals_, QString());
+    pages_->insertTab(Space, space, QString());
+    pages_->insertTab(Record, makeRecord(), QString());
+    layout->addWidget(pages_, 1);
+
+    connect(section_, &SectionBar::sectionWanted, this, &TrajectoryViews::sectionWanted);
+    connect(all_, &QCheckBox::toggled, this, [this] { showSection(); });
+    connect(probe_, qOverload<int>(&QComboBox::activated), this, [this] { showMotion(); });
+    connect(motion_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
+    connect(coordinates_, &PlotCanvas::clicked, this, [this](double deg, double) {
+        if (!picture_ || !picture_->chosenSection()) return;
+        const TrajectorySection& chosen = *picture_->chosenSection();
+        const std::vector<double> angles = partAngles_deg(chosen);
+        for (std::size_t i = 0; i < chosen.angle_deg.size(); ++i)
+            if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
+    });
+    connect(channelTable_, &ChannelTable::mapEdited, this, &TrajectoryViews::mapEdited);
+    connect(pages_, &QTabWidget::currentChanged, this, [this] { showSpace(); });
+    connect(&angle_, &MarkedAngle::changed, this, &TrajectoryViews::markAngle);
+    for (PlotWidget* plot : {static_cast<PlotWidget*>(axes_), static_cast<PlotWidget*>(motion_),
+                             static_cast<PlotWidget*>(coordinates_), static_cast<PlotWidget*>(signals_)})
+        connect(plot, &PlotWidget::notWritten, this, &TrajectoryViews::notWritten);
+    retranslate();
+}
+
+void TrajectoryViews::buildBar()
+{
+    auto* row = new QHBoxLayout;
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    row->addWidget(section_);
+    row->addWidget(all_);
+    row->addSpacing(8);
+    row->addWidget(angleBar_);
+    row->addStretch(1);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    row->addWidget(synthetic_);
+}
+
+QWidget* TrajectoryViews::makeMotion()
+{
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto* row = new QHBoxLayout;
+    for (const char* name : {"X3", "Y3", "Xp", "Yp"}) probe_->addItem(name);
+    motionText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(probe_);
+    row->addWidget(motionText_, 1);
+    layout->addLayout(row);
+    layout->addWidget(motion_, 1);
+    return page;
+}
+
+QWidget* TrajectoryViews::makeRecord()
+{
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    recordText_->setWordWrap(true);
+    recordText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(recordText_);
+    layout->addWidget(channelTable_, 1);
+    return page;
+}
+
+void TrajectoryViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen,
+                                 const std::string& channels)
+{
+    const bool problem = picture->problem.has_value();
+    const bool news = !picture_ || picture_->problem.has_value() != problem;
+    picture_ = picture;
+    channels_ = channels;
+    section_->setPicture(*picture, sectionChosen);
+    synthetic_->setVisible(picture->synthetic);
+    all_->setVisible(picture->trajectory && picture->trajectory->sections.size() > 1);
+    for (const Page page : {Trajectories, Space}) pages_->setTabEnabled(page, !problem);
+    if (problem && news) pages_->setCurrentIndex(Record);  // where it can be mended
+    if (!problem && news) pages_->setCurrentIndex(Trajectories);
+    showRecord();
+    showSection();
+    showSpace();
+}
+
+void TrajectoryViews::showSection()
+{
+    if (!picture_ || !picture_->chosenSection()) return;
+    axes_->setData(axesData(*picture_->trajectory, *picture_->section, all_->isChecked()));
+    coordinates_->setData(coordinateData(*picture_->chosenSection()));
+    showMotion();
+}
+
+void TrajectoryViews::showMotion()
+{
+    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    if (!chosen) return;
+    const auto probe = static_cast<Probe>(std::max(0, probe_->currentIndex()));
+    motion_->setPicture(motionPicture(*chosen, probe, picture_->trajectory->workpiece_diameter_mm));
+    const QString text = motionText(chosen->error_motion[static_cast<std::size_t>(probe)]);
+    motionText_->setText(text);
+    motionText_->setToolTip(
+        tr("ISO 230-7, fixed sensitive direction, %1 revolutions: %2").arg(chosen->revolutions_used).arg(text));
+    markAngle();
+}
+
+void TrajectoryViews::showRecord()
+{
+    const auto& file = picture_->records.front()->file;
+    const auto* record = std::get_if<ProbeRecord>(&file.record);
+    pages_->setTabEnabled(Signals, record != nullptr);
+    channelTable_->setVisible(record != nullptr);
+    channelTable_->setRecord(record, channels_);
+    if (picture_->time_signals) signals_->setData(signalData(*picture_->time_signals));
+    QStringList lines;
+    if (picture_->records.size() > 1) lines << tr("The first of %1 records:").arg(picture_->records.size());
+    if (record) {
+        if (!record->device.empty()) lines << tr("Recorder: %1").arg(QString::fromStdString(record->device));
+        if (!record->recorded.empty()) lines << tr("Recorded: %1").arg(QString::fromStdString(record->recorded));
+        if (std::isfinite(record->rate_hz))
+            lines << tr("%1 frames a second, %2 s, %3 channels")
+                         .arg(screenNumber(record->rate_hz, 1),
+                              screenNumber(static_cast<double>(record->frames()) / record->rate_hz, 2))
+                         .arg(record->channels.size());
+    } else {
+        lines << tr("Averages over the revolutions: %1 sections")
+                     .arg(std::get<AveragedRecord>(file.record).sections.size());
+    }
+    const Values& header = record ? record->header : std::get<AveragedRecord>(file.record).header;
+    QStringList said;
+    for (const auto& [name, value] : header) said << QString::fromStdString(name) + " = " + screenText(value);
+    if (!said.isEmpty()) lines << tr("The file says: %1").arg(said.join(QStringLiteral(" · ")));
+    recordText_->setText(lines.join('\n'));
+}
+
+void TrajectoryViews::showSpace()
+{
+    if (!picture_ || !picture_->trajectory || pages_->currentIndex() != Space) return;
+    if (inScene_ == picture_->trajectory) return;
+    inScene_ = picture_->trajectory;
+    const double magnification = stackMagnification(*inScene_);
+    spaceText_->setText(tr("Workpiece axis (blue) and tool (orange) of all sections along z; displacements × %1")
+                            .arg(screenNumber(magnification, 0)));
+    scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    scene_->setObjects(stackedTrajectories(*inScene_, magnification));
+}
+
+void TrajectoryViews::markAngle()
+{
+    const auto angle = angle_.angle_deg();
+    motion_->setMarker(angle);
+    axes_->setMarker(angle);
+    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    if (!angle || !chosen) return coordinates_->setMarker({});
+    const std::vector<double> angles = partAngles_deg(*chosen);
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (std::abs(std::remainder(angles[i] - *angle, 360)) < std::abs(std::remainder(angles[nearest] - *angle, 360)))
+            nearest = i;
+    if (nearest < chosen->angle_deg.size()) coordinates_->setMarker(chosen->angle_deg[nearest]);
+}
+
+void TrajectoryViews::retranslate()
+{
+    all_->setText(tr("all sections"));
+    all_->setToolTip(tr("Draw the trajectories of all sections behind the chosen one"));
+    synthetic_->setText(tr("Synthetic data"));
+    probe_->setToolTip(tr("The probe whose error motion is shown"));
+    probe_->setAccessibleName(probe_->toolTip());
+    pages_->setTabText(Trajectories, tr("Trajectories"));
+    pages_->setTabText(Signals, tr("Signals"));
+    pages_->setTabText(Space, tr("All sections in 3-D"));
+    pages_->setTabText(Record, tr("Record and channels"));
+    inScene_.reset();
+    if (picture_) setPicture(picture_, !section_->isWorst(), channels_);
+}
+
+}  // namespace lathelier

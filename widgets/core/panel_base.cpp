@@ -184,7 +184,18 @@ void PanelBase::accept(std::shared_ptr<const void> result)
     result_ = std::move(result);
     showValue(result_);
     if (auto problem = problemOf(result_.get())) return refuse(*problem);
-    for (const Note& note : notesOf(result_.get())) emit messageRaised({note, facts_.title});
+    sayNotes(notesOf(result_.get()));
+}
+
+/// What the last result said already is not said again: the log would fill while a tolerance is dragged.
+void PanelBase::sayNotes(const Notes& notes)
+{
+    for (const Note& note : notes)
+        if (std::none_of(said_.begin(), said_.end(), [&](const Note& earlier) {
+                return earlier.code == note.code && earlier.values == note.values;
+            }))
+            emit messageRaised({note, facts_.title});
+    said_ = notes;
 }
 
 void PanelBase::refuse(const Error& error)

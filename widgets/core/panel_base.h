@@ -103,6 +103,7 @@ private:
     void request();
     void pollWorker();
     void accept(std::shared_ptr<const void> result);
+    void sayNotes(const Notes& notes);
     void refuse(const Error& error);
     void showAnswer();
     void layOutAgain();
@@ -120,6 +121,7 @@ private:
     PanelInputs inputs_;
     std::shared_ptr<const void> result_;
     std::optional<Error> error_;
+    Notes said_;            ///< of the last result, in the message log
     bool stopped_ = false;  ///< the newest request was cancelled
     PanelState state_;      ///< what was asked last
     bool asked_ = false;

@@ -108,6 +108,7 @@ void PanelBase::runExport(const PanelExport& item)
     const QString path = dialog.selectedFiles().value(0);
     try {
         item.write(path);
+        showAnswer();  // an earlier failure is over
         emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, facts_.title});
     } catch (const Error& error) {
         message_->setError(error);

@@ -6,6 +6,11 @@
 #include "widgets/plot/plot_parts.h"
 
 namespace lathelier {
+namespace {
+
+constexpr int lowestWithLegend = 10;  // lines of type
+
+}
 
 PlotCanvas::PlotCanvas(QWidget* parent)
     : PlotWidget(parent), plot_(new QCustomPlot(this)), style_(palette(), font()), parts_(std::make_unique<Parts>())
@@ -64,6 +69,14 @@ void PlotCanvas::setTitles(const QString& title, const QString& remark, const QS
 
 void PlotCanvas::showLegend(bool shown)
 {
+    parts_->legendWanted = shown;
+    placeLegend();
+}
+
+void PlotCanvas::placeLegend()
+{
+    // A low plot needs its room for the curves.
+    const bool shown = parts_->legendWanted && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
     // Below the axes, so that it never covers a curve; out of the layout when empty, where it would narrow the column.
     QCPLayoutGrid* grid = plot_->plotLayout();
     const bool there = grid->hasElement(2, 0);
@@ -209,6 +222,7 @@ void PlotCanvas::changeEvent(QEvent* event)
 void PlotCanvas::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    placeLegend();
     fitTexts();
     redraw();  // the plot itself was resized before this event, with the old texts
 }

@@ -68,6 +68,7 @@ private:
     struct Parts;
     void restyle(const QPalette& palette);
     void fitTexts();
+    void placeLegend();
     void mousePressed(QMouseEvent* event);
     void mouseMoved(QMouseEvent* event);
     void mouseReleased(QMouseEvent* event);

@@ -15,6 +15,7 @@ struct PlotCanvas::Parts {
     QCPItemStraightLine* horizontal;
     QString xTitle, yTitle;
     QPoint pressedAt;
+    bool legendWanted = false;
     bool pressed = false;
     bool dragsContent = false;
     bool viewChosen = false;  ///< the user has zoomed or panned

@@ -1,10 +1,8 @@
-#include "widgets/plot/plot_view.h"
-
-#include <qcustomplot.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "widgets/plot/plot_view_content.h"
 
 namespace lathelier {
 namespace {
@@ -31,22 +29,6 @@ std::size_t nearest(const std::vector<double>& x, double place)
 }
 
 }  // namespace
-
-struct PlotView::Content {
-    struct Line {
-        QCPItemStraightLine* line;
-        QCPItemText* label;
-    };
-    PlotData data;
-    std::vector<QCPAbstractPlottable*> drawn;  ///< one for each curve; Band: the upper edge
-    std::vector<QCPGraph*> lowEdges;           ///< one for each curve, null but for bands
-    std::vector<Line> limits;
-    std::vector<QCPItemRect*> regions;
-    std::vector<QCPItemText*> regionLabels;
-    QCPItemStraightLine* marker = nullptr;
-    std::optional<double> markedX;
-    std::optional<int> dragged;
-};
 
 PlotView::PlotView(QWidget* parent) : PlotCanvas(parent), content_(std::make_unique<Content>())
 {
@@ -148,33 +130,6 @@ void PlotView::build()
         c.regionLabels.push_back(label);
     }
     placeLimits();
-}
-
-void PlotView::placeLimits()
-{
-    Content& c = *content_;
-    for (std::size_t i = 0; i < c.limits.size(); ++i) {
-        const PlotLimit& limit = c.data.limits[i];
-        const auto [line, label] = c.limits[i];
-        const bool level = limit.orientation == Qt::Horizontal;
-        line->point1->setCoords(level ? 0 : limit.value, level ? limit.value : 0);
-        line->point2->setCoords(level ? 1 : limit.value, level ? limit.value : 1);
-        label->setText(limit.label);
-        QCPItemPosition* place = label->position;
-        place->setTypeX(level ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
-        place->setTypeY(level ? QCPItemPosition::ptPlotCoords : QCPItemPosition::ptAxisRectRatio);
-        place->setCoords(level ? 0.995 : limit.value, level ? limit.value : 0.01);
-        label->setPositionAlignment(level ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft | Qt::AlignTop);
-        label->setPadding(QMargins(5, 0, 5, 0));
-    }
-}
-
-void PlotView::setLimitValues(const std::vector<double>& values)
-{
-    for (std::size_t i = 0; i < std::min(values.size(), content_->data.limits.size()); ++i)
-        content_->data.limits[i].value = values[i];
-    placeLimits();
-    redraw();
 }
 
 void PlotView::applyStyle()
@@ -300,51 +255,6 @@ void PlotView::setMarker(std::optional<double> x)
         content_->marker->point2->setCoords(*x, 1);
     }
     drawOverlay();
-}
-
-std::optional<int> PlotView::limitAt(const QPointF& place) const
-{
-    for (std::size_t i = 0; i < content_->data.limits.size(); ++i) {
-        const PlotLimit& limit = content_->data.limits[i];
-        const QPointF there = pixelAt(limit.value, limit.value);
-        const double away = limit.orientation == Qt::Vertical ? place.x() - there.x() : place.y() - there.y();
-        if (limit.movable && std::abs(away) <= 6) return static_cast<int>(i);
-    }
-    return std::nullopt;
-}
-
-bool PlotView::isHandle(const QPointF& place, Qt::CursorShape& shape) const
-{
-    const auto index = limitAt(place);
-    if (!index) return false;
-    const bool upright = content_->data.limits[static_cast<std::size_t>(*index)].orientation == Qt::Vertical;
-    shape = upright ? Qt::SplitHCursor : Qt::SplitVCursor;
-    return true;
-}
-
-bool PlotView::beginDrag(const QPointF& place)
-{
-    content_->dragged = limitAt(place);
-    return content_->dragged.has_value();
-}
-
-void PlotView::continueDrag(double x, double y)
-{
-    if (!content_->dragged) return;  // gone: new data came without it
-    PlotLimit& limit = content_->data.limits[static_cast<std::size_t>(*content_->dragged)];
-    limit.value = limit.orientation == Qt::Vertical ? x : y;
-    placeLimits();
-    redraw();
-    emit limitMoved(*content_->dragged, limit.value);
-}
-
-void PlotView::endDrag()
-{
-    if (!content_->dragged) return;
-    const int index = *content_->dragged;
-    content_->dragged.reset();
-    refresh(true);
-    emit limitDropped(index, content_->data.limits[static_cast<std::size_t>(index)].value);
 }
 
 }  // namespace lathelier

@@ -1,13 +1,32 @@
 #include "widgets/plot/plot_widget.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
-#include <QSaveFile>
+#include <QTemporaryDir>
+
+#include "engine/core/error.h"
+#include "engine/io/file.h"
 
 namespace lathelier {
+namespace {
+
+/// Whole or not at all.
+bool write(const QString& path, const QByteArray& bytes)
+{
+    try {
+        writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
 
 void PlotWidget::contextMenuEvent(QContextMenuEvent* event)
 {
@@ -37,16 +56,22 @@ void PlotWidget::askAndSaveData()
 
 bool PlotWidget::savePicture(const QString& path)
 {
-    if (path.endsWith(".png", Qt::CaseInsensitive)) return picture().save(path);
-    return saveVector(path);
+    QByteArray bytes;
+    if (path.endsWith(".png", Qt::CaseInsensitive)) {
+        QBuffer buffer(&bytes);
+        if (!buffer.open(QIODevice::WriteOnly) || !picture().save(&buffer, "PNG")) return false;
+    } else {
+        const QTemporaryDir aside;
+        QFile file(aside.filePath("plot." + QFileInfo(path).suffix()));
+        if (!saveVector(file.fileName()) || !file.open(QIODevice::ReadOnly)) return false;
+        bytes = file.readAll();
+    }
+    return write(path, bytes);
 }
 
 bool PlotWidget::saveData(const QString& path) const
 {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) return false;
-    file.write(csv().toUtf8());
-    return file.commit();
+    return write(path, csv().toUtf8());
 }
 
 }  // namespace lathelier

@@ -3207,6 +3207,18 @@
         <source>Trajectory</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>✓ within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>

@@ -3207,6 +3207,18 @@
         <source>Trajectory</source>
         <translation>Trajektoria</translation>
     </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ w tolerancji</translation>
+    </message>
+    <message>
+        <source>✗ above</source>
+        <translation>✗ powyżej</translation>
+    </message>
+    <message>
+        <source>? undecided</source>
+        <translation>? nierozstrzygnięte</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>

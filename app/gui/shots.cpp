@@ -1,5 +1,6 @@
 #include "app/gui/shots.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>

@@ -1,5 +1,6 @@
 #include "widgets/plot/polar_view.h"
 
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -45,6 +46,13 @@ void turnWheel(QWidget* view, int clicks)
 }
 
 }  // namespace
+
+/// Sent straight to the widget: QTest::mouseMove is silent when the pointer is there already.
+static void hover(QWidget* widget, QPoint place)
+{
+    QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(widget, &move);
+}
 
 class PolarViewTest : public QObject {
     Q_OBJECT
@@ -136,8 +144,7 @@ private slots:
         QVERIFY(view_->readout().isEmpty());
         QSignalSpy pointed(view_.get(), &PolarView::pointed);
         const QPoint place = view_->pixelAt(120.1, 3).toPoint();
-        QTest::mouseMove(view_.get(), place);
-        QCoreApplication::processEvents();
+        hover(view_.get(), place);
         QVERIFY(pointed.count() > 0);
         QVERIFY2(view_->readout().contains("120") && view_->readout().contains("+5.00 µm"),
                  qPrintable(view_->readout()));

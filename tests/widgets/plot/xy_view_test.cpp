@@ -1,10 +1,18 @@
 #include "widgets/plot/xy_view.h"
 
+#include <QMouseEvent>
 #include <QTest>
 #include <cmath>
 #include <numbers>
 
 using namespace lathelier;
+
+/// Sent straight to the widget: QTest::mouseMove is silent when the pointer is there already.
+static void hover(QWidget* widget, QPoint place)
+{
+    QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(widget, &move);
+}
 
 class XyViewTest : public QObject {
     Q_OBJECT
@@ -58,8 +66,7 @@ private slots:
 
     void pointerReadsCoordinatesAndRadiusVector()
     {
-        QTest::mouseMove(view_->findChild<QWidget*>(), view_->pixelAt(0, 11).toPoint());
-        QCoreApplication::processEvents();
+        hover(view_->findChild<QWidget*>(), view_->pixelAt(0, 11).toPoint());
         const QString text = view_->readout();
         QVERIFY2(text.contains("radius vector 12") && text.contains("angle 90"), qPrintable(text));
     }

@@ -1,4 +1,5 @@
 #include "widgets/spindle_common/memo.h"
+#include "engine/core/error.h"
 
 #include <QTest>
 #include <atomic>

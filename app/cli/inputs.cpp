@@ -6,8 +6,9 @@ std::string_view Inputs::open(const std::string& path, const Progress& progress)
 {
     Entry& entry = entries_.emplace_back(Entry{path, FileBytes(path, progress), {}});
     const std::string_view view = entry.bytes.view();
-    entry.sha256 =
-        std::async(beside_ ? std::launch::async : std::launch::deferred, [view] { return sha256(view); }).share();
+    entry.sha256 = std::async(beside_ ? std::launch::async : std::launch::deferred, [view, progress] {
+                       return sha256(view, progress);
+                   }).share();
     return view;
 }
 

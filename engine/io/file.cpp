@@ -117,14 +117,19 @@ std::string_view FileBytes::view() const
     return content_->text;
 }
 
-std::string sha256(std::string_view bytes)
+std::string sha256(std::string_view bytes, const Progress& progress)
 {
+    constexpr std::size_t chunk = 4 << 20;  // a few milliseconds each
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
-    if (!context || EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) != 1 ||
-        EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()) != 1 ||
-        EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
+    bool sound = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+    for (std::size_t at = 0; sound && at < bytes.size(); at += chunk) {
+        progress.check();
+        const std::string_view part = bytes.substr(at, chunk);
+        sound = EVP_DigestUpdate(context.get(), part.data(), part.size()) == 1;
+    }
+    if (!sound || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
         throw std::bad_alloc();  // SHA-256 itself cannot fail; only its context can be missing
     constexpr char digits[] = "0123456789abcdef";
     std::string result;

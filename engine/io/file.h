@@ -38,7 +38,7 @@ void writeFile(const std::string& path,
                const std::function<void(const std::function<void(std::string_view)>& append)>& write);
 void writeFile(const std::string& path, std::string_view content);
 
-/// Lower-case hexadecimal SHA-256.
-std::string sha256(std::string_view bytes);
+/// Lower-case hexadecimal SHA-256. Throws Cancelled.
+std::string sha256(std::string_view bytes, const Progress& progress = {});
 
 }  // namespace lathelier

@@ -52,7 +52,7 @@ public:
         loaded->file = read(source, bytes.view(), progress.part(0, 0.9));
         progress.report(0.9);
         loaded->bytes = static_cast<std::int64_t>(bytes.view().size());
-        loaded->sha256 = sha256(bytes.view());
+        loaded->sha256 = sha256(bytes.view(), progress);
 
         const std::lock_guard lock(mutex_);
         std::erase_if(entries_, [&](const Entry& entry) { return sameFile(entry.source, source); });

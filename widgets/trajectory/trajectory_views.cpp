@@ -56,6 +56,7 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
     rows->addWidget(coordinates_);
     rows->setStretchFactor(0, 5);
     rows->setStretchFactor(1, 4);
+    coordinates_->setMinimumHeight(11 * fontMetrics().height());  // so that its axes keep their titles and numbers
     rows->setChildrenCollapsible(false);
     auto* space = new QWidget;
     auto* spaceLayout = new QVBoxLayout(space);

@@ -3871,7 +3871,7 @@ deviation %3 µm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Deviation [mm]</source>
+        <source>Deviation [µm]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4748,10 +4748,6 @@ All other views work.</source>
 <context>
     <name>lathelier::TrajectoryPanel</name>
     <message>
-        <source>Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change the channels</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4769,6 +4765,10 @@ All other views work.</source>
     </message>
     <message>
         <source>JSON (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle X3: %1 · %2 revolutions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3875,8 +3875,8 @@ odchyłka %3 µm</translation>
         <translation>Dane syntetyczne</translation>
     </message>
     <message>
-        <source>Deviation [mm]</source>
-        <translation>Odchyłka [mm]</translation>
+        <source>Deviation [µm]</source>
+        <translation>Odchyłka [µm]</translation>
     </message>
 </context>
 <context>
@@ -4753,10 +4753,6 @@ Wszystkie inne widoki działają.</translation>
 <context>
     <name>lathelier::TrajectoryPanel</name>
     <message>
-        <source>Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)</source>
-        <translation>Wrzeciono, przekrój %1: bicie %2 (ISO 230-7, X3, obroty: %3)</translation>
-    </message>
-    <message>
         <source>Change the channels</source>
         <translation>Zmień kanały</translation>
     </message>
@@ -4775,6 +4771,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Spindle X3: %1 · %2 revolutions</source>
+        <translation>Wrzeciono X3: %1 · obroty: %2</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,36 @@
 #include "engine/core/json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace lathelier {
+
+Json number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value)
+{
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json numbers(std::span<const double> values)
+{
+    Json json = Json::array();
+    for (const double value : values) json.push_back(number(value));
+    return json;
+}
+
+Json numbers(const Eigen::Vector2d& vector)
+{
+    return numbers(std::span(vector.data(), 2));
+}
+
+Json numbers(const Eigen::Vector3d& vector)
+{
+    return numbers(std::span(vector.data(), 3));
+}
 
 Json toJson(const Value& value)
 {
@@ -10,7 +38,7 @@ Json toJson(const Value& value)
         Json operator()(std::monostate) const { return nullptr; }
         Json operator()(bool v) const { return v; }
         Json operator()(std::int64_t v) const { return v; }
-        Json operator()(double v) const { return v; }  // nlohmann writes NaN and infinity as null
+        Json operator()(double v) const { return number(v); }
         Json operator()(const std::string& v) const { return v; }
         Json operator()(const std::vector<Interval>& v) const
         {

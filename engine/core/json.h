@@ -1,7 +1,10 @@
 // Values, errors and notes as JSON. Only .cpp files include <nlohmann/json.hpp>.
 #pragma once
 
+#include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "engine/core/error.h"
@@ -11,7 +14,12 @@ namespace lathelier {
 
 using Json = nlohmann::ordered_json;  ///< keys stay in the order they were written
 
-Json toJson(const Value& value);  ///< a number that does not exist is null; intervals are [[from, to], …]
+Json number(double value);  ///< null when it is not finite: the number does not exist
+Json number(const std::optional<double>& value);
+Json numbers(std::span<const double> values);
+Json numbers(const Eigen::Vector2d& vector);
+Json numbers(const Eigen::Vector3d& vector);
+Json toJson(const Value& value);  ///< numbers as above; intervals are [[from, to], …]
 Json toJson(const Values& values);
 Json toJson(const Notes& notes);  ///< [{"code": "…", named values…}, …]
 Json toJson(const Error& error);  ///< {"code": "…", named values…}

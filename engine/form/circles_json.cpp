@@ -8,12 +8,12 @@ namespace {
 /// What all four have; a number that does not exist is null.
 Json common(const FittedCircle& circle)
 {
-    return {{"centre_x_mm", toJson(Value(circle.centre_mm.x()))},
-            {"centre_y_mm", toJson(Value(circle.centre_mm.y()))},
-            {"radius_mm", toJson(Value(circle.radius_mm))},
-            {"inner_radius_mm", toJson(Value(circle.inner_radius_mm))},
-            {"outer_radius_mm", toJson(Value(circle.outer_radius_mm))},
-            {"RONt_um", toJson(Value(circle.RONt_um))}};
+    return {{"centre_x_mm", number(circle.centre_mm.x())},
+            {"centre_y_mm", number(circle.centre_mm.y())},
+            {"radius_mm", number(circle.radius_mm)},
+            {"inner_radius_mm", number(circle.inner_radius_mm)},
+            {"outer_radius_mm", number(circle.outer_radius_mm)},
+            {"RONt_um", number(circle.RONt_um)}};
 }
 
 /// What the exact ones have besides.
@@ -24,7 +24,7 @@ Json exact(const FittedCircle& circle)
     for (const CircleContact& contact : circle.contacts)
         json["contacts"].push_back(
             {{"index", contact.index}, {"side", contact.side == CircleContact::Side::Outer ? "outer" : "inner"}});
-    json["certified_gap_um"] = circle.certified_gap_um ? toJson(Value(*circle.certified_gap_um)) : Json(nullptr);
+    json["certified_gap_um"] = number(circle.certified_gap_um);
     json["unique"] = circle.unique;
     return json;
 }
@@ -34,9 +34,9 @@ Json exact(const FittedCircle& circle)
 Json toJson(const ReferenceCircles& circles)
 {
     Json least_squares = common(circles.LSCI);
-    least_squares["RONp_um"] = toJson(Value(circles.LSCI.RONp_um));
-    least_squares["RONv_um"] = toJson(Value(circles.LSCI.RONv_um));
-    least_squares["RONq_um"] = toJson(Value(circles.LSCI.RONq_um));
+    least_squares["RONp_um"] = number(circles.LSCI.RONp_um);
+    least_squares["RONv_um"] = number(circles.LSCI.RONv_um);
+    least_squares["RONq_um"] = number(circles.LSCI.RONq_um);
     return {{"LSCI", least_squares},
             {"MZCI", exact(circles.MZCI)},
             {"MICI", exact(circles.MICI)},

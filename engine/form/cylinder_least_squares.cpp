@@ -1,11 +1,11 @@
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/point_spread.h"
 #include "engine/core/random.h"
 #include "engine/form/cylinder_fits.h"
 
@@ -77,58 +77,6 @@ LeastSquaresCylinder circleAlongAxis(const CylinderPoints& points)
     return result;
 }
 
-struct Shape {
-    Vector3d mean = Vector3d::Zero();
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-    double size_mm = 0;
-};
-
-/// Mean and principal axes; refuses points that lie in one place, on a line or in a plane.
-Shape shapeOf(std::span<const Vector3d> points_mm, const Progress& progress)
-{
-    constexpr std::size_t least = 6;
-    if (points_mm.size() < least)
-        throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(points_mm.size())},
-                                              {"minimum", static_cast<std::int64_t>(least)}});
-    struct Moments {
-        Vector3d sum = Vector3d::Zero();
-        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-        double largest = 0;
-    };
-    const Vector3d origin = points_mm.front();
-    const Moments moments = parallelReduce(
-        points_mm.size(), 16384, progress, Moments{},
-        [&](std::size_t begin, std::size_t end) {
-            Moments part;
-            for (std::size_t i = begin; i < end; ++i) {
-                const Vector3d p = points_mm[i] - origin;
-                part.sum += p;
-                part.squares += p * p.transpose();
-                part.largest = points_mm[i].allFinite() ? std::max(part.largest, points_mm[i].cwiseAbs().maxCoeff())
-                                                        : std::numeric_limits<double>::infinity();
-            }
-            return part;
-        },
-        [](Moments all, const Moments& part) {
-            all.sum += part.sum;
-            all.squares += part.squares;
-            all.largest = std::max(all.largest, part.largest);
-            return all;
-        });
-    if (!(moments.largest <= largest_mm))
-        throw Error(ErrorCode::CoordinateTooLarge, {{"found", moments.largest}, {"maximum", largest_mm}});
-    const auto count = static_cast<double>(points_mm.size());
-    const Vector3d mean = moments.sum / count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.squares / count - mean * mean.transpose());
-    const Vector3d spread = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
-    const double rounding = 1e-7 * spread[2] + 1e-14 * moments.largest;
-    const auto refuse = [](Text where) { throw Error(ErrorCode::PointsDegenerate, {{"found", where}}); };
-    if (!(spread[2] > 1e-14 * moments.largest)) refuse(LT_TEXT("Engine", "in one place"));
-    if (!(spread[1] > rounding)) refuse(LT_TEXT("Engine", "on a line"));
-    if (!(spread[0] > rounding)) refuse(LT_TEXT("Engine", "in a plane"));
-    return {origin + mean, solver.eigenvectors(), 2 * spread[2]};
-}
-
 /// Principal axes first, then directions spread over the half sphere.
 std::vector<Vector3d> directionsToTry(const Eigen::Matrix3d& axes)
 {
@@ -186,7 +134,9 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
 
 CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress& progress)
 {
-    const Shape shape = shapeOf(points_mm, progress);
+    const PointSpread spread = spreadOf(points_mm, 6, largest_mm, progress);
+    refuseDegenerate(spread, 1e-14 * spread.largest_mm, 1e-7 * spread.extent_mm[2] + 1e-14 * spread.largest_mm);
+    const double size_mm = 2 * spread.extent_mm[2];
     constexpr std::size_t enough = 400;
     std::vector<Vector3d> some;
     if (points_mm.size() <= enough)
@@ -195,11 +145,11 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
         for (std::size_t i = 0; i < enough; ++i) some.push_back(points_mm[randomBits(1, 0, i) % points_mm.size()]);
 
     std::vector<std::pair<double, Vector3d>> trials;
-    for (const Vector3d& direction : directionsToTry(shape.axes))
-        trials.emplace_back(circleAlongAxis(CylinderPoints(some, shape.mean, direction, shape.size_mm)).rms, direction);
+    for (const Vector3d& direction : directionsToTry(spread.axes))
+        trials.emplace_back(circleAlongAxis(CylinderPoints(some, spread.mean_mm, direction, size_mm)).rms, direction);
     std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     constexpr std::size_t refined = 8;
-    CylinderGuess guess{shape.mean, shape.axes.col(2), shape.size_mm, {}};
+    CylinderGuess guess{spread.mean_mm, spread.axes.col(2), size_mm, {}};
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < refined; ++k) {
         Vector3d direction = trials[k].second;
@@ -207,7 +157,7 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
         constexpr int mostTurns = 6;
         for (int turn = 0; turn < mostTurns; ++turn) {
             progress.check();
-            const CylinderPoints points(some, shape.mean, direction, shape.size_mm);
+            const CylinderPoints points(some, spread.mean_mm, direction, size_mm);
             const LeastSquaresCylinder fit = leastSquaresCylinder(points, circleAlongAxis(points), progress);
             const Vector3d next = points.directionOf(fit.axis);
             if (!next.allFinite() || !(std::abs(fit.radius) < runaway)) break;

@@ -1,39 +1,20 @@
 #include "engine/form/cylindricity_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "engine/form/roundness_json.h"
 
 namespace lathelier {
 namespace {
 
-Json number(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json vector(const Eigen::Vector3d& v)
-{
-    return Json{number(v.x()), number(v.y()), number(v.z())};
-}
-
 Json commonKeys(const FittedCylinder& cylinder)
 {
-    return {{"axis_point_mm", vector(cylinder.axis_point_mm)},
-            {"axis_direction", vector(cylinder.axis_direction)},
+    return {{"axis_point_mm", numbers(cylinder.axis_point_mm)},
+            {"axis_direction", numbers(cylinder.axis_direction)},
             {"radius_mm", number(cylinder.radius_mm)},
             {"inner_radius_mm", number(cylinder.inner_radius_mm)},
             {"outer_radius_mm", number(cylinder.outer_radius_mm)},
             {"CYLt_um", number(cylinder.CYLt_um)}};
-}
-
-const char* keyOf(FormVerdict verdict)
-{
-    switch (verdict) {
-        case FormVerdict::Pass: return "pass";
-        case FormVerdict::Fail: return "fail";
-        case FormVerdict::Undecided: break;
-    }
-    return "undecided";
 }
 
 }  // namespace
@@ -53,8 +34,8 @@ Json toJson(const CylindricityResult& result)
     json["sections"] = result.sections;
     json["axis_straightness_um"] = number(result.axis_straightness_um);
     json["CYLt_expanded_uncertainty_um"] = number(result.CYLt_expanded_uncertainty_um);
-    json["decision_rule"] = result.parameters.decision == DecisionRule::Guarded ? "guarded" : "simple";
-    json["verdict"] = result.verdict ? Json(keyOf(*result.verdict)) : Json(nullptr);
+    json["decision_rule"] = key(result.parameters.decision);
+    json["verdict"] = result.verdict ? Json(key(*result.verdict)) : Json(nullptr);
     return json;
 }
 

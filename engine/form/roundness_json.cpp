@@ -8,28 +8,6 @@
 namespace lathelier {
 namespace {
 
-Json number(double value)
-{
-    return toJson(Value(value));
-}
-
-Json number(const std::optional<double>& value)
-{
-    return value ? number(*value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values)
-{
-    Json json = Json::array();
-    for (const double value : values) json.push_back(number(value));
-    return json;
-}
-
-Json point(const Eigen::Vector2d& value)
-{
-    return Json::array({number(value.x()), number(value.y())});
-}
-
 Json toJson(const MethodRow& row)
 {
     Json json{{"low_upr", number(row.band.low_upr)},
@@ -115,7 +93,7 @@ Json toJson(const RoundnessResult& result)
                                  {"share_percent", number(hint.share_percent)},
                                  {"meaning", hint.meaning.english}});
     json["paper"] = {{"run_out_um", number(result.paper.run_out_um)},
-                     {"limacon_centre_um", point(result.paper.limacon_centre_um)}};
+                     {"limacon_centre_um", numbers(result.paper.limacon_centre_um)}};
     json["notes"] = toJson(result.notes);
     return json;
 }
@@ -124,7 +102,7 @@ Json toJson(const SuperimposeResult& result)
 {
     return {{"rotation_deg", number(result.rotation_deg)},
             {"mirrored", result.mirrored},
-            {"shift_mm", point(result.shift_mm)},
+            {"shift_mm", numbers(result.shift_mm)},
             {"radius_difference_mm", number(result.radius_difference_mm)},
             {"largest_difference_um", number(result.largest_difference_um)},
             {"mean_difference_um", number(result.mean_difference_um)},

@@ -1,6 +1,5 @@
 #include "engine/form/verify_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace lathelier {
@@ -12,8 +11,7 @@ Json toJson(const VerifyResult& result)
     for (const VerifyKind& kind : result.kinds)
         json["kinds"].push_back({{"kind", kind.kind},
                                  {"sets", kind.sets},
-                                 {"largest_deviation",
-                                  std::isfinite(kind.largest_deviation) ? Json(kind.largest_deviation) : Json(nullptr)},
+                                 {"largest_deviation", number(kind.largest_deviation)},
                                  {"unit", kind.unit.empty() ? "1" : kind.unit.english},
                                  {"limit", kind.limit},
                                  {"pass", kind.pass}});

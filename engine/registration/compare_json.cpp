@@ -1,20 +1,9 @@
 #include "engine/registration/compare_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace lathelier {
 namespace {
-
-Json number(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json vector(const Eigen::Vector3d& v)
-{
-    return Json{number(v.x()), number(v.y()), number(v.z())};
-}
 
 const char* keyOf(CompareMethod method)
 {
@@ -57,7 +46,7 @@ Json toJson(const CompareResult& result)
     json["p2_5_mm"] = withSign(s.p2_5_mm);
     json["p97_5_mm"] = withSign(s.p97_5_mm);
     json["within_tolerance_percent"] =
-        result.within_tolerance_percent ? number(*result.within_tolerance_percent) : Json(nullptr);
+        number(result.within_tolerance_percent);
     json["verdict"] = result.verdict ? Json(*result.verdict == Verdict::Pass ? "pass" : "fail") : Json(nullptr);
     json["distinguishable_from_scanner"] =
         result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);
@@ -65,7 +54,7 @@ Json toJson(const CompareResult& result)
     json["sampling_floor_mm"] = number(result.sampling_floor_mm);
     json["axis"] = nullptr;
     if (const auto& axis = alignment.reference_axis)
-        json["axis"] = {{"point_mm", vector(axis->point_mm)}, {"direction", vector(axis->direction)}};
+        json["axis"] = {{"point_mm", numbers(axis->point_mm)}, {"direction", numbers(axis->direction)}};
     json["zones"] = Json::array();
     for (const Zone& zone : result.zones)
         json["zones"].push_back({{"z_start_mm", number(zone.z_start_mm)},
@@ -77,14 +66,12 @@ Json toJson(const CompareResult& result)
     for (const FreeMotion& motion : alignment.free_motions)
         json["free_motions"].push_back(
             {{"kind", motion.kind == FreeMotion::Kind::Rotation ? "rotation" : "translation"},
-             {"direction", vector(motion.direction)},
-             {"point_mm", vector(motion.point_mm)}});
+             {"direction", numbers(motion.direction)},
+             {"point_mm", numbers(motion.point_mm)}});
     json["uncertainty"] = {{"axial_um", number(alignment.uncertainty.axial_um)},
                            {"radial_um", number(alignment.uncertainty.radial_um)},
                            {"axis_deg", number(alignment.uncertainty.axis_deg)}};
-    Json edges = Json::array();
-    for (const double edge : result.histogram.edges_mm) edges.push_back(number(edge));
-    json["histogram"] = {{"edges_mm", edges}, {"counts", result.histogram.counts}};
+    json["histogram"] = {{"edges_mm", numbers(result.histogram.edges_mm)}, {"counts", result.histogram.counts}};
     return json;
 }
 

@@ -43,6 +43,14 @@ std::string verdictText(const Headline& headline, const Language& language)
                              : "✗ " + text(LT_TEXT("Engine", "out of tolerance"), language);
 }
 
+std::string keptTogether(std::string line)
+{
+    for (const std::string unit : {" mm", " µm", " %", " UPR"})
+        for (std::size_t at = line.find(unit); at != std::string::npos; at = line.find(unit, at + 1))
+            line.replace(at, 1, "\u00A0");
+    return line;
+}
+
 std::size_t characters(const std::string& text)
 {
     return static_cast<std::size_t>(std::count_if(

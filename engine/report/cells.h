@@ -18,6 +18,9 @@ bool isNumeric(const Value& value);
 /// "✓ within tolerance", "✗ out of tolerance", or empty without a verdict. Never colour alone.
 std::string verdictText(const Headline& headline, const Language& language);
 
+/// A line break must not part a number from its unit: no-break spaces between them.
+std::string keptTogether(std::string line);
+
 /// As many columns as the text takes on a terminal, roughly: its characters.
 std::size_t characters(const std::string& text);
 

@@ -1,8 +1,8 @@
 #include "engine/report/compare_report.h"
 
-#include <cmath>
-
+#include "engine/report/cells.h"
 #include "engine/report/compare_plots.h"
+#include "engine/report/parameters_table.h"
 
 namespace lathelier {
 namespace {
@@ -31,15 +31,6 @@ Value signedValue(double value, bool has_sign)
 Value given(const std::optional<double>& value)
 {
     return value ? Value(*value) : Value();
-}
-
-/// A line break must not part a number from its unit.
-std::string keptTogether(std::string line)
-{
-    for (const std::string unit : {"mm", "%"})
-        for (std::size_t at = line.find(" " + unit); at != std::string::npos; at = line.find(" " + unit, at + 1))
-            line.replace(at, 1, "\u00A0");
-    return line;
 }
 
 QuantityTable statisticsTable(const CompareResult& result)
@@ -159,20 +150,6 @@ Table transformTable(const CompareResult& result)
     const Eigen::Matrix4d matrix = result.alignment.reference_T_copy.matrix();
     for (int row = 0; row < 3; ++row)
         table.rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
-    return table;
-}
-
-/// Labels and units from the description of the parameters; a choice by its label.
-QuantityTable parametersTable(const CompareParameters& parameters, const Language& language)
-{
-    QuantityTable table{LT_TEXT("Engine", "Parameters"), {}};
-    for (const Field<CompareParameters>& field : fields<CompareParameters>()) {
-        Value value = field.get(parameters);
-        for (const FieldChoice& choice : field.info.choices)
-            if (value == Value(choice.key)) value = choice.label;
-        if (std::holds_alternative<double>(value)) value = text(value, language);  // as it was typed
-        table.rows.push_back({field.info.label, value, field.info.unit});
-    }
     return table;
 }
 

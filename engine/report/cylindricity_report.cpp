@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
 #include "engine/report/roundness_report.h"
 
 namespace lathelier {
@@ -8,19 +10,14 @@ namespace {
 const Text mm = LT_TEXT("Engine", "mm");
 const Text um = LT_TEXT("Engine", "µm");
 
-Value finite(double value)
-{
-    return std::isfinite(value) ? Value(value) : Value();
-}
-
 QuantityTable deviationsTable(const CylindricityResult& result)
 {
     QuantityTable table{LT_TEXT("Engine", "Cylindricity"),
                         {{"CYLt(MZCY)", result.MZCY.CYLt_um, um},
                          {"CYLt(LSCY)", result.LSCY.CYLt_um, um},
-                         {"CYLp(LSCY)", finite(result.LSCY.CYLp_um), um},
-                         {"CYLv(LSCY)", finite(result.LSCY.CYLv_um), um},
-                         {"CYLq(LSCY)", finite(result.LSCY.CYLq_um), um}}};
+                         {"CYLp(LSCY)", result.LSCY.CYLp_um, um},
+                         {"CYLv(LSCY)", result.LSCY.CYLv_um, um},
+                         {"CYLq(LSCY)", result.LSCY.CYLq_um, um}}};
     if (std::isfinite(result.axis_straightness_um))
         table.rows.push_back(
             {LT_TEXT("Engine", "Straightness of the axis of the sections"), result.axis_straightness_um, um});
@@ -64,13 +61,15 @@ Table axesTable(const CylindricityResult& result)
 Headline headline(const CylindricityResult& result, const Language& language)
 {
     Headline answer;
-    answer.text = "CYLt(MZCY) " + fixed(result.MZCY.CYLt_um, 2, language) + "\u00A0µm · CYLt(LSCY) " +
-                  fixed(result.LSCY.CYLt_um, 2, language) + "\u00A0µm";
+    answer.text = "CYLt(MZCY) " + fixed(result.MZCY.CYLt_um, 2, language) + " µm · CYLt(LSCY) " +
+                  fixed(result.LSCY.CYLt_um, 2, language) + " µm";
+    answer.text = keptTogether(answer.text);
     if (!result.verdict || !result.parameters.tolerance_um) return answer;
     const Text words = *result.verdict == FormVerdict::Pass   ? LT_TEXT("Engine", "within {tolerance} µm")
                        : *result.verdict == FormVerdict::Fail ? LT_TEXT("Engine", "above {tolerance} µm")
                                                               : LT_TEXT("Engine", "? not decided at {tolerance} µm");
-    answer.text += " · " + fill(text(words, language), {{"tolerance", *result.parameters.tolerance_um}}, language);
+    answer.text +=
+        keptTogether(" · " + fill(text(words, language), {{"tolerance", *result.parameters.tolerance_um}}, language));
     if (*result.verdict != FormVerdict::Undecided) answer.verdict = *result.verdict == FormVerdict::Pass;
     return answer;
 }
@@ -97,7 +96,7 @@ Document cylindricityReport(const CylindricityResult& result, const std::vector<
                             "ISO 12180: CYLt is the largest minus the smallest distance of the points from the axis of "
                             "the reference cylinder. The minimum zone is locally optimal, found from several starts."),
                     {}},
-          axesTable(result)}}};
+          axesTable(result), parametersTable(result.parameters, language)}}};
     return document;
 }
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
+
 namespace lathelier {
 namespace {
 
@@ -21,20 +24,6 @@ Text fullName(ReferenceCircle circle)
         case ReferenceCircle::MCCI: return LT_TEXT("Engine", "minimum circumscribed (MCCI)");
     }
     return {};
-}
-
-Value finite(double value)
-{
-    return std::isfinite(value) ? Value(value) : Value();
-}
-
-/// A line break must not part a number from its unit.
-std::string keptTogether(std::string line)
-{
-    for (const std::string unit : {" µm", " UPR"})
-        for (std::size_t at = line.find(unit); at != std::string::npos; at = line.find(unit, at + 1))
-            line.replace(at, 1, "\u00A0");
-    return line;
 }
 
 Table circlesTable(const RoundnessResult& result)
@@ -58,9 +47,9 @@ QuantityTable leastSquaresTable(const RoundnessResult& result)
 {
     const FittedCircle& circle = result.circles.LSCI;
     return {LT_TEXT("Engine", "About the least-squares circle"),
-            {{LT_TEXT("Engine", "Peak to reference RONp"), finite(circle.RONp_um), um},
-             {LT_TEXT("Engine", "Reference to valley RONv"), finite(circle.RONv_um), um},
-             {LT_TEXT("Engine", "Root mean square RONq"), finite(circle.RONq_um), um},
+            {{LT_TEXT("Engine", "Peak to reference RONp"), circle.RONp_um, um},
+             {LT_TEXT("Engine", "Reference to valley RONv"), circle.RONv_um, um},
+             {LT_TEXT("Engine", "Root mean square RONq"), circle.RONq_um, um},
              {LT_TEXT("Engine", "Radius"), circle.radius_mm, mm, 5}}};
 }
 
@@ -73,8 +62,7 @@ QuantityTable verdictTable(const RoundnessResult& result)
     else
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
     if (asked.tolerance_um) table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *asked.tolerance_um, um});
-    table.rows.push_back(
-        {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), finite(result.RONt_expanded_uncertainty_um), um});
+    table.rows.push_back({LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), result.RONt_expanded_uncertainty_um, um});
     table.rows.push_back({LT_TEXT("Engine", "Decision rule"),
                           asked.decision == DecisionRule::Guarded
                               ? LT_TEXT("Engine", "ISO 14253-1: only what is sure passes or fails")
@@ -93,10 +81,10 @@ QuantityTable sizesTable(const RoundnessResult& result)
 {
     const TwoPointSize& size = result.two_point;
     return {LT_TEXT("Engine", "Sizes across the section"),
-            {{LT_TEXT("Engine", "Two-point size, largest"), finite(size.largest_mm), mm, 5},
-             {LT_TEXT("Engine", "Two-point size, smallest"), finite(size.smallest_mm), mm, 5},
-             {LT_TEXT("Engine", "Two-point size range"), finite(size.range_um), um},
-             {LT_TEXT("Engine", "Half of it: ovality by GOST 24642"), finite(size.half_range_um), um},
+            {{LT_TEXT("Engine", "Two-point size, largest"), size.largest_mm, mm, 5},
+             {LT_TEXT("Engine", "Two-point size, smallest"), size.smallest_mm, mm, 5},
+             {LT_TEXT("Engine", "Two-point size range"), size.range_um, um},
+             {LT_TEXT("Engine", "Half of it: ovality by GOST 24642"), size.half_range_um, um},
              {LT_TEXT("Engine", "Width between jaws, largest"), size.caliper_largest_mm, mm, 5},
              {LT_TEXT("Engine", "Width between jaws, smallest"), size.caliper_smallest_mm, mm, 5}}};
 }
@@ -105,9 +93,9 @@ QuantityTable paperTable(const RoundnessResult& result)
 {
     const PaperValues& paper = result.paper;
     return {LT_TEXT("Engine", "As in the source paper, about the origin of the coordinates; not roundness"),
-            {{LT_TEXT("Engine", "Radial run-out about the spindle axis"), finite(paper.run_out_um), um},
-             {LT_TEXT("Engine", "Centre by the limaçon formula, x"), finite(paper.limacon_centre_um.x()), um},
-             {LT_TEXT("Engine", "Centre by the limaçon formula, y"), finite(paper.limacon_centre_um.y()), um}}};
+            {{LT_TEXT("Engine", "Radial run-out about the spindle axis"), paper.run_out_um, um},
+             {LT_TEXT("Engine", "Centre by the limaçon formula, x"), paper.limacon_centre_um.x(), um},
+             {LT_TEXT("Engine", "Centre by the limaçon formula, y"), paper.limacon_centre_um.y(), um}}};
 }
 
 QuantityTable certaintyTable(const RoundnessResult& result)
@@ -115,22 +103,8 @@ QuantityTable certaintyTable(const RoundnessResult& result)
     const std::string which(name(result.parameters.circle));
     return {LT_TEXT("Engine", "Uncertainty"),
             {{"RONt(" + which + ")", headlineDeviation_um(result), um},
-             {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), finite(result.RONt_expanded_uncertainty_um), um},
-             {LT_TEXT("Engine", "Standard deviation of a point"), finite(result.point_noise_um), um}}};
-}
-
-/// Labels and units from the description of the parameters; a choice by its label.
-QuantityTable parametersTable(const RoundnessParameters& parameters, const Language& language)
-{
-    QuantityTable table{LT_TEXT("Engine", "Parameters"), {}};
-    for (const Field<RoundnessParameters>& field : fields<RoundnessParameters>()) {
-        Value value = field.get(parameters);
-        for (const FieldChoice& choice : field.info.choices)
-            if (value == Value(choice.key)) value = choice.label;
-        if (std::holds_alternative<double>(value)) value = text(value, language);  // as it was typed
-        table.rows.push_back({field.info.label, value, field.info.unit});
-    }
-    return table;
+             {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), result.RONt_expanded_uncertainty_um, um},
+             {LT_TEXT("Engine", "Standard deviation of a point"), result.point_noise_um, um}}};
 }
 
 Table overviewTable(const std::vector<RoundnessResult>& results, const Language& language)
@@ -144,7 +118,7 @@ Table overviewTable(const std::vector<RoundnessResult>& results, const Language&
     for (const RoundnessResult& result : results)
         table.rows.push_back({result.name, filterName(bandOf(result.parameters), language), result.circles.MZCI.RONt_um,
                               result.circles.LSCI.RONt_um, result.circles.MICI.RONt_um, result.circles.MCCI.RONt_um,
-                              finite(result.RONt_expanded_uncertainty_um),
+                              result.RONt_expanded_uncertainty_um,
                               result.verdict ? Value(verdictName(*result.verdict)) : Value()});
     return table;
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
 #include "engine/report/roundness_report.h"
 #include "engine/report/trajectory_plots.h"
 #include "engine/spindle/channel_map.h"
@@ -11,20 +13,6 @@ namespace {
 
 const Text um = LT_TEXT("Engine", "µm");
 const Text mm = LT_TEXT("Engine", "mm");
-
-Value finite(double value)
-{
-    return std::isfinite(value) ? Value(value) : Value();
-}
-
-/// A line break must not part a number from its unit.
-std::string keptTogether(std::string line)
-{
-    for (const std::string unit : {" µm", " UPR"})
-        for (std::size_t at = line.find(unit); at != std::string::npos; at = line.find(unit, at + 1))
-            line.replace(at, 1, "\u00A0");
-    return line;
-}
 
 QuantityTable longitudinalTable(const LongitudinalSection& section)
 {
@@ -46,18 +34,16 @@ QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResul
     QuantityTable table{
         LT_TEXT("Engine", "The section with the largest deviation"),
         {{LT_TEXT("Engine", "Section"), std::int64_t{section.section}, {}},
-         {LT_TEXT("Engine", "From the free end"), finite(section.z_mm), mm},
+         {LT_TEXT("Engine", "From the free end"), section.z_mm, mm},
          {"RONt(MZCI)", c.MZCI.RONt_um, um, 2},
          {"RONt(LSCI)", c.LSCI.RONt_um, um, 2},
          {"RONt(MICI)", c.MICI.RONt_um, um, 2},
          {"RONt(MCCI)", c.MCCI.RONt_um, um, 2},
-         {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), finite(section.roundness.RONt_expanded_uncertainty_um), um,
-          2},
+         {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), section.roundness.RONt_expanded_uncertainty_um, um, 2},
          {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), section.run_out_um,
           um, 2},
-         {LT_TEXT("Engine", "Two-point size range"), finite(section.roundness.two_point.range_um), um, 2},
-         {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), finite(section.roundness.two_point.half_range_um),
-          um, 2}}};
+         {LT_TEXT("Engine", "Two-point size range"), section.roundness.two_point.range_um, um, 2},
+         {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), section.roundness.two_point.half_range_um, um, 2}}};
     std::erase_if(table.rows, [](const Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
     if (result.parameters.form.tolerance_um)
         table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *result.parameters.form.tolerance_um, um});
@@ -89,13 +75,13 @@ Table sectionsTable(const TrajectoryResult& result)
     for (const TrajectorySection& s : result.sections) {
         const ReferenceCircles& c = s.roundness.circles;
         std::vector<Value> row{std::int64_t{s.section},
-                               finite(s.z_mm),
+                               s.z_mm,
                                2 * c.LSCI.radius_mm,
                                c.MZCI.RONt_um,
                                c.LSCI.RONt_um,
                                c.MICI.RONt_um,
                                c.MCCI.RONt_um,
-                               finite(s.roundness.two_point.range_um),
+                               s.roundness.two_point.range_um,
                                s.run_out_um,
                                std::int64_t{s.revolutions_used}};
         if (judged) {
@@ -120,26 +106,12 @@ Table errorMotionTable(const TrajectorySection& section)
         const ErrorMotion& motion = section.error_motion[probe];
         const bool known = !section.revolutions_um[probe].empty();  // averages tell of no drift
         table.rows.push_back({std::string(name(static_cast<Probe>(probe))), motion.synchronous_um,
-                              finite(motion.asynchronous_um), finite(motion.total_um),
-                              finite(known ? section.drift_um_per_rev[probe] : HUGE_VAL)});
+                              motion.asynchronous_um, motion.total_um,
+                              known ? section.drift_um_per_rev[probe] : HUGE_VAL});
     }
     if (section.rotating)
         table.rows.push_back({LT_TEXT("Engine", "rotating direction"), section.rotating->synchronous_um,
-                              finite(section.rotating->asynchronous_um), finite(section.rotating->total_um), Value()});
-    return table;
-}
-
-/// Labels and units from the description of the parameters; a choice by its label.
-QuantityTable parametersTable(const TrajectoryParameters& parameters, const Language& language)
-{
-    QuantityTable table{LT_TEXT("Engine", "Parameters"), {}};
-    for (const Field<TrajectoryParameters>& field : fields<TrajectoryParameters>()) {
-        Value value = field.get(parameters);
-        for (const FieldChoice& choice : field.info.choices)
-            if (value == Value(choice.key)) value = choice.label;
-        if (std::holds_alternative<double>(value)) value = text(value, language);  // as it was typed
-        table.rows.push_back({field.info.label, value, field.info.unit});
-    }
+                              section.rotating->asynchronous_um, section.rotating->total_um, Value()});
     return table;
 }
 

@@ -1,6 +1,5 @@
 #include "engine/spindle/trajectory_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/form/circles_json.h"
@@ -9,18 +8,6 @@
 
 namespace lathelier {
 namespace {
-
-Json number(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values)
-{
-    Json json = Json::array();
-    for (const double value : values) json.push_back(number(value));
-    return json;
-}
 
 Json verdict(const std::optional<FormVerdict>& value)
 {

@@ -35,6 +35,7 @@ void WrappingLabel::say(const QString& text)
 
 void WrappingLabel::keepLines()
 {
+    setMinimumHeight(0);  // heightForWidth() never answers less than the minimum
     setMinimumHeight(text().isEmpty() ? 0 : heightForWidth(width()));
 }
 

@@ -86,7 +86,7 @@ SectionStack sectionStack(const TrajectoryResult& result, bool form_only)
             reach_mm = std::max(reach_mm, std::abs(radius));
         }
     }
-    stack.limit_mm = niceLimit(reach_mm);
+    stack.limit_um = niceLimit(1000 * reach_mm);
     stack.magnification = std::max(1.0, roundedDown(0.35 * mean_mm / reach_mm));
 
     // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
@@ -104,7 +104,7 @@ SectionStack sectionStack(const TrajectoryResult& result, bool form_only)
             const double angle = 2 * std::numbers::pi * static_cast<double>(k) / angles;
             const double radius = mean_mm + stack.magnification * deviation[i][k];
             scan->points_mm.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z_mm);
-            values->push_back(static_cast<float>(deviation[i][k]));
+            values->push_back(static_cast<float>(1000 * deviation[i][k]));
         }
     }
     stack.length_mm = known ? high - low : static_cast<double>(count - 1) * mean_mm / 5;
@@ -124,7 +124,7 @@ SectionStack sectionStack(const TrajectoryResult& result, bool form_only)
             }
         }
     stack.scan = scan;
-    stack.deviation_mm = values;
+    stack.deviation_um = values;
     return stack;
 }
 

@@ -13,11 +13,11 @@ namespace lathelier {
 /// mean LSC radius of all sections about the spindle's axis, or (with `form_only`) from each section's own LSC circle.
 struct SectionStack {
     std::shared_ptr<const Scan> scan;
-    std::shared_ptr<const std::vector<float>> deviation_mm;  ///< one for each vertex
+    std::shared_ptr<const std::vector<float>> deviation_um;  ///< one for each vertex
     std::size_t angles = 0;                                  ///< vertices of a section
     double magnification = 1;
-    double limit_mm = 0.001;  ///< a readable limit of the colours
-    double length_mm = 1;     ///< drawn
+    double limit_um = 1;   ///< a readable limit of the colours
+    double length_mm = 1;  ///< drawn
 
     std::size_t sectionOf(std::size_t vertex) const { return vertex / angles; }
     double angle_deg(std::size_t vertex) const

@@ -49,7 +49,7 @@ LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
     connect(table_, &SectionTable::sectionPicked, this, &LongitudinalViews::sectionWanted);
     connect(formOnly_, &QCheckBox::toggled, this, [this] {
         stacked_.reset();
-        limit_mm_.reset();
+        limit_um_.reset();
         showStack();
     });
     connect(scene_, &SceneView::pointPicked, this, [this](int, qint64 point) {
@@ -58,9 +58,9 @@ LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
         const std::size_t index = stack_.sectionOf(vertex);
         if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
     });
-    connect(scene_, &SceneView::limitEdited, this, [this](double limit_mm) {
-        limit_mm_ = limit_mm;
-        scene_->setColours({limit_mm, {}});
+    connect(scene_, &SceneView::limitEdited, this, [this](double limit_um) {
+        limit_um_ = limit_um;
+        scene_->setColours({limit_um, {}});
     });
     connect(profile_, &PlotCanvas::clicked, this, [this](double z_mm, double) {
         const auto& sections = picture_->trajectory->sections;
@@ -117,9 +117,9 @@ void LongitudinalViews::showStack()
     SceneObject surface;
     surface.name = tr("Surface of all sections");
     surface.scan = stack_.scan;
-    surface.values = stack_.deviation_mm;
+    surface.values = stack_.deviation_um;
     scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
-    scene_->setColours({limit_mm_.value_or(stack_.limit_mm), {}});
+    scene_->setColours({limit_um_.value_or(stack_.limit_um), {}});
     scene_->setObjects({surface});
     markPlace();
 }
@@ -134,7 +134,7 @@ void LongitudinalViews::markPlace()
     if (!stack_.scan || stacked_ != picture_->trajectory) return;
     if (!angle_.angle_deg()) return scene_->setMarker({});
     const std::size_t vertex = stack_.vertexAt(index, *angle_.angle_deg());
-    const double deviation_um = (*stack_.deviation_mm)[vertex] * 1000;
+    const double deviation_um = (*stack_.deviation_um)[vertex];
     scene_->setMarker(
         stack_.scan->points_mm[vertex],
         tr("section %1, angle %2°\ndeviation %3 µm")
@@ -162,7 +162,7 @@ void LongitudinalViews::retranslate()
     formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
     synthetic_->setText(tr("Synthetic data"));
-    scene_->setScaleTitle(tr("Deviation [mm]"));
+    scene_->setScaleTitle(tr("Deviation [µm]"));
     if (!picture_) return;
     const auto picture = std::move(picture_);
     picture_.reset();

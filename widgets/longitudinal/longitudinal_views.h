@@ -42,7 +42,7 @@ private:
     std::shared_ptr<const SpindlePicture> picture_;
     SectionStack stack_;
     std::shared_ptr<const TrajectoryResult> stacked_;
-    std::optional<double> limit_mm_;
+    std::optional<double> limit_um_;
     SectionBar* section_;
     AngleBar* angleBar_;
     QCheckBox* formOnly_;

@@ -190,11 +190,15 @@ void PlotCanvas::restyle(const QPalette& palette)
 void PlotCanvas::fitTexts()
 {
     const QFontMetrics metrics(font());
+    const int height = metrics.height();
     const auto fit = [&](QCPAxis* axis, const QString& title, int length, int tickLength) {
-        axis->setLabel(metrics.elidedText(title, Qt::ElideRight, std::max(length, metrics.height() * 2)));
+        // Where the title has no room, its unit says more than its first letters.
+        const qsizetype unit = title.lastIndexOf('[');
+        const bool fits = metrics.horizontalAdvance(title) <= length;
+        axis->setLabel(fits || unit < 0 ? metrics.elidedText(title, Qt::ElideRight, std::max(length, 2 * height))
+                                        : title.mid(unit));
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
-    const int height = metrics.height();
     fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
     fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 2 * height);
     int widest = 1;

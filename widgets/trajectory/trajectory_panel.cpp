@@ -28,8 +28,7 @@ PanelInputs panelInputs()
 Headline motionHeadline(const TrajectorySection& section)
 {
     Headline headline;
-    headline.text = TrajectoryPanel::tr("Spindle, section %1: %2 (ISO 230-7, X3, %3 revolutions)")
-                        .arg(section.section)
+    headline.text = TrajectoryPanel::tr("Spindle X3: %1 · %2 revolutions")
                         .arg(motionText(section.spindle))
                         .arg(section.revolutions_used)
                         .toStdString();

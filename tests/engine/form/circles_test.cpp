@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "tests/engine/core/code_of_error.h"
 #include "tests/engine/form/profiles.h"
 
 namespace lathelier {
@@ -13,12 +14,7 @@ using Eigen::Vector2d;
 
 ErrorCode refusal(const Points& points)
 {
-    try {
-        fitCircles(points);
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Internal;
+    return codeOfError([&] { fitCircles(points); });
 }
 
 void expectAllZones(const ReferenceCircles& circles, double RONt_um, double within_um)
@@ -156,7 +152,7 @@ TEST(Circles, SayWhyTheyHaveNoAnswer)
     EXPECT_EQ(refusal({{1e4, 0.1}, {1e4 + 1, 0.4}, {1e4 + 2, 0.7}, {1e4 + 3, 1.0}}), ErrorCode::PointsDegenerate);
     EXPECT_EQ(refusal({{0, 0}, {1, std::nan("")}, {2, 2}, {5, 1}, {7, 3}}), ErrorCode::CoordinateTooLarge);
     EXPECT_EQ(refusal({{0, 0}, {1, INFINITY}, {2, 2}, {5, 1}, {7, 3}}), ErrorCode::CoordinateTooLarge);
-    EXPECT_NE(refusal({{0, 0}, {1, 1}, {2, 2}, {5, 5.001}}), ErrorCode::TooFewPoints);
+    EXPECT_NO_THROW(fitCircles(Points{{0, 0}, {1, 1}, {2, 2}, {5, 5.001}}));
 }
 
 TEST(Circles, StopWhenCancelled)

@@ -8,6 +8,7 @@
 
 #include "engine/core/random.h"
 #include "engine/form/circles.h"
+#include "tests/engine/core/code_of_error.h"
 
 namespace lathelier {
 namespace {
@@ -187,12 +188,7 @@ TEST(Cylindricity, JudgesWithAndWithoutUncertainty)
 
 ErrorCode refusal(const std::vector<Vector3d>& points)
 {
-    try {
-        cylindricity(points);
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Internal;
+    return codeOfError([&] { cylindricity(points); });
 }
 
 TEST(Cylindricity, SaysWhyItHasNoAnswer)

@@ -1,0 +1,65 @@
+#include "engine/core/point_spread.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+
+namespace lathelier {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Moments {
+    Vector3d sum = Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    double largest = 0;
+};
+
+}  // namespace
+
+PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, double limit_mm, const Progress& progress)
+{
+    if (points_mm.size() < least)
+        throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(points_mm.size())},
+                                              {"minimum", static_cast<std::int64_t>(least)}});
+    const Vector3d origin = points_mm.front();  // squares of differences, not of far coordinates
+    const Moments moments = parallelReduce(
+        points_mm.size(), 16384, progress, Moments{},
+        [&](std::size_t begin, std::size_t end) {
+            Moments part;
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vector3d p = points_mm[i] - origin;
+                part.sum += p;
+                part.squares += p * p.transpose();
+                const double size = points_mm[i].allFinite() ? points_mm[i].cwiseAbs().maxCoeff()
+                                                             : std::numeric_limits<double>::infinity();
+                part.largest = std::max(part.largest, size);
+            }
+            return part;
+        },
+        [](Moments all, const Moments& part) {
+            all.sum += part.sum;
+            all.squares += part.squares;
+            all.largest = std::max(all.largest, part.largest);
+            return all;
+        });
+    if (!(moments.largest <= limit_mm))
+        throw Error(ErrorCode::CoordinateTooLarge, {{"found", moments.largest}, {"maximum", limit_mm}});
+    const auto count = static_cast<double>(points_mm.size());
+    const Vector3d mean = moments.sum / count;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.squares / count - mean * mean.transpose());
+    return {origin + mean, solver.eigenvectors(), solver.eigenvalues().cwiseMax(0).cwiseSqrt(), moments.largest};
+}
+
+void refuseDegenerate(const PointSpread& spread, double place_mm, double flat_mm)
+{
+    const auto refuse = [](Text where) { throw Error(ErrorCode::PointsDegenerate, {{"found", where}}); };
+    if (!(spread.extent_mm[2] > place_mm)) refuse(LT_TEXT("Engine", "in one place"));
+    if (!(spread.extent_mm[1] > flat_mm)) refuse(LT_TEXT("Engine", "on a line"));
+    if (!(spread.extent_mm[0] > flat_mm)) refuse(LT_TEXT("Engine", "in a plane"));
+}
+
+}  // namespace lathelier

@@ -4097,6 +4097,10 @@ deviation %3 µm</source>
         <source>Expected a number from %1 to %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Usual values</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::PanelBase</name>

@@ -4101,6 +4101,10 @@ odchyłka %3 µm</translation>
         <source>Expected a number from %1 to %2.</source>
         <translation>Oczekiwano liczby od %1 do %2.</translation>
     </message>
+    <message>
+        <source>Usual values</source>
+        <translation>Typowe wartości</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::PanelBase</name>

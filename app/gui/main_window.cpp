@@ -139,7 +139,10 @@ void MainWindow::goWhereItBelongs(const QString& path)
     };
     if (activeDock() && takes(activeDock())) return;
     const auto found = std::find_if(docks_.begin(), docks_.end(), takes);
-    if (found != docks_.end()) enterWorkspace((*found)->facts().workspaces.front());
+    if (found == docks_.end()) return;
+    const std::string& workspace = (*found)->facts().workspaces.front();
+    lastActive_[workspace] = *found;
+    enterWorkspace(workspace);
 }
 
 void MainWindow::askForFiles()

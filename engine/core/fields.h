@@ -20,17 +20,18 @@ struct FieldChoice {
 struct FieldInfo {
     enum class Kind { Flag, Integer, Number, Choice, Word, Intervals };
 
-    std::string key;   ///< stable, with its unit: "tolerance_mm"; the option is --tolerance-mm
+    std::string key;  ///< stable, with its unit: "tolerance_mm"; the option is --tolerance-mm
     Kind kind = Kind::Number;
-    Text label;        ///< short, without the unit
-    Text help;         ///< one sentence for the tooltip and --help
-    Text unit;         ///< "mm", empty when there is none
+    Text label;  ///< short, without the unit
+    Text help;   ///< one sentence for the tooltip and --help
+    Text unit;   ///< "mm", empty when there is none
     double minimum = 0;
-    double maximum = 0;            ///< Integer, Number and the ends of Intervals: inclusive range
-    bool optional = false;         ///< may be "not given" (monostate)
-    bool advanced = false;         ///< folded away in the form
-    bool wraps = false;            ///< Intervals of angles: 350:10 runs through 0
+    double maximum = 0;     ///< Integer, Number and the ends of Intervals: inclusive range
+    bool optional = false;  ///< may be "not given" (monostate)
+    bool advanced = false;  ///< folded away in the form
+    bool wraps = false;     ///< Intervals of angles: 350:10 runs through 0
     std::vector<FieldChoice> choices;
+    std::vector<double> usual = {};  ///< Number: values of a standard, offered beside free typing
 };
 
 /// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.

@@ -71,9 +71,9 @@ bool exclude(const Profile& profile, const std::vector<Interval>& sectors, Prepa
 }
 
 /// Leaves out what stands out; true when anything did.
-bool removeOutliers(PreparedProfile& prepared)
+bool removeOutliers(PreparedProfile& prepared, const Progress& progress)
 {
-    const std::vector<std::uint8_t> found = hampelOutliers(prepared.distance_mm);
+    const std::vector<std::uint8_t> found = hampelOutliers(prepared.distance_mm, {}, progress);
     const auto count = static_cast<std::size_t>(std::count(found.begin(), found.end(), 1));
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i]) prepared.used[prepared.index[i]] = 0;
@@ -93,7 +93,8 @@ bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg)
     });
 }
 
-PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule)
+PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule,
+                               const Progress& progress)
 {
     PreparedProfile prepared;
     prepared.used.resize(profile.points_mm.size());
@@ -103,18 +104,21 @@ PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interva
     }
     arrange(profile, prepared);
     if (!exclude_deg.empty())
-        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round)
+        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round) {
+            progress.check();
             arrange(profile, prepared);
+        }
     if (rule == OutlierRule::Hampel)
-        for (int round = 0; round < mostRounds && removeOutliers(prepared); ++round) arrange(profile, prepared);
+        for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round)
+            arrange(profile, prepared);
     return prepared;
 }
 
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band)
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, const Progress& progress)
 {
     EvaluatedProfile result{prepared.points_mm, FilterWay::Uniform};
     if (band.isAll()) return result;
-    const FilteredValues filtered = filterClosedAt(prepared.sampling.angle_rad, prepared.distance_mm, band);
+    const FilteredValues filtered = filterClosedAt(prepared.sampling, prepared.distance_mm, band, progress);
     result.way = filtered.way;
     for (std::size_t i = 0; i < result.points_mm.size(); ++i) {
         const double angle = prepared.sampling.angle_rad[i];

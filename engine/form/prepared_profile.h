@@ -22,14 +22,16 @@ struct PreparedProfile {
 };
 
 /// Leaves out sectors (angles as seen from the centre that results) and outliers. Errors as fitLeastSquaresCircle().
-PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule);
+PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule,
+                               const Progress& progress = {});
 
 /// The prepared points after the filter: on the rays from the centre, in the same order; without a filter as they are.
 struct EvaluatedProfile {
     std::vector<Eigen::Vector2d> points_mm;
     FilterWay way = FilterWay::Uniform;
 };
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band);
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band,
+                                 const Progress& progress = {});
 
 /// Is the angle in one of the sectors? Sectors may run through 0°.
 bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg);

@@ -25,12 +25,13 @@ void pointContactsToGiven(FittedCircle& circle, const std::vector<std::size_t>& 
     for (CircleContact& contact : circle.contacts) contact.index = index[contact.index];
 }
 
-std::vector<Harmonic> harmonicsOf(const PreparedProfile& prepared, std::size_t given)
+std::vector<Harmonic> harmonicsOf(const PreparedProfile& prepared, std::size_t given, const Progress& progress)
 {
     const int limit = std::min(mostHarmonics, static_cast<int>(given / 2));
     std::vector<double> deviation_um;
+    deviation_um.reserve(prepared.distance_mm.size());
     for (const double distance : prepared.distance_mm) deviation_um.push_back(1000 * (distance - prepared.radius_mm));
-    return harmonicsAt(prepared.sampling.angle_rad, deviation_um, limit);
+    return harmonicsAt(prepared.sampling, std::move(deviation_um), limit, progress);
 }
 
 PaperValues paperValues(const PreparedProfile& prepared)
@@ -109,9 +110,9 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
 {
     progress.report(0);
     const ProfileBand band = bandOf(parameters);
-    const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers);
+    const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers, progress);
     progress.report(0.04);
-    EvaluatedProfile evaluated = evaluateProfile(prepared, band);
+    EvaluatedProfile evaluated = evaluateProfile(prepared, band, progress);
 
     RoundnessResult result;
     result.parameters = parameters;
@@ -133,9 +134,9 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
          {&result.circles.LSCI, &result.circles.MZCI, &result.circles.MICI, &result.circles.MCCI})
         pointContactsToGiven(*circle, prepared.index);
     progress.report(0.4);
-    result.two_point = twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm);
+    result.two_point = twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm, progress);
     progress.report(0.42);
-    result.harmonics = harmonicsOf(prepared, result.points);
+    result.harmonics = harmonicsOf(prepared, result.points, progress);
     result.paper = paperValues(prepared);
     result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.45, 0.7));
 

@@ -55,7 +55,7 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
     const ProfileBand asked = bandOf(parameters);
     const bool hampel = parameters.outliers == OutlierRule::Hampel;
     const PreparedProfile other =
-        prepareProfile(profile, parameters.exclude_deg, hampel ? OutlierRule::None : OutlierRule::Hampel);
+        prepareProfile(profile, parameters.exclude_deg, hampel ? OutlierRule::None : OutlierRule::Hampel, progress);
     const std::vector<ProfileBand> bands = bandsFor(prepared.sampling, asked);
     std::vector<MethodRow> rows;
     CircleOptions quick;
@@ -74,7 +74,8 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
             else if (same)
                 row.RONt_um = rows[i].RONt_um;
             else
-                row.RONt_um = deviations(fitCircles(evaluateProfile(points, bands[i]).points_mm, quick, progress));
+                row.RONt_um = deviations(
+                    fitCircles(evaluateProfile(points, bands[i], progress).points_mm, quick, progress.quiet()));
             rows.push_back(row);
         }
     }

@@ -1,4 +1,7 @@
+#include <span>
+
 #include "engine/form/roundness.h"
+#include "engine/form/roundness_methods.h"
 
 namespace lathelier {
 namespace {
@@ -14,6 +17,12 @@ Field<P> wrapping(Field<P> field)
     return field;
 }
 
+Field<P> withUsual(Field<P> field, std::span<const double> values)
+{
+    field.info.usual.assign(values.begin(), values.end());
+    return field;
+}
+
 [[noreturn]] void reject(const char* parameter, const Value& found, Text expected)
 {
     throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", parameter}, {"found", found}, {"expected", expected}});
@@ -25,9 +34,12 @@ template <>
 const std::vector<Field<P>>& fields<P>()
 {
     static const std::vector<Field<P>> all{
-        field("cutoff_upr", &P::cutoff_upr, Range{1, 100000},
-              Label{LT_TEXT("Engine", "Filter cut-off"),
-                    LT_TEXT("Engine", "Gaussian filter: waves up to so many undulations per revolution pass."), upr}),
+        withUsual(
+            field(
+                "cutoff_upr", &P::cutoff_upr, Range{1, 100000},
+                Label{LT_TEXT("Engine", "Filter cut-off"),
+                      LT_TEXT("Engine", "Gaussian filter: waves up to so many undulations per revolution pass."), upr}),
+            standardCutoffs),
         field("band_upr", &P::band_upr, Range{0, 100000},
               Label{LT_TEXT("Engine", "Filter band"),
                     LT_TEXT("Engine", "Gaussian filter: waves between these undulations per revolution pass."), upr,

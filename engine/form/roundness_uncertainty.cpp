@@ -32,7 +32,8 @@ std::size_t drawsFor(std::size_t points)
 /// points would lay noise on noise, and the maxima of the second tell too little of what the first have added. On an
 /// arc, where there are no harmonics, the points as they are.
 std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const std::vector<Vector2d>& evaluated_mm,
-                                  const std::vector<Harmonic>& harmonics, const ProfileBand& band, double noise_um)
+                                  const std::vector<Harmonic>& harmonics, const ProfileBand& band, double noise_um,
+                                  const Progress& progress)
 {
     if (harmonics.empty()) return evaluated_mm;
     const double floor_um = noiseFloor_um(noise_um, evaluated_mm.size());
@@ -42,7 +43,7 @@ std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const std::ve
             coefficients[static_cast<std::size_t>(h.upr)] =
                 std::polar(h.amplitude / 2000 * band.transmission(h.upr), -h.phase_rad);
     const std::vector<double>& angle = prepared.sampling.angle_rad;
-    const std::vector<double> deviation = fourierSeries(coefficients, angle);
+    const std::vector<double> deviation = fourierSeries(coefficients, angle, progress);
     std::vector<Vector2d> points;
     for (std::size_t i = 0; i < angle.size(); ++i)
         points.push_back(prepared.centre_mm +
@@ -144,8 +145,8 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const std::vector
     if (noise_um == 0) return 0;
     const std::size_t n = evaluated_mm.size();
     const double noise_mm = noise_um / 1000;
-    const Zone zone =
-        zoneAbout(quietPoints(prepared, evaluated_mm, harmonics, band, noise_um), prepared.sampling, circle, noise_mm);
+    const Zone zone = zoneAbout(quietPoints(prepared, evaluated_mm, harmonics, band, noise_um, progress),
+                                prepared.sampling, circle, noise_mm);
     const double half = circle.outer_radius_mm / 2;
     const double quiet = drawnDeviation(zone, std::vector<double>(n, 0.0), which, half);
     const std::size_t draws = drawsFor(n);

@@ -29,7 +29,7 @@ struct Form {
 Form formOf(const Profile& profile, const ProfileBand& band)
 {
     Form form{prepareProfile(profile, {}, OutlierRule::None), {}};
-    form.deviation_mm = filterClosedAt(form.prepared.sampling.angle_rad, form.prepared.distance_mm, band).values;
+    form.deviation_mm = filterClosedAt(form.prepared.sampling, form.prepared.distance_mm, band).values;
     for (double& value : form.deviation_mm) value -= form.prepared.radius_mm;
     return form;
 }

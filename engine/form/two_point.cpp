@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/parallel.h"
 #include "engine/signal/closed_interpolation.h"
 
 namespace lathelier {
@@ -42,22 +43,31 @@ std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
 }  // namespace
 
 TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const AngularSampling& sampling,
-                          const Vector2d& centre_mm)
+                          const Vector2d& centre_mm, const Progress& progress)
 {
     std::vector<double> distance;
     distance.reserve(points_mm.size());
     for (const Vector2d& point : points_mm) distance.push_back((point - centre_mm).norm());
     const ClosedInterpolation profile(sampling, distance);
     TwoPointSize result;
-    double largest = nan, smallest = nan;
-    for (std::size_t i = 0; i < distance.size(); ++i) {
-        const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi);
-        largest = std::fmax(largest, size);
-        smallest = std::fmin(smallest, size);
-    }
-    result.largest_mm = largest;
-    result.smallest_mm = smallest;
-    result.range_um = 1000 * (largest - smallest);
+    const CaliperWidth sizes = parallelReduce(
+        distance.size(), 8192, progress, CaliperWidth{nan, nan},
+        [&](std::size_t begin, std::size_t end) {
+            CaliperWidth part{nan, nan};
+            for (std::size_t i = begin; i < end; ++i) {
+                const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi);
+                part.largest_mm = std::fmax(part.largest_mm, size);
+                part.smallest_mm = std::fmin(part.smallest_mm, size);
+            }
+            return part;
+        },
+        [](const CaliperWidth& all, const CaliperWidth& part) {
+            return CaliperWidth{std::fmax(all.largest_mm, part.largest_mm),
+                                std::fmin(all.smallest_mm, part.smallest_mm)};
+        });
+    result.largest_mm = sizes.largest_mm;
+    result.smallest_mm = sizes.smallest_mm;
+    result.range_um = 1000 * (sizes.largest_mm - sizes.smallest_mm);
     result.half_range_um = result.range_um / 2;
     const CaliperWidth width = caliperWidth(points_mm);
     result.caliper_largest_mm = width.largest_mm;

@@ -11,7 +11,7 @@ namespace lathelier {
 /// `points_mm` in order of angle about `centre_mm`, with those angles (ascending). Where no point lies opposite, the
 /// profile is interpolated between its neighbours (cubic); across gaps there is no size.
 TwoPointSize twoPointSize(std::span<const Eigen::Vector2d> points_mm, const AngularSampling& sampling,
-                          const Eigen::Vector2d& centre_mm);
+                          const Eigen::Vector2d& centre_mm, const Progress& progress = {});
 
 /// Largest and smallest width of the points between parallel jaws (rotating calipers on the convex hull).
 struct CaliperWidth {

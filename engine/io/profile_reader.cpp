@@ -3,7 +3,9 @@
 #include "engine/io/file.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/header_lines.h"
+#include "engine/io/probe_reader.h"
 #include "engine/io/profile_points.h"
+#include "engine/io/scan_reader.h"
 #include "engine/io/table_facts.h"
 #include "engine/io/unit_choice.h"
 
@@ -100,6 +102,16 @@ bool isProfileTable(std::string_view bytes, const ImportOptions& options)
         const DecodedText text = readableText(head, options.encoding, expectedKind, {});
         const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
         return chooseProfileColumns(layout, ProfileColumns::Auto).shape != Shape::Xyz;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+bool isProfile(const std::string& path)
+{
+    try {
+        const FileBytes file(path);
+        return !hasScanFormat(file.view()) && !isProbeRecord(path) && isProfileTable(file.view());
     } catch (const Error&) {
         return false;
     }

@@ -28,14 +28,15 @@ double meanOf(const std::vector<double>& values)
 /// Gaussian regression of order one: at each point the straight line that fits its neighbours best under the Gaussian's
 /// weights. The five weighted sums are convolutions, taken as Fourier series: with the weight g = e^{-x²/4a}, of
 /// spectrum e^{-ak²}, the weight x·g is -2a g' and x²·g is 4a² g'' + 2a g.
-std::vector<double> regressed(const AngularSampling& sampling, const std::vector<double>& values, double cutoff_upr)
+std::vector<double> regressed(const AngularSampling& sampling, const std::vector<double>& values, double cutoff_upr,
+                              const Progress& progress)
 {
     const double a = std::log(2.0) / (cutoff_upr * cutoff_upr);
     const int limit = std::max(1, static_cast<int>(std::ceil(gone * cutoff_upr)));
     std::vector<double> weighted(values.size());
     for (std::size_t j = 0; j < values.size(); ++j) weighted[j] = sampling.weight[j] * values[j];
-    const std::vector<Complex> ones = fourierSums(sampling.angle_rad, sampling.weight, limit);
-    const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit);
+    const std::vector<Complex> ones = fourierSums(sampling.angle_rad, sampling.weight, limit, progress);
+    const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit, progress);
     const auto moment = [&](const std::vector<Complex>& spectrum, int power) {
         std::vector<Complex> product(spectrum.size());
         for (std::size_t k = 0; k < product.size(); ++k) {
@@ -47,7 +48,7 @@ std::vector<double> regressed(const AngularSampling& sampling, const std::vector
                                                 : Complex((2 * a - 4 * a * a * order * order) * g);
             product[k] = spectrum[k] * factor;
         }
-        return fourierSeries(product, sampling.angle_rad);
+        return fourierSeries(product, sampling.angle_rad, progress);
     };
     const std::vector<double> s0 = moment(ones, 0), s1 = moment(ones, 1), s2 = moment(ones, 2);
     const std::vector<double> v0 = moment(sums, 0), v1 = moment(sums, 1);
@@ -63,11 +64,11 @@ std::vector<double> regressed(const AngularSampling& sampling, const std::vector
 /// Takes the band out of the whole profile by regression: what the long-wave pass lets through, without its longer
 /// waves.
 std::vector<double> bandByRegression(const AngularSampling& sampling, std::vector<double> values,
-                                     const ProfileBand& band)
+                                     const ProfileBand& band, const Progress& progress)
 {
-    if (band.high_upr) values = regressed(sampling, values, *band.high_upr);
+    if (band.high_upr) values = regressed(sampling, values, *band.high_upr, progress);
     if (!band.low_upr) return values;
-    const std::vector<double> longer = regressed(sampling, values, *band.low_upr);
+    const std::vector<double> longer = regressed(sampling, values, *band.low_upr, progress);
     const double size = meanOf(longer);
     for (std::size_t j = 0; j < values.size(); ++j) values[j] += size - longer[j];
     return values;
@@ -75,14 +76,14 @@ std::vector<double> bandByRegression(const AngularSampling& sampling, std::vecto
 
 /// The same by the series that fits the profile; nothing when the spacing does not carry the orders it needs.
 std::optional<std::vector<double>> bandBySeries(const AngularSampling& sampling, const std::vector<double>& values,
-                                                const ProfileBand& band)
+                                                const ProfileBand& band, const Progress& progress)
 {
     if (sampling.gaps > 0) return std::nullopt;
     const double cutoff = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
     const int even = static_cast<int>(sampling.different - 1) / 2;  // what even spacing would carry
     const int limit = std::min(even, static_cast<int>(std::ceil(gone * cutoff)));
     const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff)));
-    std::vector<Complex> fit = fitFourier(sampling, values, limit);
+    std::vector<Complex> fit = fitFourier(sampling, values, limit, progress);
     if (static_cast<int>(fit.size()) <= needed) return std::nullopt;
     // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
     const bool subtract = !band.high_upr;
@@ -90,7 +91,7 @@ std::optional<std::vector<double>> bandBySeries(const AngularSampling& sampling,
         const auto order = static_cast<double>(k);
         fit[k] *= subtract ? gaussianTransmission(order, *band.low_upr) : band.transmission(order);
     }
-    std::vector<double> result = fourierSeries(fit, sampling.angle_rad);
+    std::vector<double> result = fourierSeries(fit, sampling.angle_rad, progress);
     if (subtract)
         for (std::size_t j = 0; j < result.size(); ++j) result[j] = values[j] - result[j] + fit[0].real();
     return result;
@@ -101,22 +102,27 @@ std::optional<std::vector<double>> bandBySeries(const AngularSampling& sampling,
 FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
                               const ProfileBand& band)
 {
-    FilteredValues result;
-    result.values.assign(values.begin(), values.end());
-    if (values.size() < 3 || band.isAll()) return result;
+    if (values.size() < 3 || band.isAll()) return {{values.begin(), values.end()}};
     const AngularSampling sampling = sampleAngles(angle_rad);
-    std::vector<double> ordered = inOrder(sampling, values);
-    if (sampling.uniform) {
-        ordered = filterClosed(ordered, band);
-    } else {
-        const double mean = meanOf(ordered);
-        for (double& value : ordered) value -= mean;
-        std::optional<std::vector<double>> series = bandBySeries(sampling, ordered, band);
-        result.way = series ? FilterWay::Series : FilterWay::Regression;
-        ordered = series ? std::move(*series) : bandByRegression(sampling, std::move(ordered), band);
-        for (double& value : ordered) value += mean;
-    }
+    FilteredValues result = filterClosedAt(sampling, inOrder(sampling, values), band);
+    const std::vector<double> ordered = std::move(result.values);
+    result.values.resize(ordered.size());
     for (std::size_t j = 0; j < ordered.size(); ++j) result.values[sampling.order[j]] = ordered[j];
+    return result;
+}
+
+FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const ProfileBand& band,
+                              const Progress& progress)
+{
+    if (values.size() < 3 || band.isAll()) return {std::move(values)};
+    if (sampling.uniform) return {filterClosed(values, band)};
+    const double mean = meanOf(values);
+    for (double& value : values) value -= mean;
+    std::optional<std::vector<double>> series = bandBySeries(sampling, values, band, progress);
+    FilteredValues result;
+    result.way = series ? FilterWay::Series : FilterWay::Regression;
+    result.values = series ? std::move(*series) : bandByRegression(sampling, std::move(values), band, progress);
+    for (double& value : result.values) value += mean;
     return result;
 }
 

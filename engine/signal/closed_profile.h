@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/progress.h"
+#include "engine/signal/angular_sampling.h"
+
 namespace lathelier {
 
 /// Transmission of the closed Gaussian low pass at `upr` undulations per revolution: 2^-(upr/cutoff)².
@@ -39,6 +42,10 @@ std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit
 /// are estimated from what the lower ones do not explain; with a third of the turn missing there are none.
 std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit);
 
+/// The same for values in the order of a sampling.
+std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<double> values, int limit,
+                                  const Progress& progress = {});
+
 /// How values at given angles were filtered.
 enum class FilterWay {
     Uniform,    ///< even angles: exact
@@ -56,6 +63,10 @@ struct FilteredValues {
 /// from gaps the same as the Gaussian filter).
 FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
                               const ProfileBand& band);
+
+/// The same for values in the order of a sampling; the answer stands in that order.
+FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const ProfileBand& band,
+                              const Progress& progress = {});
 
 /// Samples per cut-off wave below which a filter's answer is not trusted (ISO 12181-2: 7).
 inline constexpr double samplesPerCutoff = 7;

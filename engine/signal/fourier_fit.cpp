@@ -59,12 +59,13 @@ private:
     std::vector<double> weight_;
 };
 
-std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients& right)
+std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients& right, const Progress& progress)
 {
     Coefficients solution(right.size()), residual = right, direction = right;
     const double start = dot(right, right);
     double squared = start;
     for (int i = 0; i < mostIterations && squared > goal * goal * start; ++i) {
+        progress.check();
         const Coefficients image = matrix * direction;
         const double curvature = dot(direction, image);
         if (!(curvature > 0)) break;
@@ -83,7 +84,8 @@ std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients
 
 }  // namespace
 
-Coefficients fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit)
+Coefficients fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit,
+                        const Progress& progress)
 {
     const auto different = static_cast<int>(sampling.different);
     int order = std::max(0, std::min(limit, (different - 1) / 2));
@@ -94,13 +96,13 @@ Coefficients fitFourier(const AngularSampling& sampling, std::span<const double>
 
     std::vector<double> weighted(values.size());
     for (std::size_t j = 0; j < values.size(); ++j) weighted[j] = sampling.weight[j] * values[j];
-    const Coefficients weight_sums = fourierSums(sampling.angle_rad, sampling.weight, 2 * order);
-    Coefficients right = fourierSums(sampling.angle_rad, weighted, order);
+    const Coefficients weight_sums = fourierSums(sampling.angle_rad, sampling.weight, 2 * order, progress);
+    Coefficients right = fourierSums(sampling.angle_rad, weighted, order, progress);
     for (;; order = order * 3 / 4) {
         const auto orders = static_cast<std::size_t>(order) + 1;
         right.resize(orders);
         if (order == 0) return {right[0] / weight_sums[0]};
-        if (auto solution = solve(NormalMatrix(weight_sums, orders), right)) return *solution;
+        if (auto solution = solve(NormalMatrix(weight_sums, orders), right, progress)) return *solution;
     }
 }
 

@@ -7,13 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/progress.h"
 #include "engine/signal/angular_sampling.h"
 
 namespace lathelier {
 
 /// Coefficients c_0…c_K of value(θ) = c_0 + 2 Re Σ_{k>0} c_k e^{ikθ} that fit best, `values` being in the sampling's
 /// order. K is `limit`, or less when gaps leave higher orders undetermined; at least 0.
-std::vector<std::complex<double>> fitFourier(const AngularSampling& sampling, std::span<const double> values,
-                                             int limit);
+std::vector<std::complex<double>> fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit,
+                                             const Progress& progress = {});
 
 }  // namespace lathelier

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/progress.h"
+
 namespace lathelier {
 
 struct HampelOptions {
@@ -17,7 +19,8 @@ struct HampelOptions {
 /// 1 where a value lies further from the median of its window than `threshold` robust standard deviations (1.4826 ×
 /// median of the absolute deviations; the larger of the window's and of the whole record's). Values that are not finite
 /// are outliers, and are not looked at otherwise.
-std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options = {});
+std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options = {},
+                                         const Progress& progress = {});
 
 /// Median; the mean of the middle two for an even count. NaN for none.
 double median(std::vector<double> values);

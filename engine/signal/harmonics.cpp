@@ -64,13 +64,19 @@ std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit
 
 std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit)
 {
+    if (values.size() < 3) return {};
+    const AngularSampling sampling = sampleAngles(angle_rad);
+    return harmonicsAt(sampling, inOrder(sampling, values), limit);
+}
+
+std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<double> values, int limit,
+                                  const Progress& progress)
+{
     std::vector<Harmonic> result;
     if (values.size() < 3) return result;
-    const AngularSampling sampling = sampleAngles(angle_rad);
-    std::vector<double> ordered = inOrder(sampling, values);
     limit = std::min(limit, static_cast<int>(sampling.different / 2));
     if (sampling.uniform) {
-        result = harmonicsUniform(ordered, limit);
+        result = harmonicsUniform(values, limit);
         for (Harmonic& h : result)
             h.phase_rad = std::remainder(h.phase_rad + h.upr * sampling.angle_rad[0], 2 * std::numbers::pi);
         return result;
@@ -78,21 +84,21 @@ std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<c
     if (sampling.largest_gap_rad > 2 * std::numbers::pi / 3) return result;
 
     double mean = 0;
-    for (const double value : ordered) mean += value / static_cast<double>(ordered.size());
-    for (double& value : ordered) value -= mean;
-    const std::vector<Complex> fit = fitFourier(sampling, ordered, limit);
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    for (double& value : values) value -= mean;
+    const std::vector<Complex> fit = fitFourier(sampling, values, limit, progress);
     for (std::size_t k = 1; k < fit.size(); ++k) result.push_back(harmonic(static_cast<int>(k), fit[k]));
     if (static_cast<int>(result.size()) == limit) return result;
 
-    const std::vector<double> explained = fourierSeries(fit, sampling.angle_rad);
+    const std::vector<double> explained = fourierSeries(fit, sampling.angle_rad, progress);
     double total = 0;
-    std::vector<double> rest(ordered.size()), weighted(ordered.size());
-    for (std::size_t j = 0; j < ordered.size(); ++j) {
-        rest[j] = ordered[j] - explained[j];
+    std::vector<double> rest(values.size()), weighted(values.size());
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        rest[j] = values[j] - explained[j];
         weighted[j] = sampling.weight[j] * rest[j];
         total += sampling.weight[j];
     }
-    const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit);
+    const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit, progress);
     for (int k = static_cast<int>(fit.size()); k <= limit; ++k) {
         const bool last = 2 * static_cast<std::size_t>(k) == sampling.different;
         result.push_back(last ? alternating(k, sampling, rest)

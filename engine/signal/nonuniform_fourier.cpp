@@ -1,9 +1,11 @@
 #include "engine/signal/nonuniform_fourier.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/parallel.h"
 #include "engine/signal/fourier.h"
 
 namespace lathelier {
@@ -11,6 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
+constexpr std::size_t grain = 1 << 15;
 constexpr int reach = 14;  ///< grid points on each side that a value is spread over: 1e-13
 
 /// The oversampled grid of the paper: every value is spread over 2·reach points by a Gaussian, which the transform
@@ -72,21 +75,33 @@ private:
 
 }  // namespace
 
-std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<const double> values, int limit)
+std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<const double> values, int limit,
+                                 const Progress& progress)
 {
     const Grid grid(limit);
-    std::vector<double> spread(grid.size(), 0.0);
-    for (std::size_t j = 0; j < values.size(); ++j) {
-        const double value = values[j];
-        grid.around(angle_rad[j], [&](std::size_t index, double weight) { spread[index] += value * weight; });
-    }
+    // A grid for each chunk: no more grids than there is room for as many numbers as values.
+    const std::vector<double> spread = parallelReduce(
+        values.size(), std::max(grain, grid.size()), progress, std::vector<double>(grid.size(), 0.0),
+        [&](std::size_t begin, std::size_t end) {
+            std::vector<double> part(grid.size(), 0.0);
+            for (std::size_t j = begin; j < end; ++j) {
+                const double value = values[j];
+                grid.around(angle_rad[j], [&](std::size_t index, double weight) { part[index] += value * weight; });
+            }
+            return part;
+        },
+        [](std::vector<double> all, const std::vector<double>& part) {
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += part[i];
+            return all;
+        });
     std::vector<Complex> sums = FourierTransform(grid.size()).forward(spread);
     sums.resize(static_cast<std::size_t>(limit) + 1);
     for (int k = 0; k <= limit; ++k) sums[static_cast<std::size_t>(k)] *= grid.sharpen(k);
     return sums;
 }
 
-std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::span<const double> angle_rad)
+std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::span<const double> angle_rad,
+                                  const Progress& progress)
 {
     const Grid grid(static_cast<int>(coefficients.size()) - 1);
     std::vector<Complex> half(grid.size() / 2 + 1);
@@ -94,11 +109,13 @@ std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::sp
         half[static_cast<std::size_t>(k)] = coefficients[static_cast<std::size_t>(k)] * grid.sharpen(k);
     const std::vector<double> smooth = FourierTransform(grid.size()).series(half);
     std::vector<double> result(angle_rad.size(), 0.0);
-    for (std::size_t j = 0; j < result.size(); ++j) {
-        double sum = 0;
-        grid.around(angle_rad[j], [&](std::size_t index, double weight) { sum += smooth[index] * weight; });
-        result[j] = sum;
-    }
+    parallelFor(result.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t j = begin; j < end; ++j) {
+            double sum = 0;
+            grid.around(angle_rad[j], [&](std::size_t index, double weight) { sum += smooth[index] * weight; });
+            result[j] = sum;
+        }
+    });
     return result;
 }
 

@@ -6,14 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/progress.h"
+
 namespace lathelier {
 
 /// F_k = Σ_j values_j e^{-ikθ_j} for k = 0…limit.
 std::vector<std::complex<double>> fourierSums(std::span<const double> angle_rad, std::span<const double> values,
-                                              int limit);
+                                              int limit, const Progress& progress = {});
 
 /// g(θ_j) = c_0 + 2 Re Σ_{k>0} c_k e^{ikθ_j}: the real series with the coefficients c_0…c_K and their conjugates.
-std::vector<double> fourierSeries(std::span<const std::complex<double>> coefficients,
-                                  std::span<const double> angle_rad);
+std::vector<double> fourierSeries(std::span<const std::complex<double>> coefficients, std::span<const double> angle_rad,
+                                  const Progress& progress = {});
 
 }  // namespace lathelier

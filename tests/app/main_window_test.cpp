@@ -28,7 +28,11 @@ class MainWindowTest : public QObject {
 
     static std::vector<PanelFacts> panels()
     {
-        return {FakePanel::factsOf("one"), FakePanel::factsOf("two"), FakePanel::factsOf("round", "roundness")};
+        PanelFacts round = FakePanel::factsOf("round", "roundness");
+        PanelFacts records = FakePanel::factsOf("records", "roundness");
+        round.recognises = [](const std::string& path) { return path.ends_with(".profile"); };
+        records.recognises = [](const std::string& path) { return path.ends_with(".record"); };
+        return {FakePanel::factsOf("one"), FakePanel::factsOf("two"), round, records};
     }
     PanelDock* dock(const std::string& id) const
     {
@@ -107,6 +111,20 @@ private slots:
         window_->action("undo")->trigger();
         QTRY_VERIFY(!panel.hasResult());
         QVERIFY(!window_->isWindowModified());
+    }
+
+    void filesGoWhereTheyCertainlyBelong()
+    {
+        window_->openPaths({makeFile("a.record")});
+        QCOMPARE(session_->project().workspace, std::string("roundness"));
+        QCOMPARE(window_->activeDock(), dock("records"));
+        QTRY_VERIFY(dock("records")->panel().isCurrent());
+        window_->openPaths({makeFile("a.profile")});
+        QCOMPARE(window_->activeDock(), dock("round"));
+        QTRY_VERIFY(dock("round")->panel().isCurrent());
+        window_->enterWorkspace("inspection");
+        window_->openPaths({makeFile("a.txt")});  // nobody's: to the panel in front
+        QCOMPARE(session_->project().workspace, std::string("inspection"));
     }
 
     void undoKeyWorksInsideAField()

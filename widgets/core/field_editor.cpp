@@ -49,6 +49,7 @@ public:
           integer_(info.kind == FieldInfo::Kind::Integer)
     {
         edit_->setInteger(integer_);
+        edit_->setUsual(info.usual);
         fill(edit_);
         connect(edit_, &NumberEdit::numberChanged, this, &FieldEditor::changed);
         connect(edit_, &NumberEdit::finished, this, &FieldEditor::finished);

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,41 @@ void NumberEdit::setOptional(const QString& placeholder)
     optional_ = true;
     setPlaceholderText(placeholder);
     setClearButtonEnabled(true);
+}
+
+void NumberEdit::setUsual(const std::vector<double>& values)
+{
+    usual_ = values;
+    if (usual_.empty() || offer_) return;
+    offer_ = addAction(icon("choose"), QLineEdit::TrailingPosition);
+    offer_->setObjectName("usualValues");
+    connect(offer_, &QAction::triggered, this, &NumberEdit::offer);
+    offer_->setToolTip(tr("Usual values"));
+}
+
+void NumberEdit::offer()
+{
+    QMenu menu(this);
+    const auto add = [&](const QString& text, std::optional<double> number) {
+        QAction* action = menu.addAction(text, this, [this, number] { take(number); });
+        action->setCheckable(true);
+        action->setChecked(number == number_);
+    };
+    if (optional_) add(placeholderText(), std::nullopt);
+    for (const double value : usual_) add(localText(value), value);
+    menu.exec(mapToGlobal(rect().bottomLeft()));
+}
+
+/// Another number at once, as one gesture.
+void NumberEdit::take(std::optional<double> number)
+{
+    pause_.stop();
+    pending_ = false;
+    const bool changed = number != number_;
+    number_ = number;
+    showNumber();
+    if (changed) emit numberChanged();
+    emit finished();
 }
 
 void NumberEdit::setHelp(const QString& help)
@@ -177,6 +213,7 @@ void NumberEdit::changeEvent(QEvent* event)
 {
     QLineEdit::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
+        if (offer_) offer_->setToolTip(tr("Usual values"));
         if (sound_ && !pending_)
             showNumber();
         else

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QTimer>
 #include <optional>
+#include <vector>
 
 namespace lathelier {
 
@@ -16,8 +17,9 @@ public:
     NumberEdit(double minimum, double maximum, QWidget* parent = nullptr);
 
     void setInteger(bool integer) { integer_ = integer; }
-    void setOptional(const QString& placeholder);  ///< may be empty; says what empty means
-    void setHelp(const QString& help);             ///< the tooltip while the number is sound
+    void setOptional(const QString& placeholder);      ///< may be empty; says what empty means
+    void setUsual(const std::vector<double>& values);  ///< offered in a menu, with "not given" when it is optional
+    void setHelp(const QString& help);                 ///< the tooltip while the number is sound
 
     std::optional<double> number() const { return number_; }  ///< the last sound one
     void setNumber(std::optional<double> number);             ///< shows it, announces nothing
@@ -38,6 +40,8 @@ private:
     void announce();
     void finish();
     void step(int steps);
+    void take(std::optional<double> number);
+    void offer();
     void showNumber();
     void mark(bool sound);
     bool accepts(const QString& text, std::optional<double>& number) const;
@@ -51,6 +55,8 @@ private:
     std::optional<double> number_;
     QString help_;
     QAction* warning_;
+    QAction* offer_ = nullptr;
+    std::vector<double> usual_;
     QTimer pause_;
 };
 

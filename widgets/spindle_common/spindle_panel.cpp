@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/io/probe_reader.h"
+#include "engine/io/profile_reader.h"
 #include "widgets/core/input_box.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
@@ -37,8 +38,10 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.icon = icon;
     facts.workspaces = {"roundness"};
     facts.state = spindleState;
-    facts.recognises = [](const std::string& path) { return isProbeRecord(path); };
     const bool roundness = want == SpindleWant::Roundness;
+    facts.recognises = [roundness](const std::string& path) {
+        return isProbeRecord(path) || (roundness && isProfile(path));
+    };
     facts.hasWork = [roundness](const PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };

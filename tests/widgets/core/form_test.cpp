@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 
 #include "widgets/core/form.h"
@@ -27,11 +29,17 @@ struct Shape {
     std::vector<Interval> left_out_mm;
 };
 
+Field<Shape> withUsual(Field<Shape> field)
+{
+    field.info.usual = {2.5, 5};
+    return field;
+}
+
 std::vector<FieldInfo> shapeFields()
 {
     const std::vector<Field<Shape>> all{
         field("size_mm", &Shape::size_mm, {0, 1000}, {Text{"Size"}, Text{"How large"}, Text{"mm"}}),
-        field("limit_mm", &Shape::limit_mm, {0, 10}, {Text{"Limit"}, Text{"How far"}, Text{"mm"}}),
+        withUsual(field("limit_mm", &Shape::limit_mm, {0, 10}, {Text{"Limit"}, Text{"How far"}, Text{"mm"}})),
         field("count", &Shape::count, {1, 9}, {Text{"Count"}, Text{"How many"}}),
         field("closed", &Shape::closed, {Text{"Closed"}, Text{"Is it?"}}),
         field("colour", &Shape::colour, {{"red", Text{"Red"}}, {"blue", Text{"Blue"}}},
@@ -123,6 +131,32 @@ private slots:
         QCOMPARE(changes_.size(), std::size_t{0});
         QTRY_COMPARE(changes_.size(), std::size_t{1});
         QVERIFY(changes_[0].value == Value(0.05));
+    }
+
+    void usualValuesAreOneClick()
+    {
+        auto* edit = editor<NumberEdit>("limit_mm");
+        auto* offer = edit->findChild<QAction*>("usualValues");
+        QVERIFY(offer);
+        QVERIFY(!editor<NumberEdit>("size_mm")->findChild<QAction*>("usualValues"));
+        const auto pick = [&](int row) {
+            QTimer::singleShot(0, [row] {
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                QVERIFY(menu);
+                QCOMPARE(menu->actions().size(), 3);  // "not given", 2.5, 5
+                menu->actions()[row]->trigger();
+                menu->close();
+            });
+            offer->trigger();
+        };
+        pick(2);
+        QCOMPARE(changes_.size(), std::size_t{1});
+        QVERIFY(changes_[0].value == Value(5.0));
+        QCOMPARE(edit->text(), QString("5"));
+        pick(0);
+        QCOMPARE(changes_.size(), std::size_t{2});
+        QVERIFY(changes_[1].value == Value());
+        QVERIFY(changes_[1].gesture != changes_[0].gesture);
     }
 
     void polishNumbers()

@@ -2120,7 +2120,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness profile and reference circles</source>
+        <source>Profile and reference circles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2525,10 +2525,6 @@
     </message>
     <message>
         <source>The records are not of one workpiece: {parameter} is {first} in the first and {found} here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{parameter} is {value}: taken from {source}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3068,14 +3064,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Centre x [mm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Centre y [mm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Proved to [µm]</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3217,6 +3205,18 @@
     </message>
     <message>
         <source>? undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} {value} {unit}: taken from {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4561,19 +4561,7 @@ All other views work.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two-point range [µm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Revolutions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest minus smallest of opposite points&apos; distances; half of it: GOST</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4590,6 +4578,18 @@ All other views work.</source>
     </message>
     <message>
         <source>? not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point [µm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-point range: largest minus smallest distance of opposite points; half of it: GOST</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4713,22 +4713,6 @@ All other views work.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>radius vector R − mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>synchronous %1 µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>asynchronous %1 µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>total %1 µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4746,6 +4730,22 @@ All other views work.</source>
     </message>
     <message>
         <source>marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R − mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>synchronous %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asynchronous %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4772,7 +4772,7 @@ All other views work.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Spindle X3: %1 · %2 revolutions</source>
+        <source>Spindle X3: %1 · %2 turns</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2120,8 +2120,8 @@
         <translation>profil</translation>
     </message>
     <message>
-        <source>Roundness profile and reference circles</source>
-        <translation>Profil okrągłości i okręgi odniesienia</translation>
+        <source>Profile and reference circles</source>
+        <translation>Profil i okręgi odniesienia</translation>
     </message>
     <message>
         <source>Harmonics of the unfiltered profile</source>
@@ -2526,10 +2526,6 @@
     <message>
         <source>The records are not of one workpiece: {parameter} is {first} in the first and {found} here.</source>
         <translation>Zapisy nie dotyczą jednego przedmiotu: {parameter} wynosi {first} w pierwszym, a tutaj {found}.</translation>
-    </message>
-    <message>
-        <source>{parameter} is {value}: taken from {source}.</source>
-        <translation>{parameter} wynosi {value}: źródło to {source}.</translation>
     </message>
     <message>
         <source>{path}: {signal} ({channel}) stands still; is the probe connected?</source>
@@ -3068,14 +3064,6 @@
         <translation>Promień [mm]</translation>
     </message>
     <message>
-        <source>Centre x [mm]</source>
-        <translation>Środek x [mm]</translation>
-    </message>
-    <message>
-        <source>Centre y [mm]</source>
-        <translation>Środek y [mm]</translation>
-    </message>
-    <message>
         <source>Proved to [µm]</source>
         <translation>Udowodniono do [µm]</translation>
     </message>
@@ -3218,6 +3206,18 @@
     <message>
         <source>? undecided</source>
         <translation>? nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <source>{label} {value} {unit}: taken from {source}.</source>
+        <translation>{label} {value} {unit}: źródło to {source}.</translation>
+    </message>
+    <message>
+        <source>x [mm]</source>
+        <translation>x [mm]</translation>
+    </message>
+    <message>
+        <source>y [mm]</source>
+        <translation>y [mm]</translation>
     </message>
 </context>
 <context>
@@ -4566,20 +4566,8 @@ Wszystkie inne widoki działają.</translation>
         <translation>Bicie [µm]</translation>
     </message>
     <message>
-        <source>Two-point range [µm]</source>
-        <translation>Rozstęp dwupunktowy [µm]</translation>
-    </message>
-    <message>
-        <source>Revolutions</source>
-        <translation>Obroty</translation>
-    </message>
-    <message>
         <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
         <translation>Największy minus najmniejszy promień względem osi wrzeciona: wartość z artykułu</translation>
-    </message>
-    <message>
-        <source>Largest minus smallest of opposite points&apos; distances; half of it: GOST</source>
-        <translation>Największa minus najmniejsza odległość punktów przeciwległych; połowa: GOST</translation>
     </message>
     <message>
         <source>Referenced to the nominal diameter</source>
@@ -4596,6 +4584,18 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>? not decided</source>
         <translation>? nie rozstrzygnięto</translation>
+    </message>
+    <message>
+        <source>Two-point [µm]</source>
+        <translation>Dwupunktowy [µm]</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Obroty</translation>
+    </message>
+    <message>
+        <source>Two-point range: largest minus smallest distance of opposite points; half of it: GOST</source>
+        <translation>Rozstęp dwupunktowy: największa minus najmniejsza odległość przeciwległych punktów; połowa z tego: GOST</translation>
     </message>
 </context>
 <context>
@@ -4718,22 +4718,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Przemieszczenie</translation>
     </message>
     <message>
-        <source>radius vector R − mean</source>
-        <translation>promień wodzący R − średnia</translation>
-    </message>
-    <message>
-        <source>synchronous %1 µm</source>
-        <translation>synchroniczne %1 µm</translation>
-    </message>
-    <message>
-        <source>asynchronous %1 µm</source>
-        <translation>asynchroniczne %1 µm</translation>
-    </message>
-    <message>
-        <source>total %1 µm</source>
-        <translation>całkowite %1 µm</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>Sygnały</translation>
     </message>
@@ -4752,6 +4736,22 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>marks</source>
         <translation>znaczniki</translation>
+    </message>
+    <message>
+        <source>R − mean</source>
+        <translation>R − średnia</translation>
+    </message>
+    <message>
+        <source>synchronous %1</source>
+        <translation>synchroniczne %1</translation>
+    </message>
+    <message>
+        <source>asynchronous %1</source>
+        <translation>asynchroniczne %1</translation>
+    </message>
+    <message>
+        <source>total %1</source>
+        <translation>całkowite %1</translation>
     </message>
 </context>
 <context>
@@ -4777,7 +4777,7 @@ Wszystkie inne widoki działają.</translation>
         <translation>JSON (*.json)</translation>
     </message>
     <message>
-        <source>Spindle X3: %1 · %2 revolutions</source>
+        <source>Spindle X3: %1 · %2 turns</source>
         <translation>Wrzeciono X3: %1 · obroty: %2</translation>
     </message>
 </context>

@@ -62,7 +62,7 @@ LATHELIER_NOTE(SourceChanged, "source_changed", Warning, LT_TEXT("Engine", "{pat
 LATHELIER_NOTE(SourceMissing, "source_missing", Warning, LT_TEXT("Engine", "{path} is missing."))
 
 // --- spindle
-LATHELIER_NOTE(ValueAssumed, "value_assumed", Info, LT_TEXT("Engine", "{parameter} is {value}: taken from {source}."))
+LATHELIER_NOTE(ValueAssumed, "value_assumed", Info, LT_TEXT("Engine", "{label} {value} {unit}: taken from {source}."))
 LATHELIER_NOTE(ChannelStandsStill, "channel_stands_still", Warning, LT_TEXT("Engine", "{path}: {signal} ({channel}) stands still; is the probe connected?"))
 LATHELIER_NOTE(ChannelCutOff, "channel_cut_off", Warning, LT_TEXT("Engine", "{path}: {signal} ({channel}) rests at the end of its range for {share_percent} % of the time; the probe was out of range."))
 LATHELIER_NOTE(DisplacementsLarge, "displacements_large", Warning, LT_TEXT("Engine", "{path}: {signal} reaches {largest_um} µm, more than a probe measures; check the sensitivity and the channels."))

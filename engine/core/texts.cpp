@@ -92,7 +92,9 @@ std::string fill(const std::string& pattern, const Values& values, const Languag
         if (close == std::string::npos) break;
         result.append(pattern, from, open - from);
         const Value* value = find(values, std::string_view(pattern).substr(open + 1, close - open - 1));
-        result += value ? text(*value, language) : pattern.substr(open, close - open + 1);
+        const std::string word = value ? text(*value, language) : pattern.substr(open, close - open + 1);
+        if (word.empty() && result.ends_with(' ')) result.pop_back();  // a unit that there is none of
+        result += word;
         from = close + 1;
     }
     return result.append(pattern, from, std::string::npos);

@@ -31,6 +31,7 @@ std::string text(const Value& value, const Language& language = {});
 std::string fixed(double value, int decimals, const Language& language = {});
 
 /// Replaces each {name} in `pattern` (already translated) by the value of that name; unknown names stay visible.
+/// An empty value takes the blank before it away.
 std::string fill(const std::string& pattern, const Values& values, const Language& language = {});
 
 }  // namespace lathelier

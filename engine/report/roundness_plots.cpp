@@ -70,7 +70,7 @@ Text reasonOf(const RoundnessResult& result, int upr)
 PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& language)
 {
     PolarPlot plot;
-    plot.title = LT_TEXT("Engine", "Roundness profile and reference circles");
+    plot.title = LT_TEXT("Engine", "Profile and reference circles");
     plot.base_radius_mm = result.circles.LSCI.radius_mm;
     plot.traces = {profileTrace(result)};
     const int decimals = decimalsFor(result.RONt_expanded_uncertainty_um);

@@ -52,6 +52,19 @@ PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const
     }
 }
 
+/// A parameter that was not given and that the record states.
+void noteAssumed(const std::string& key, double value, Notes& notes)
+{
+    for (const FieldInfo& info : infos<TrajectoryParameters>())
+        if (info.key == key)
+            notes.push_back({NoteCode::ValueAssumed,
+                             {{"parameter", key},
+                              {"label", info.label},
+                              {"value", value},
+                              {"unit", info.unit},
+                              {"source", LT_TEXT("Engine", "the record")}}});
+}
+
 std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
 {
     if (parameters.feed_mm_rev) return Cutting{*parameters.feed_mm_rev, parameters.sections};
@@ -59,9 +72,8 @@ std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryPara
     const auto feed = headerNumber(record.header, "feed_mm_rev");
     const auto sections = headerNumber(record.header, "sections");
     if (!feed || !sections || !(*feed > 0) || !(*sections >= 2 && *sections <= 10000)) return std::nullopt;
-    const Text source = LT_TEXT("Engine", "the record");
-    notes.push_back({NoteCode::ValueAssumed, {{"parameter", "feed_mm_rev"}, {"value", *feed}, {"source", source}}});
-    notes.push_back({NoteCode::ValueAssumed, {{"parameter", "sections"}, {"value", *sections}, {"source", source}}});
+    noteAssumed("feed_mm_rev", *feed, notes);
+    noteAssumed("sections", *sections, notes);
     return Cutting{*feed, static_cast<int>(std::lround(*sections))};
 }
 

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <cmath>
 
+#include "engine/report/cells.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {
@@ -26,11 +27,6 @@ QString screenQuantity(const Value& value, int decimals)
         return QLocale().toString(static_cast<qlonglong>(*count));
     if (std::holds_alternative<std::monostate>(value)) return QStringLiteral("–");
     return screenText(value);
-}
-
-bool isNumber(const Value& value)
-{
-    return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
 }
 
 }  // namespace
@@ -110,7 +106,7 @@ void CopyTable::setTable(const Table& table)
         for (int column = 0; column < columnCount() && column < static_cast<int>(values.size()); ++column) {
             const Value& value = values[static_cast<std::size_t>(column)];
             const int decimals = table.decimalsOf(static_cast<std::size_t>(column));
-            setItem(row, column, tableCell(screenQuantity(value, decimals), isNumber(value)));
+            setItem(row, column, tableCell(screenQuantity(value, decimals), isNumeric(value)));
         }
     }
     fitCells();

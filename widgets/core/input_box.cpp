@@ -138,16 +138,18 @@ void InputBox::refresh()
     clear_->setVisible(there);
     how_->setVisible(there);
     if (!there) how_->setChecked(false);
-    QString name = there ? names.front() : screenText(role_.hint);
+    QString name = there ? names.front() : QString();
     if (names.size() > 1) name = tr("%1 and %n more", nullptr, static_cast<int>(names.size() - 1)).arg(name);
     file_->setText(file_->fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(width() - 4, 40)));
-    file_->setToolTip(there ? paths.join('\n') : screenText(role_.hint));
+    file_->setToolTip(paths.join('\n'));
     file_->setAccessibleName(name);
-    file_->setEnabled(there);
+    file_->setVisible(there);
     QStringList facts;
-    if (problem_)
+    if (!there)
+        facts << screenText(role_.hint);
+    else if (problem_)
         facts << tr("⚠ This file could not be read.");
-    else if (there && !understood_.isEmpty())
+    else if (!understood_.isEmpty())
         facts << understood_;
     if (there && sources_.front().synthetic) facts << tr("Synthetic data");
     facts_->setText(facts.join('\n'));

@@ -26,9 +26,10 @@ void SectionTable::setResult(const TrajectoryResult& result)
         {tr("Section"), tr("z [mm]"),
          QString("RONt(%1) [µm]").arg(QString::fromLatin1(name(circle).data(), static_cast<int>(name(circle).size()))),
          tr("Verdict"), tr("Diameter [mm]"), tr("Centre x [µm]"), tr("Centre y [µm]"), tr("Run-out [µm]"),
-         tr("Two-point range [µm]"), tr("Revolutions")});
+         tr("Two-point [µm]"), tr("Turns")});
     horizontalHeaderItem(7)->setToolTip(tr("Largest minus smallest radius about the spindle axis: the paper's value"));
-    horizontalHeaderItem(8)->setToolTip(tr("Largest minus smallest of opposite points' distances; half of it: GOST"));
+    horizontalHeaderItem(8)->setToolTip(
+        tr("Two-point range: largest minus smallest distance of opposite points; half of it: GOST"));
     horizontalHeaderItem(4)->setToolTip(tr("Referenced to the nominal diameter"));
     numbers_.clear();
     setRowCount(static_cast<int>(result.sections.size()));

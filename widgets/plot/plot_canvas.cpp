@@ -200,7 +200,7 @@ void PlotCanvas::fitTexts()
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
     fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
-    fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 2 * height);
+    fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 3 * height / 2);
     int widest = 1;
     for (QCPLayoutElement* item : plot_->legend->elements(false))
         if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());

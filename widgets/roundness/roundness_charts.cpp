@@ -61,19 +61,16 @@ Table circleTable(const RoundnessResult& result)
 {
     Table table;
     table.title = LT_TEXT("Engine", "Reference circles");
-    table.columns = {
-        LT_TEXT("Engine", "Circle"),        std::string("RONt [µm]"),           std::string("RONp [µm]"),
-        std::string("RONv [µm]"),           std::string("RONq [µm]"),           LT_TEXT("Engine", "Radius [mm]"),
-        LT_TEXT("Engine", "Centre x [mm]"), LT_TEXT("Engine", "Centre y [mm]"), LT_TEXT("Engine", "Proved to [µm]")};
-    table.decimals = {0, 3, 3, 3, 3, 5, 5, 5, 6};
+    table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt [µm]"),    LT_TEXT("Engine", "Radius [mm]"),
+                     LT_TEXT("Engine", "x [mm]"), LT_TEXT("Engine", "y [mm]"), LT_TEXT("Engine", "Proved to [µm]")};
+    table.decimals = {0, 3, 5, 5, 5, 6};
     for (const ReferenceCircle which :
          {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
         const FittedCircle& circle = result.circles.of(which);
         std::string label(name(which));
         if (which == result.parameters.circle) label += " ◀";
-        table.rows.push_back({label, orNothing(circle.RONt_um), orNothing(circle.RONp_um), orNothing(circle.RONv_um),
-                              orNothing(circle.RONq_um), orNothing(circle.radius_mm), orNothing(circle.centre_mm.x()),
-                              orNothing(circle.centre_mm.y()),
+        table.rows.push_back({label, orNothing(circle.RONt_um), orNothing(circle.radius_mm),
+                              orNothing(circle.centre_mm.x()), orNothing(circle.centre_mm.y()),
                               circle.certified_gap_um ? orNothing(*circle.certified_gap_um) : Value()});
     }
     return table;

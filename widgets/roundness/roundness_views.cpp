@@ -51,8 +51,8 @@ RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
     both->addWidget(polar_);
     both->addWidget(side);
     both->setChildrenCollapsible(false);
-    both->setStretchFactor(0, 5);
-    both->setStretchFactor(1, 4);
+    both->setStretchFactor(0, 1);
+    both->setStretchFactor(1, 1);
     layout->addWidget(both, 1);
 
     connect(section_, &SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);

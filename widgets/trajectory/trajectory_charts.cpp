@@ -111,7 +111,7 @@ PlotData coordinateData(const TrajectorySection& section)
         data.curves.push_back(std::move(curve));
     }
     PlotCurve radius;
-    radius.name = TrajectoryCharts::tr("radius vector R − mean");
+    radius.name = TrajectoryCharts::tr("R − mean");
     radius.x = section.angle_deg;
     double sum = 0;
     for (const double r : section.radius_mm) sum += r;
@@ -153,12 +153,11 @@ PolarPicturePtr motionPicture(const TrajectorySection& section, Probe probe, dou
 
 QString motionText(const ErrorMotion& motion)
 {
-    QStringList parts{TrajectoryCharts::tr("synchronous %1 µm").arg(screenNumber(motion.synchronous_um, 2))};
+    QStringList parts{TrajectoryCharts::tr("synchronous %1").arg(screenNumber(motion.synchronous_um, 2))};
     if (std::isfinite(motion.asynchronous_um))
-        parts << TrajectoryCharts::tr("asynchronous %1 µm").arg(screenNumber(motion.asynchronous_um, 2));
-    if (std::isfinite(motion.total_um))
-        parts << TrajectoryCharts::tr("total %1 µm").arg(screenNumber(motion.total_um, 2));
-    return parts.join(QStringLiteral(" · "));
+        parts << TrajectoryCharts::tr("asynchronous %1").arg(screenNumber(motion.asynchronous_um, 2));
+    if (std::isfinite(motion.total_um)) parts << TrajectoryCharts::tr("total %1").arg(screenNumber(motion.total_um, 2));
+    return parts.join(QStringLiteral(" · ")) + QStringLiteral("\u00A0µm");
 }
 
 PlotData signalData(const std::vector<TimeSignal>& recorded)

@@ -28,7 +28,7 @@ PanelInputs panelInputs()
 Headline motionHeadline(const TrajectorySection& section)
 {
     Headline headline;
-    headline.text = TrajectoryPanel::tr("Spindle X3: %1 · %2 revolutions")
+    headline.text = TrajectoryPanel::tr("Spindle X3: %1 · %2 turns")
                         .arg(motionText(section.spindle))
                         .arg(section.revolutions_used)
                         .toStdString();

@@ -103,6 +103,7 @@ TEST(Texts, TranslationAndNumbersOfTheReader)
     german.number = [](double) { return std::string("1,5"); };
     EXPECT_EQ(fill(text(Text{"a {x} b"}, german), {{"x", 1.5}}, german), "ein 1,5 bee");
     EXPECT_EQ(fill("{unknown} {", {}), "{unknown} {");
+    EXPECT_EQ(fill("{a} {unit}: end", {{"a", 2.0}, {"unit", Text{}}}), "2: end");
 }
 
 TEST(Texts, KeysAreUnique)

@@ -79,7 +79,7 @@ TEST(TrajectoryReport, HoldsWhatAnAuditAsksFor)
                              "Cylindricity",
                              "All sections",
                              "within tolerance",
-                             "Roundness profile and reference circles",
+                             "Profile and reference circles",
                              "Trajectories over one turn",
                              "Error motion",
                              "asynchronous",

@@ -96,14 +96,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{path}: {count} rows were skipped.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{path}: {count} points without finite coordinates were left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Roll about the axis is not determined by the geometry; the smallest rotation was kept.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -121,14 +113,6 @@
     </message>
     <message>
         <source>The copy was turned end for end.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} points further than {distance_mm} mm from the reference were left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} points in the excluded zones were left out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -269,10 +253,6 @@
     </message>
     <message>
         <source>{path}: {announced} rows are announced, {found} are there; all were read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{path}: {count} normals have no direction; the normals are not used.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1484,19 +1464,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{path}: {count} time steps differ from {step_s} s, the first at line {line}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{path}: the times are written too coarsely; {rate_hz} frames a second were used instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{path}: neither times nor a rate are stated.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{path}: {count} samples of {channel} are missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1884,27 +1856,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} gaps in the profile, the largest of {largest_deg}°: beside them filter and harmonics rest on the points that are there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The points are unevenly spread over the turn; filter and harmonics take that into account.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} points lie where others do.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} outliers were left out (Hampel).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} points in the excluded sectors were left out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2544,27 +2500,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{path}: {count} revolutions of irregular length were left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{path}: {count} revolutions with missing samples were left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{path}: {found} revolutions in a section instead of {asked}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{path}: the marks come {found_rpm} times a minute, the record says {stated_rpm} rpm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{revolutions} revolutions and {samples} samples that stand out were left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The place along the workpiece is not known for {count} sections: no longitudinal section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2872,10 +2812,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>numbers such as 5,10,15</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>one continuous record, and no places of its sections</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2977,10 +2913,6 @@
     </message>
     <message>
         <source>Places of the sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Along the workpiece from its free end, one for each: 5,10,15.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3217,6 +3149,86 @@
     </message>
     <message>
         <source>y [mm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: rows skipped: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: points without finite coordinates, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: normals without a direction: {count}; the normals are not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: time steps that differ from {step_s} s: {count}, the first at line {line}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: missing samples of {channel}: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points further than {distance_mm} mm from the reference, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points in the excluded zones, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaps in the profile: {count}, the largest of {largest_deg}°. Beside them filter and harmonics rest on the points that are there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that lie where others do: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers left out (Hampel): {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points in the excluded sectors, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: revolutions of irregular length, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: revolutions with missing samples, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {used} of {found} revolutions were used, as the parameters ask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out because they stand out: revolutions {revolutions}, samples {samples}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sections without a known place along the workpiece: {count}. No longitudinal section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers such as 5,10,15 or 5,5;10;15</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the workpiece from its free end, one for each: 5,10,15 or 5,5;10;15.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section {section} of {count}, {z_mm} mm from the free end; revolutions: {turns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section {section} of {count}; revolutions: {turns}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3878,10 +3890,6 @@ deviation %3 µm</source>
 <context>
     <name>lathelier::MainWindow</name>
     <message>
-        <source>Open a project or scans</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4027,6 +4035,10 @@ deviation %3 µm</source>
     </message>
     <message>
         <source>&amp;Verify installation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project or measured files</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4840,6 +4852,10 @@ All other views work.</source>
     </message>
     <message>
         <source>Record and channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

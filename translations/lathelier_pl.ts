@@ -96,14 +96,6 @@
         <translation>{path}: brak jednostki; przyjęto {unit} na podstawie rozmiaru {extent}.</translation>
     </message>
     <message>
-        <source>{path}: {count} rows were skipped.</source>
-        <translation>{path}: liczba pominiętych wierszy: {count}.</translation>
-    </message>
-    <message>
-        <source>{path}: {count} points without finite coordinates were left out.</source>
-        <translation>{path}: pominięto punkty bez skończonych współrzędnych; ich liczba: {count}.</translation>
-    </message>
-    <message>
         <source>Roll about the axis is not determined by the geometry; the smallest rotation was kept.</source>
         <translation>Geometria nie wyznacza obrotu wokół osi; zachowano najmniejszy obrót.</translation>
     </message>
@@ -122,14 +114,6 @@
     <message>
         <source>The copy was turned end for end.</source>
         <translation>Kopię odwrócono końcami.</translation>
-    </message>
-    <message>
-        <source>{count} points further than {distance_mm} mm from the reference were left out.</source>
-        <translation>Pominięto punkty dalsze niż {distance_mm} mm od oryginału; ich liczba: {count}.</translation>
-    </message>
-    <message>
-        <source>{count} points in the excluded zones were left out.</source>
-        <translation>Pominięto punkty w strefach wyłączonych; ich liczba: {count}.</translation>
     </message>
     <message>
         <source>Inside and outside are not known (no normals, no closed surface): the deviation has no sign.</source>
@@ -270,10 +254,6 @@
     <message>
         <source>{path}: {announced} rows are announced, {found} are there; all were read.</source>
         <translation>{path}: liczba wierszy zapowiedzianych: {announced}, obecnych: {found}; odczytano wszystkie.</translation>
-    </message>
-    <message>
-        <source>{path}: {count} normals have no direction; the normals are not used.</source>
-        <translation>{path}: liczba normalnych bez kierunku: {count}; normalnych nie użyto.</translation>
     </message>
     <message>
         <source>{path}: the file states {unit}; the given unit {given} is not used.</source>
@@ -1484,20 +1464,12 @@
         <translation>{path}: nie podano jednostki czasu; odczytano jako sekundy.</translation>
     </message>
     <message>
-        <source>{path}: {count} time steps differ from {step_s} s, the first at line {line}.</source>
-        <translation>{path}: kroki czasu inne niż {step_s} s: {count}, pierwszy w wierszu {line}.</translation>
-    </message>
-    <message>
         <source>{path}: the times are written too coarsely; {rate_hz} frames a second were used instead.</source>
         <translation>{path}: czasy zapisano zbyt zgrubnie; zamiast nich przyjęto {rate_hz} ramek na sekundę.</translation>
     </message>
     <message>
         <source>{path}: neither times nor a rate are stated.</source>
         <translation>{path}: nie podano ani czasów, ani częstości próbkowania.</translation>
-    </message>
-    <message>
-        <source>{path}: {count} samples of {channel} are missing.</source>
-        <translation>{path}: brakujące próbki kanału {channel}: {count}.</translation>
     </message>
     <message>
         <source>{path}: no unit of {channel} is stated.</source>
@@ -1884,28 +1856,12 @@
         <translation>Punktów na obrót ({points}) jest za mało dla {cutoff_upr} UPR według reguły 7 punktów na falę; wystarczą dla {supported_upr} UPR. Wynik mimo to podano.</translation>
     </message>
     <message>
-        <source>{count} gaps in the profile, the largest of {largest_deg}°: beside them filter and harmonics rest on the points that are there.</source>
-        <translation>Luki w profilu: {count}, największa {largest_deg}°; przy nich filtr i harmoniczne opierają się na punktach, które są.</translation>
-    </message>
-    <message>
         <source>The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little.</source>
         <translation>Punkty pomijają {missing_deg}° obrotu: to okrągłość łuku, a harmoniczne mówią niewiele.</translation>
     </message>
     <message>
         <source>The points are unevenly spread over the turn; filter and harmonics take that into account.</source>
         <translation>Punkty są rozłożone nierówno na obrocie; filtr i harmoniczne to uwzględniają.</translation>
-    </message>
-    <message>
-        <source>{count} points lie where others do.</source>
-        <translation>Punkty leżące w miejscu innych: {count}.</translation>
-    </message>
-    <message>
-        <source>{count} outliers were left out (Hampel).</source>
-        <translation>Pominięto punkty odstające (Hampel); ich liczba: {count}.</translation>
-    </message>
-    <message>
-        <source>{count} points in the excluded sectors were left out.</source>
-        <translation>Pominięto punkty w wyłączonych sektorach; ich liczba: {count}.</translation>
     </message>
     <message>
         <source>Another centre gives the same minimum zone: RONt is sure, the centre is not.</source>
@@ -2544,28 +2500,12 @@
         <translation>{path}: opóźnienie między kanałami jest nieznane; przyjęto zerowe.</translation>
     </message>
     <message>
-        <source>{path}: {count} revolutions of irregular length were left out.</source>
-        <translation>{path}: pominięto {count} obrotów o nieregularnej długości.</translation>
-    </message>
-    <message>
-        <source>{path}: {count} revolutions with missing samples were left out.</source>
-        <translation>{path}: pominięto {count} obrotów z brakującymi próbkami.</translation>
-    </message>
-    <message>
         <source>{path}: {found} revolutions in a section instead of {asked}.</source>
         <translation>{path}: {found} obrotów w przekroju zamiast {asked}.</translation>
     </message>
     <message>
         <source>{path}: the marks come {found_rpm} times a minute, the record says {stated_rpm} rpm.</source>
         <translation>{path}: znaczniki pojawiają się {found_rpm} razy na minutę, zapis podaje {stated_rpm} obr/min.</translation>
-    </message>
-    <message>
-        <source>{revolutions} revolutions and {samples} samples that stand out were left out.</source>
-        <translation>Pominięto odstające: {revolutions} obrotów i {samples} próbek.</translation>
-    </message>
-    <message>
-        <source>The place along the workpiece is not known for {count} sections: no longitudinal section.</source>
-        <translation>Położenie wzdłuż przedmiotu jest nieznane dla {count} przekrojów: brak przekroju podłużnego.</translation>
     </message>
     <message>
         <source>A longitudinal section needs sections at {minimum} different places; there are {found}.</source>
@@ -2872,10 +2812,6 @@
         <translation>średnica przedmiotu</translation>
     </message>
     <message>
-        <source>numbers such as 5,10,15</source>
-        <translation>liczby takie jak 5,10,15</translation>
-    </message>
-    <message>
         <source>one continuous record, and no places of its sections</source>
         <translation>jeden ciągły zapis bez położeń przekrojów</translation>
     </message>
@@ -2978,10 +2914,6 @@
     <message>
         <source>Places of the sections</source>
         <translation>Położenia przekrojów</translation>
-    </message>
-    <message>
-        <source>Along the workpiece from its free end, one for each: 5,10,15.</source>
-        <translation>Wzdłuż przedmiotu od wolnego końca, po jednym na przekrój: 5,10,15.</translation>
     </message>
     <message>
         <source>Feed</source>
@@ -3218,6 +3150,86 @@
     <message>
         <source>y [mm]</source>
         <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>{path}: rows skipped: {count}.</source>
+        <translation>{path}: liczba pominiętych wierszy: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: points without finite coordinates, left out: {count}.</source>
+        <translation>{path}: pominięto punkty bez skończonych współrzędnych; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: normals without a direction: {count}; the normals are not used.</source>
+        <translation>{path}: liczba normalnych bez kierunku: {count}; normalnych nie użyto.</translation>
+    </message>
+    <message>
+        <source>{path}: time steps that differ from {step_s} s: {count}, the first at line {line}.</source>
+        <translation>{path}: kroki czasu inne niż {step_s} s: {count}, pierwszy w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>{path}: missing samples of {channel}: {count}.</source>
+        <translation>{path}: brakujące próbki kanału {channel}: {count}.</translation>
+    </message>
+    <message>
+        <source>Points further than {distance_mm} mm from the reference, left out: {count}.</source>
+        <translation>Pominięto punkty dalsze niż {distance_mm} mm od oryginału; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>Points in the excluded zones, left out: {count}.</source>
+        <translation>Pominięto punkty w strefach wyłączonych; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>Gaps in the profile: {count}, the largest of {largest_deg}°. Beside them filter and harmonics rest on the points that are there.</source>
+        <translation>Luki w profilu: {count}, największa {largest_deg}°. Przy nich filtr i harmoniczne opierają się na punktach, które są.</translation>
+    </message>
+    <message>
+        <source>Points that lie where others do: {count}.</source>
+        <translation>Punkty leżące w miejscu innych: {count}.</translation>
+    </message>
+    <message>
+        <source>Outliers left out (Hampel): {count}.</source>
+        <translation>Pominięto punkty odstające (Hampel); ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>Points in the excluded sectors, left out: {count}.</source>
+        <translation>Pominięto punkty w wyłączonych sektorach; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: revolutions of irregular length, left out: {count}.</source>
+        <translation>{path}: pominięto obroty o nieregularnej długości; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: revolutions with missing samples, left out: {count}.</source>
+        <translation>{path}: pominięto obroty z brakującymi próbkami; ich liczba: {count}.</translation>
+    </message>
+    <message>
+        <source>{path}: {used} of {found} revolutions were used, as the parameters ask.</source>
+        <translation>{path}: zgodnie z parametrami użyto obrotów: {used} z {found}.</translation>
+    </message>
+    <message>
+        <source>Left out because they stand out: revolutions {revolutions}, samples {samples}.</source>
+        <translation>Pominięto odstające: obroty {revolutions}, próbki {samples}.</translation>
+    </message>
+    <message>
+        <source>Sections without a known place along the workpiece: {count}. No longitudinal section.</source>
+        <translation>Przekroje o nieznanym położeniu wzdłuż przedmiotu: {count}. Brak przekroju podłużnego.</translation>
+    </message>
+    <message>
+        <source>numbers such as 5,10,15 or 5,5;10;15</source>
+        <translation>liczby takie jak 5,10,15 lub 5,5;10;15</translation>
+    </message>
+    <message>
+        <source>Along the workpiece from its free end, one for each: 5,10,15 or 5,5;10;15.</source>
+        <translation>Wzdłuż przedmiotu od wolnego końca, po jednym na przekrój: 5,10,15 lub 5,5;10;15.</translation>
+    </message>
+    <message>
+        <source>Section {section} of {count}, {z_mm} mm from the free end; revolutions: {turns}.</source>
+        <translation>Przekrój {section} z {count}, {z_mm} mm od wolnego końca; obroty: {turns}.</translation>
+    </message>
+    <message>
+        <source>Section {section} of {count}; revolutions: {turns}.</source>
+        <translation>Przekrój {section} z {count}; obroty: {turns}.</translation>
     </message>
 </context>
 <context>
@@ -3882,10 +3894,6 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::MainWindow</name>
     <message>
-        <source>Open a project or scans</source>
-        <translation>Otwórz projekt lub skany</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
@@ -4032,6 +4040,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>&amp;Verify installation</source>
         <translation>Sprawdź &amp;instalację</translation>
+    </message>
+    <message>
+        <source>Open a project or measured files</source>
+        <translation>Otwórz projekt lub pliki pomiarowe</translation>
     </message>
 </context>
 <context>
@@ -4846,6 +4858,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Record and channels</source>
         <translation>Zapis i kanały</translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°</source>
+        <translation>przekrój %1, kąt %2°</translation>
     </message>
 </context>
 <context>

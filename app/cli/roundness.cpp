@@ -94,7 +94,7 @@ void superimposeOther(const Request& request, const std::string& path, const Pro
 {
     const ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
     SuperimposeParameters wanted;
-    wanted.band = bandOf(parameters);
+    wanted.form = parameters;
     wanted.mirrored = isSet(request, mirroredKey);
     found.superimposed = superimpose(first, other.profile, wanted, progress.part(0.3, 1));
     const Notes& notes = found.superimposed->notes;

@@ -11,6 +11,7 @@
 #include "engine/core/texts.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
+#include "engine/report/verify_report.h"
 
 namespace lathelier::cli {
 namespace {
@@ -57,11 +58,12 @@ std::string now()
     return {buffer, std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%S%z", &local)};
 }
 
-void writeReport(const std::string& path, const Answer& answer, Inputs& inputs)
+void writeReport(const std::string& path, const Answer& answer, Inputs& inputs, const Progress& progress)
 {
     Document document = answer.report();
     document.inputs = inputs.files();
     document.created = now();
+    quoteVerification(document, verify({}, progress));
     writeFile(path, toHtml(document));
 }
 
@@ -98,7 +100,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
     Answer answer;
     gather(answer, [&] { invocation.verb->run(invocation.request, inputs, progress, answer); });
     if (!common.report.empty() && answer.report && answer.errors.empty())
-        gather(answer, [&] { writeReport(common.report, answer, inputs); });
+        gather(answer, [&] { writeReport(common.report, answer, inputs, progress); });
     progress.check();  // after the last point where a stop leaves nothing behind but what was asked for
     line.clear();
 

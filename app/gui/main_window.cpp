@@ -49,6 +49,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
     connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(&session_, &Session::changed, status_, &QLabel::clear);  // what it said was of the state before
     connect(&session_, &Session::workspaceChanged, this, [this] { enterWorkspace(session_.project().workspace); });
     connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
@@ -109,9 +110,13 @@ void MainWindow::enterWorkspace(const std::string& id)
 
 PanelDock* MainWindow::activeDock() const
 {
-    const auto active = lastActive_.find(layouts_->workspace());
+    const std::string& workspace = layouts_->workspace();
+    const auto active = lastActive_.find(workspace);
     if (active != lastActive_.end()) return active->second;
-    return docks_.empty() ? nullptr : docks_.front();
+    // Nothing has been seen yet: files named on the command line come before the window.
+    const auto first =
+        std::find_if(docks_.begin(), docks_.end(), [&](PanelDock* dock) { return isIn(dock->facts(), workspace); });
+    return first == docks_.end() ? nullptr : *first;
 }
 
 void MainWindow::openPaths(const QStringList& paths)
@@ -147,7 +152,7 @@ void MainWindow::goWhereItBelongs(const QString& path)
 
 void MainWindow::askForFiles()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open a project or scans"), {},
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open a project or measured files"), {},
                                                             tr("All files (*)") + ";;" + ProjectFiles::filter());
     openPaths(paths);
 }

@@ -26,10 +26,12 @@ struct Form {
     std::vector<double> deviation_mm;  ///< in the order of the sampling
 };
 
-Form formOf(const Profile& profile, const ProfileBand& band)
+Form formOf(const Profile& profile, const RoundnessParameters& parameters, const std::vector<Interval>& exclude_deg,
+            const Progress& progress)
 {
-    Form form{prepareProfile(profile, {}, OutlierRule::None), {}};
-    form.deviation_mm = filterClosedAt(form.prepared.sampling, form.prepared.distance_mm, band).values;
+    Form form{prepareProfile(profile, exclude_deg, parameters.outliers, progress), {}};
+    const PreparedProfile& points = form.prepared;
+    form.deviation_mm = filterClosedAt(points.sampling, points.distance_mm, bandOf(parameters), progress).values;
     for (double& value : form.deviation_mm) value -= form.prepared.radius_mm;
     return form;
 }
@@ -214,8 +216,8 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
                               const Progress& progress)
 {
     progress.report(0);
-    const Form a = formOf(first, parameters.band);
-    const Form b = formOf(second, parameters.band);
+    const Form a = formOf(first, parameters.form, parameters.form.exclude_deg, progress);
+    const Form b = formOf(second, parameters.form, {}, progress);
     const std::size_t count =
         std::clamp<std::size_t>(std::max(a.prepared.index.size(), b.prepared.index.size()), 360, 3600);
     const std::vector<double> grid_a = sampled(a, count);

@@ -7,13 +7,13 @@
 #include "engine/core/error.h"
 #include "engine/core/profile.h"
 #include "engine/core/progress.h"
-#include "engine/signal/closed_profile.h"
+#include "engine/form/roundness.h"
 
 namespace lathelier {
 
 struct SuperimposeParameters {
-    ProfileBand band;       ///< the same filter for both
-    bool mirrored = false;  ///< also try the second profile the other way round
+    RoundnessParameters form;  ///< filter and outliers of both; excluded sectors of the first, whose angles they are
+    bool mirrored = false;     ///< also try the second profile the other way round
 };
 
 struct SuperimposeResult {

@@ -138,6 +138,7 @@ struct Section {
 
 struct Document {
     Caption title;
+    bool verified = false;  ///< holds what "Verify installation" found
     std::vector<Section> sections;
     std::vector<InputFile> inputs;
     std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report

@@ -15,6 +15,22 @@ std::string size(double value, Text unit)
     return result;
 }
 
+Paragraph whereNist(const VerifyResult& result)
+{
+    if (result.nist_directory.empty())
+        return {LT_TEXT("Engine", "The NIST reference sets were not there; the other sets are built in."), {}};
+    return {LT_TEXT("Engine", "NIST reference sets from {path}; the other sets are built in."),
+            {{"path", result.nist_directory}}};
+}
+
+Paragraph howVerified()
+{
+    return {LT_TEXT("Engine",
+                    "Each set is fitted anew by this program on this computer. The answers follow from the way the "
+                    "data are made (closed forms), from trying all possible contacts, or are NIST's."),
+            {}};
+}
+
 }  // namespace
 
 Headline headline(const VerifyResult& result, const Language& language)
@@ -44,13 +60,7 @@ Table verifyTable(const VerifyResult& result)
 
 Section verifySummary(const VerifyResult& result, const Language& language)
 {
-    Section section{LT_TEXT("Engine", "Result"), {headline(result, language), verifyTable(result)}};
-    section.blocks.push_back(
-        result.nist_directory.empty()
-            ? Paragraph{LT_TEXT("Engine", "The NIST reference sets were not there; the other sets are built in."), {}}
-            : Paragraph{LT_TEXT("Engine", "NIST reference sets from {path}; the other sets are built in."),
-                        {{"path", result.nist_directory}}});
-    return section;
+    return {LT_TEXT("Engine", "Result"), {headline(result, language), verifyTable(result), whereNist(result)}};
 }
 
 Document verifyReport(const VerifyResult& result, const Language& language)
@@ -58,13 +68,18 @@ Document verifyReport(const VerifyResult& result, const Language& language)
     Document document;
     document.title = LT_TEXT("Engine", "Verification of the installation");
     document.sections = {verifySummary(result, language)};
-    document.sections[0].blocks.push_back(Paragraph{
-        LT_TEXT(
-            "Engine",
-            "Each set is fitted anew by this program on this computer. The answers follow from the way the data are "
-            "made (closed forms), from trying all possible contacts, or are NIST's."),
-        {}});
+    document.sections[0].blocks.push_back(howVerified());
+    document.verified = true;
     return document;
+}
+
+void quoteVerification(Document& document, const VerifyResult& result, const Language& language)
+{
+    if (document.verified) return;
+    document.verified = true;
+    const Paragraph said{Text{"{summary}"}, {{"summary", headline(result, language).text}}};
+    document.sections.push_back({LT_TEXT("Engine", "Verification of the installation"),
+                                 {said, verifyTable(result), whereNist(result), howVerified()}});
 }
 
 }  // namespace lathelier

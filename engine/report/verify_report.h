@@ -15,4 +15,7 @@ Table verifyTable(const VerifyResult& result);
 Section verifySummary(const VerifyResult& result, const Language& language = {});
 Document verifyReport(const VerifyResult& result, const Language& language = {});
 
+/// Adds it to another report as its last section; once.
+void quoteVerification(Document& document, const VerifyResult& result, const Language& language = {});
+
 }  // namespace lathelier

@@ -58,16 +58,20 @@ double diameterOf(const std::vector<ProbeFile>& records, const TrajectoryParamet
 std::vector<double> parsePlaces(const std::string& typed)
 {
     std::vector<double> places;
+    // Between semicolons a comma is a decimal mark: the way of those who write one.
+    const bool semicolons = typed.find(';') != std::string::npos;
     for (std::size_t begin = 0; begin <= typed.size() && !typed.empty();) {
-        const std::size_t end = std::min(typed.find(',', begin), typed.size());
+        const std::size_t end = std::min(typed.find(semicolons ? ';' : ',', begin), typed.size());
         std::string part = typed.substr(begin, end - begin);
         std::erase(part, ' ');
+        if (semicolons) std::replace(part.begin(), part.end(), ',', '.');
         const auto number = wholeNumber(part, '.');
         if (!number || !std::isfinite(*number))
-            throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", "z_mm"},
-                                                        {"found", part},
-                                                        {"expected", LT_TEXT("Engine", "numbers such as 5,10,15")},
-                                                        {"column", static_cast<std::int64_t>(begin + 1)}});
+            throw Error(ErrorCode::ValueNotUnderstood,
+                        {{"parameter", "z_mm"},
+                         {"found", part},
+                         {"expected", LT_TEXT("Engine", "numbers such as 5,10,15 or 5,5;10;15")},
+                         {"column", static_cast<std::int64_t>(begin + 1)}});
         places.push_back(*number);
         begin = end + 1;
     }
@@ -136,10 +140,15 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
                 headerNumber(record.header, "z_mm").value_or(std::numeric_limits<double>::quiet_NaN());
         }
         std::size_t fewest = static_cast<std::size_t>(parameters.revolutions);
+        std::int64_t found = 0, used = 0;
         for (Stretch& stretch : stretches) {
+            found += stretch.found;
+            used += static_cast<std::int64_t>(stretch.chosen.size());
             fewest = std::min(fewest, stretch.chosen.size());
             tasks.push_back({&ready, std::move(stretch), nullptr, 0, 0, record.name, path});
         }
+        if (used < found)
+            notes.push_back({NoteCode::RevolutionsUnused, {{"path", path}, {"found", found}, {"used", used}}});
         if (fewest < static_cast<std::size_t>(parameters.revolutions))
             notes.push_back({NoteCode::FewerRevolutions,
                              {{"path", path},

@@ -36,7 +36,14 @@ void WrappingLabel::say(const QString& text)
 void WrappingLabel::keepLines()
 {
     setMinimumHeight(0);  // heightForWidth() never answers less than the minimum
-    setMinimumHeight(text().isEmpty() ? 0 : heightForWidth(width()));
+    // Before it is seen its width is only a guess: a panel behind a tab would make the window grow.
+    if (isVisible() && !text().isEmpty()) setMinimumHeight(heightForWidth(width()));
+}
+
+void WrappingLabel::showEvent(QShowEvent* event)
+{
+    QLabel::showEvent(event);
+    keepLines();
 }
 
 void WrappingLabel::resizeEvent(QResizeEvent* event)

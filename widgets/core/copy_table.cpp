@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenu>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/report/cells.h"
@@ -139,6 +140,16 @@ void CopyTable::setQuantities(const Document& document)
             }
         }
     fitCells();
+}
+
+/// Titles across the table do not widen its first column.
+int CopyTable::sizeHintForColumn(int column) const
+{
+    int widest = 0;
+    for (int row = 0; row < rowCount(); ++row)
+        if (item(row, column) && columnSpan(row, column) == 1)
+            widest = std::max(widest, sizeHintForIndex(model()->index(row, column)).width());
+    return widest;
 }
 
 void CopyTable::fitCells()

@@ -18,6 +18,7 @@ public:
 
     void setTable(const Table& table);
     void setQuantities(const Document& document);  ///< all quantity tables of a document, one below the other
+    int sizeHintForColumn(int column) const override;
     void fitCells();
 
 protected:

@@ -147,7 +147,7 @@ void InputBox::refresh()
     QStringList facts;
     if (!there)
         facts << screenText(role_.hint);
-    else if (problem_)
+    else if (problem_ && understood_.isEmpty())
         facts << tr("⚠ This file could not be read.");
     else if (!understood_.isEmpty())
         facts << understood_;

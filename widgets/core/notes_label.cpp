@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t alwaysSeen = 3;
 constexpr std::size_t seenWhilePresenting = 2;
+constexpr int lowPanel_lines = 42;
 
 bool isWarning(const Note& note)
 {
@@ -90,9 +91,21 @@ void NotesLabel::setPresenting(bool presenting)
     refresh();
 }
 
+void NotesLabel::setRoom(int height_px)
+{
+    const bool low = height_px < lowPanel_lines * fontMetrics().height();
+    if (low == low_) return;
+    low_ = low;
+    refresh();
+}
+
 void NotesLabel::refresh()
 {
-    const std::size_t few = presenting_ ? seenWhilePresenting : alwaysSeen;
+    std::size_t few = presenting_ ? seenWhilePresenting : alwaysSeen;
+    if (low_) {
+        const auto warnings = static_cast<std::size_t>(std::count_if(notes_.begin(), notes_.end(), isWarning));
+        few = std::clamp<std::size_t>(warnings, 1, few);
+    }
     const bool foldable = notes_.size() > few;
     const std::size_t seen = foldable && !fold_->isChecked() ? few : notes_.size();
     const bool hidden = std::any_of(notes_.begin() + static_cast<std::ptrdiff_t>(seen), notes_.end(), isWarning);

@@ -22,6 +22,7 @@ public:
     explicit NotesLabel(QWidget* parent = nullptr);
     void setNotes(const Notes& notes);
     void setPresenting(bool presenting);  ///< fewer are seen, to leave room for the views
+    void setRoom(int height_px);          ///< of the panel: in a low one, only warnings stay unfolded
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -33,6 +34,7 @@ private:
     QToolButton* fold_;
     Notes notes_;
     bool presenting_ = false;
+    bool low_ = false;
 };
 
 }  // namespace lathelier

@@ -256,6 +256,12 @@ void PanelBase::setPresenting(bool presenting)
     notes_->setPresenting(presenting);
 }
 
+void PanelBase::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    notes_->setRoom(height());
+}
+
 /// What changed its size while the panel was hidden behind another tab has told nobody of it.
 void PanelBase::layOutAgain()
 {

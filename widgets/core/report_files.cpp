@@ -1,5 +1,6 @@
 #include "widgets/core/report_files.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -7,13 +8,16 @@
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
+#include "engine/report/verify_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_pdf.h"
 
 namespace lathelier {
 
-void writeReport(const QString& path, const Document& document)
+void writeReport(const QString& path, Document document)
 {
+    if (document.created.empty()) document.created = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+    quoteVerification(document, verify(), screenLanguage());
     const bool pdf = QFileInfo(path).suffix().compare("pdf", Qt::CaseInsensitive) == 0;
     writeFile(path.toStdString(), pdf ? toPdf(document, screenLanguage()) : toHtml(document, screenLanguage()));
     const std::string results = joinedResults(document.results);

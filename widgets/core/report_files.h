@@ -7,9 +7,9 @@
 
 namespace lathelier {
 
-/// Writes `document` as HTML or PDF, by the suffix of `path`, and its results beside it as JSON. Each file is written
-/// whole or not at all. Error FileNotWritable.
-void writeReport(const QString& path, const Document& document);
+/// Writes `document` with the date and what "Verify installation" says now, as HTML or PDF, by the suffix of `path`,
+/// and its results beside it as JSON. Each file is written whole or not at all. Error FileNotWritable.
+void writeReport(const QString& path, Document document);
 
 /// The JSON file beside a report: "shaft.html" → "shaft_result.json".
 QString resultFile(const QString& report);

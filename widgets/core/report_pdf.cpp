@@ -72,10 +72,13 @@ private:
     std::unique_ptr<QTextDocument> laidOut(const QString& html, double width) const
     {
         auto text = std::make_unique<QTextDocument>();
+        QTextOption wrapping;
+        wrapping.setWrapMode(QTextOption::WordWrap);  // never within a word of a heading
         QFont font = QGuiApplication::font();
         font.setPixelSize(text_px);
         text->setDefaultFont(font);
         text->setDocumentMargin(0);
+        text->setDefaultTextOption(wrapping);
         text->setHtml(html);
         text->setTextWidth(width);
         return text;

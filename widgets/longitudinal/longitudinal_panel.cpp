@@ -14,8 +14,8 @@ namespace {
 PanelInputs panelInputs()
 {
     return spindleInputs(
-        {&recordRole()}, {"circle", "cutoff_upr", "tolerance_um", "z_mm"},
-        {"decision", "workpiece_diameter_mm", "feed_mm_rev", "sections", "rotation"},
+        {&recordRole()}, {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm", "z_mm"},
+        {"decision", "feed_mm_rev", "sections", "rotation"},
         LT_TEXT("Engine", "Drop the record of a whole workpiece here, or one record for each section."));
 }
 

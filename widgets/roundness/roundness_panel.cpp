@@ -13,7 +13,8 @@ namespace {
 
 PanelInputs panelInputs()
 {
-    return spindleInputs({&recordRole(), &profileRole(), &traceRole()}, {"circle", "cutoff_upr", "tolerance_um"},
+    return spindleInputs({&recordRole(), &profileRole(), &traceRole()},
+                         {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm"},
                          {"band_upr", "exclude_deg", "outliers", "decision", "probe_uncertainty_um"},
                          LT_TEXT("Engine", "Drop a measured profile or a probe record here."));
 }
@@ -21,6 +22,7 @@ PanelInputs panelInputs()
 Document reportOf(const SpindlePicture& picture, const Language& language)
 {
     Document document = roundnessReport({*picture.roundness()}, picture.inputs, language);
+    saySection(picture, document);
     if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed, language));
     document.synthetic = document.synthetic || picture.synthetic;
     document.results = {roundnessJson(picture)};

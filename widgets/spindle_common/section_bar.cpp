@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <cmath>
 
+#include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {
@@ -110,15 +111,12 @@ void SectionBar::changeEvent(QEvent* event)
 }
 
 AngleBar::AngleBar(MarkedAngle& angle, QWidget* parent)
-    : QWidget(parent),
-      angle_(angle),
-      play_(tool("play", QStringLiteral("▶"))),
-      slider_(new QSlider(Qt::Horizontal)),
-      text_(new QLabel)
+    : QWidget(parent), angle_(angle), play_(tool("play", {})), slider_(new QSlider(Qt::Horizontal)), text_(new QLabel)
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     play_->setCheckable(true);
+    play_->setIcon(icon("play"));
     slider_->setObjectName("angle");
     slider_->setRange(0, 3599);
     slider_->setPageStep(150);
@@ -141,7 +139,7 @@ AngleBar::AngleBar(MarkedAngle& angle, QWidget* parent)
 
 void AngleBar::play(bool on)
 {
-    play_->setText(on ? QStringLiteral("⏸") : QStringLiteral("▶"));
+    play_->setIcon(icon(on ? "pause" : "play"));
     if (on)
         timer_.start();
     else
@@ -167,6 +165,7 @@ void AngleBar::retranslate()
     play_->setAccessibleName(play_->toolTip());
     slider_->setToolTip(tr("Marked angle on the part"));
     slider_->setAccessibleName(slider_->toolTip());
+    showAngle();
 }
 
 void AngleBar::changeEvent(QEvent* event)

@@ -1,6 +1,7 @@
 #include "widgets/spindle_common/spindle_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "engine/report/roundness_report.h"
@@ -175,7 +176,7 @@ private:
             first = &section->image;
         if (!first) return;
         SuperimposeParameters parameters;
-        parameters.band = bandOf(fromValues<RoundnessParameters>(state_.parameters));
+        parameters.form = fromValues<RoundnessParameters>(state_.parameters);
         const std::string place = section ? std::to_string(section->section) : std::string();
         picture_.superimposed = answers_->superimposed.find(
             profileKey_ + keyOf(toValues(fromValues<RoundnessParameters>(state_.parameters))) + place + "\n" +
@@ -238,6 +239,22 @@ const RoundnessResult* SpindlePicture::roundness() const
 SpindlePicture findPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
 {
     return Finder(state, want, stores, progress).find();
+}
+
+void saySection(const SpindlePicture& picture, Document& document)
+{
+    const TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection();
+    if (!section || document.sections.empty()) return;
+    const bool placed = std::isfinite(section->z_mm);
+    Paragraph words{
+        placed ? LT_TEXT("Engine", "Section {section} of {count}, {z_mm} mm from the free end; revolutions: {turns}.")
+               : LT_TEXT("Engine", "Section {section} of {count}; revolutions: {turns}."),
+        {{"section", std::int64_t{section->section}},
+         {"count", static_cast<std::int64_t>(picture.trajectory->sections.size())},
+         {"turns", std::int64_t{section->revolutions_used}}}};
+    if (placed) words.values.emplace_back("z_mm", section->z_mm);
+    std::vector<Block>& blocks = document.sections.front().blocks;
+    blocks.insert(blocks.begin() + (blocks.empty() ? 0 : 1), words);  // below the headline
 }
 
 }  // namespace lathelier

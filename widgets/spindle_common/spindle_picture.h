@@ -44,6 +44,9 @@ struct SpindlePicture {
     const TrajectorySection* chosenSection() const;
 };
 
+/// Says in a report's first section which section of the record it is about; nothing for a profile.
+void saySection(const SpindlePicture& picture, Document& document);
+
 /// What a panel needs of it.
 enum class SpindleWant { Roundness, Trajectory, Longitudinal };
 

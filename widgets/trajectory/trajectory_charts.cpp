@@ -37,15 +37,23 @@ XyCurve path(const TrajectorySection& section, Probe x, Probe y, const QColor& c
     return curve;
 }
 
-/// Dots along a closed path, so close together that they look like a line.
+constexpr int dotsBetween = 24;  ///< two samples: so close together that they look like a line
+
+/// Samples of the axis (path 0) or the tool (path 1).
+std::size_t samplesOf(const TrajectorySection& section, std::size_t path)
+{
+    return path == 0 ? std::min(mean(section, Probe::X3).size(), mean(section, Probe::Y3).size())
+                     : std::min(mean(section, Probe::Xp).size(), mean(section, Probe::Yp).size());
+}
+
+/// Dots along a closed path.
 void addDots(Scan& scan, const std::vector<double>& x_um, const std::vector<double>& y_um, double z_mm, double scale)
 {
-    constexpr int between = 24;
     const std::size_t count = std::min(x_um.size(), y_um.size());
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        for (int k = 0; k < between; ++k) {
-            const double t = static_cast<double>(k) / between;
+        for (int k = 0; k < dotsBetween; ++k) {
+            const double t = static_cast<double>(k) / dotsBetween;
             const double x = x_um[i] + t * (x_um[next] - x_um[i]);
             const double y = y_um[i] + t * (y_um[next] - y_um[i]);
             scan.points_mm.emplace_back(scale * x / 1000, scale * y / 1000, z_mm);
@@ -222,6 +230,36 @@ std::vector<SceneObject> stackedTrajectories(const TrajectoryResult& result, dou
     second.scan = tool;
     second.colour = toolOrange;
     return {first, second};
+}
+
+StackedPlace stackedPlace(const TrajectoryResult& result, std::size_t object, std::int64_t dot)
+{
+    std::size_t rest = static_cast<std::size_t>(std::max<std::int64_t>(dot, 0)) / dotsBetween;
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const std::size_t samples = samplesOf(result.sections[i], object);
+        if (rest < samples) return {i, partAngles_deg(result.sections[i])[rest]};
+        rest -= samples;
+    }
+    return {};
+}
+
+std::size_t sampleAt(const TrajectorySection& section, double angle_deg)
+{
+    const std::vector<double> angles = partAngles_deg(section);
+    const auto distance = [&](double angle) { return std::abs(std::remainder(angle - angle_deg, 360)); };
+    const auto nearest =
+        std::min_element(angles.begin(), angles.end(), [&](double a, double b) { return distance(a) < distance(b); });
+    return static_cast<std::size_t>(nearest - angles.begin());
+}
+
+Eigen::Vector3d placeInStack(const TrajectoryResult& result, const StackedPlace& place, double magnification)
+{
+    const TrajectorySection& section = result.sections[place.section];
+    const std::size_t sample = sampleAt(section, place.angle_deg);
+    if (sample >= samplesOf(section, 0)) return Eigen::Vector3d::Zero();
+    const double scale = magnification / 1000;
+    return {scale * mean(section, Probe::X3)[sample], scale * mean(section, Probe::Y3)[sample],
+            placeOf(section, place.section)};
 }
 
 }  // namespace lathelier

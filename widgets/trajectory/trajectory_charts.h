@@ -29,6 +29,17 @@ PlotData signalData(const std::vector<TimeSignal>& recorded);
 std::vector<SceneObject> stackedTrajectories(const TrajectoryResult& result, double magnification);
 double stackMagnification(const TrajectoryResult& result);
 
+/// Where a dot of these objects belongs, and where the axis stands among them at an angle on the part.
+struct StackedPlace {
+    std::size_t section = 0;  ///< index
+    double angle_deg = 0;
+};
+StackedPlace stackedPlace(const TrajectoryResult& result, std::size_t object, std::int64_t dot);
+Eigen::Vector3d placeInStack(const TrajectoryResult& result, const StackedPlace& place, double magnification);
+
+/// The sample of a section nearest to an angle on the part.
+std::size_t sampleAt(const TrajectorySection& section, double angle_deg);
+
 /// The angle on the part of each sample of a section, 0…360, as the polar plots have it.
 std::vector<double> partAngles_deg(const TrajectorySection& section);
 

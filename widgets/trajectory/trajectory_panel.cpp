@@ -65,6 +65,7 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
     document.sections.push_back(std::move(motion));
     document.sections.push_back({LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section), envelopePlot(section)}});
     if (!whole.sections.empty()) document.sections.push_back(std::move(whole.sections.back()));
+    saySection(picture, document);
     document.results = {trajectoryJson(picture)};
     return document;
 }

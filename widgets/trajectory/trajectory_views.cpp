@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/core/language.h"
@@ -80,6 +81,12 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
         const std::vector<double> angles = partAngles_deg(chosen);
         for (std::size_t i = 0; i < chosen.angle_deg.size(); ++i)
             if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
+    });
+    connect(axes_, &PlotCanvas::clicked, this, &TrajectoryViews::markNear);
+    connect(scene_, &SceneView::pointPicked, this, [this](int path, qint64 dot) {
+        const StackedPlace place = stackedPlace(*inScene_, static_cast<std::size_t>(path), dot);
+        angle_.set(place.angle_deg);
+        if (place.section != picture_->section) emit sectionWanted(inScene_->sections[place.section].section);
     });
     connect(channelTable_, &ChannelTable::mapEdited, this, &TrajectoryViews::mapEdited);
     connect(pages_, &QTabWidget::currentChanged, this, [this] { showSpace(); });
@@ -210,20 +217,52 @@ void TrajectoryViews::showSpace()
                             .arg(screenNumber(magnification, 0)));
     scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
     scene_->setObjects(stackedTrajectories(*inScene_, magnification));
+    markInSpace();
+}
+
+/// The angle at which axis or tool of the chosen section comes nearest to a place in the plane.
+void TrajectoryViews::markNear(double x_um, double y_um)
+{
+    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    if (!chosen) return;
+    const std::vector<double> angles = partAngles_deg(*chosen);
+    double least = HUGE_VAL;
+    std::optional<double> nearest;
+    for (const auto& [x, y] : {std::pair{Probe::X3, Probe::Y3}, std::pair{Probe::Xp, Probe::Yp}}) {
+        const std::vector<double>& xs = chosen->probes[static_cast<std::size_t>(x)].mean_um;
+        const std::vector<double>& ys = chosen->probes[static_cast<std::size_t>(y)].mean_um;
+        for (std::size_t i = 0; i < std::min({xs.size(), ys.size(), angles.size()}); ++i) {
+            const double distance = std::hypot(xs[i] - x_um, ys[i] - y_um);
+            if (distance < least) {
+                least = distance;
+                nearest = angles[i];
+            }
+        }
+    }
+    if (nearest) angle_.set(nearest);
+}
+
+/// The marked angle of the chosen section, among all sections in space.
+void TrajectoryViews::markInSpace()
+{
+    const auto angle = angle_.angle_deg();
+    if (!inScene_ || inScene_ != picture_->trajectory || !picture_->section) return;
+    if (!angle) return scene_->setMarker({});
+    const auto section = *picture_->section;
+    scene_->setMarker(
+        placeInStack(*inScene_, {section, *angle}, stackMagnification(*inScene_)),
+        tr("section %1, angle %2°").arg(inScene_->sections[section].section).arg(screenNumber(*angle, 1)));
 }
 
 void TrajectoryViews::markAngle()
 {
+    markInSpace();
     const auto angle = angle_.angle_deg();
     motion_->setMarker(angle);
     axes_->setMarker(angle);
     const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
     if (!angle || !chosen) return coordinates_->setMarker({});
-    const std::vector<double> angles = partAngles_deg(*chosen);
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < angles.size(); ++i)
-        if (std::abs(std::remainder(angles[i] - *angle, 360)) < std::abs(std::remainder(angles[nearest] - *angle, 360)))
-            nearest = i;
+    const std::size_t nearest = sampleAt(*chosen, *angle);
     if (nearest < chosen->angle_deg.size()) coordinates_->setMarker(chosen->angle_deg[nearest]);
 }
 

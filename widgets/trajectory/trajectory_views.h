@@ -44,6 +44,8 @@ private:
     void showRecord();
     void showSpace();
     void markAngle();
+    void markNear(double x_um, double y_um);
+    void markInSpace();
 
     MarkedAngle& angle_;
     std::shared_ptr<const SpindlePicture> picture_;

@@ -80,8 +80,19 @@ TEST(Superimpose, StatesTheDifferencesOfTwoInstruments)
     EXPECT_NEAR(result.largest_difference_um, 1.8, .1);
     EXPECT_NEAR(result.mean_difference_um, 1.8 * 2 / std::numbers::pi, .05);
     SuperimposeParameters parameters;
-    parameters.band.high_upr = 15;
+    parameters.form.cutoff_upr = 15;
     EXPECT_LT(superimpose(image, trace, parameters).largest_difference_um, .06);
+}
+
+TEST(Superimpose, WhatIsLeftOutIsNoDifference)
+{
+    const Profile image = lobedProfile(evenAngles(360), form);
+    Profile trace = image;
+    trace.points_mm[100] *= 1.002;  // a grain of dust of tens of µm
+    EXPECT_GT(superimpose(image, trace).largest_difference_um, 20);
+    SuperimposeParameters parameters;
+    parameters.form.outliers = OutlierRule::Hampel;
+    EXPECT_LT(superimpose(image, trace, parameters).largest_difference_um, .05);
 }
 
 TEST(Superimpose, BesideAKeyway)

@@ -55,7 +55,8 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
     files_.setAutosave(settings_.autosave_min);
 
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+    const QSize frame(0, 2 * fontMetrics().height());  // the title bar, which counts on the screen as well
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(QSettings().value("geometry").toByteArray());
     enterWorkspace(session_.project().workspace);
     updateTitle();

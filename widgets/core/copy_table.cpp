@@ -135,8 +135,14 @@ void CopyTable::setQuantities(const Document& document)
             for (const Quantity& quantity : table->rows) {
                 insertRow(++row);
                 setItem(row, 0, tableCell(screenCaption(quantity.name), false));
-                setItem(row, 1, tableCell(screenQuantity(quantity.value, quantity.decimals), true));
+                const bool words = !isNumeric(quantity.value) && quantity.unit.empty();
+                auto* value = tableCell(screenQuantity(quantity.value, quantity.decimals), !words);
+                setItem(row, 1, value);
                 setItem(row, 2, tableCell(screenText(quantity.unit), false));
+                if (words) {  // a sentence would push the numbers out of sight
+                    setSpan(row, 1, 1, 2);
+                    value->setToolTip(value->text());
+                }
             }
         }
     fitCells();

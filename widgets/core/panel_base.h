@@ -47,6 +47,9 @@ public:
     /// The panel's part of a report, of the result on screen; nullopt without a result.
     std::optional<Document> reportDocument() const;
 
+    /// What the Export menu offers for the result on screen.
+    virtual std::vector<PanelExport> exports() const { return {}; }
+
     /// For the last row of a room: the window enlarges the application's font, which type and lines of all views
     /// follow; a panel leaves out what only takes room. Overriders call this one too.
     virtual void setPresenting(bool presenting);
@@ -75,7 +78,6 @@ protected:
     virtual Notes notesOf(const void* result) const = 0;
     virtual Document documentOf(const void* result) const = 0;
     virtual std::optional<Error> problemOf(const void* result) const = 0;
-    virtual std::vector<PanelExport> exports() const { return {}; }
 
     /// Everything the panel says in its own views, again, in the language of the screen.
     virtual void retranslate() {}

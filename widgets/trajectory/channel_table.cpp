@@ -90,10 +90,10 @@ void ChannelTable::setRecord(const ProbeRecord* record, const std::string& map)
         connect(box, qOverload<int>(&QComboBox::activated), this,
                 [this, row, box] { choose(row, box->currentData().toString()); });
         setCellWidget(row, 5, box);
+        setRowHeight(row, box->sizeHint().height() + 2);
     }
-    resizeRowsToContents();
     resizeColumnsToContents();
-    horizontalHeader()->setStretchLastSection(true);
+    if (channels_ > 0) setColumnWidth(5, cellWidget(0, 5)->sizeHint().width() + 2);
 }
 
 void ChannelTable::choose(int channel, const QString& signal)

@@ -292,6 +292,8 @@ TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
     ASSERT_TRUE(result.longitudinal);
     EXPECT_EQ(result.longitudinal->z_mm, (std::vector<double>{5, 10, 15.5}));
     EXPECT_NEAR(result.longitudinal->taper_diameter_um, 0, 1e-6);
+    parameters.z_mm = "5,5; 10; 15,25";  // between semicolons a comma is a decimal mark
+    EXPECT_EQ(trajectory(records, parameters).longitudinal->z_mm, (std::vector<double>{5.5, 10, 15.25}));
     parameters.z_mm = "5,10";
     EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
     parameters.z_mm = "5,10,x";
@@ -331,6 +333,21 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
     EXPECT_EQ(codeOf({fileOf(record)}, parameters), ErrorCode::MarkerElsewhere);
     EXPECT_TRUE(trajectory({}).sections.empty());
+}
+
+TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
+{
+    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(fineModel()))};  // 5 sections of 8 turns
+    TrajectoryParameters parameters;
+    parameters.revolutions = 8;
+    EXPECT_FALSE(contains(trajectory(records, parameters).notes, NoteCode::RevolutionsUnused));
+    parameters.revolutions = 5;
+    const Notes notes = trajectory(records, parameters).notes;
+    const auto unused = std::find_if(notes.begin(), notes.end(),
+                                     [](const Note& note) { return note.code == NoteCode::RevolutionsUnused; });
+    ASSERT_NE(unused, notes.end());
+    EXPECT_EQ(*find(unused->values, "used"), Value(std::int64_t{25}));
+    EXPECT_EQ(*find(unused->values, "found"), Value(std::int64_t{40}));
 }
 
 TEST(Trajectory, ASuspiciousSpeedIsNoted)

@@ -43,6 +43,35 @@ private slots:
         QCOMPARE(*find(shown[0].values, "path"), Value(std::string("one.ply, two.ply")));
     }
 
+    void lowPanelsFoldWhatIsNoWarning()
+    {
+        NotesLabel label;
+        Notes notes(3, note(NoteCode::RollNotDetermined));
+        for (std::size_t i = 0; i < notes.size(); ++i) notes[i].values = {{"number", static_cast<std::int64_t>(i)}};
+        notes.push_back(note(NoteCode::NotDistinguishable));
+        notes.push_back(note(NoteCode::SyntheticData, "/a/one.ply"));
+        label.setNotes(notes);
+        auto* text = label.findChild<QLabel*>("notes");
+        QCOMPARE(text->text().count('\n'), 2);
+        label.setRoom(300);
+        QCOMPARE(text->text().count('\n'), 1);
+        QCOMPARE(text->text().count(QStringLiteral("⚠")), 2);
+        label.setRoom(2000);
+        QCOMPARE(text->text().count('\n'), 2);
+    }
+
+    void aTextThatIsNotSeenClaimsNoRoom()
+    {
+        // Behind a tab a label has no width of its own yet; its guess would make the window grow.
+        WrappingLabel label("x");
+        label.setFixedWidth(80);
+        label.say("a text that takes many lines where there is only little width for it");
+        QCOMPARE(label.minimumHeight(), 0);
+        label.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&label));
+        QVERIFY(label.minimumHeight() >= 3 * label.fontMetrics().height());
+    }
+
     void allUnfolds()
     {
         NotesLabel label;

@@ -26,6 +26,7 @@
 #include "widgets/roundness/roundness_views.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/trajectory/channel_table.h"
+#include "widgets/trajectory/trajectory_charts.h"
 #include "widgets/trajectory/trajectory_panel.h"
 #include "widgets/trajectory/trajectory_views.h"
 
@@ -240,6 +241,15 @@ private slots:
             const Eigen::Vector3d place = *stack->marker();
             QVERIFY(std::abs(std::atan2(place.y(), place.x()) * 180 / std::numbers::pi - 120) < 1.5);
         }
+        // A click beside the path of the axis marks the sample nearest to it.
+        auto* axes = trajectory_->findChild<XyView*>("axes");
+        const TrajectorySection& section = *trajectory_->result()->chosenSection();
+        const std::vector<double> angles = partAngles_deg(section);
+        const std::size_t sample = 37;
+        const auto& x = section.probes[static_cast<std::size_t>(Probe::X3)].mean_um;
+        const auto& y = section.probes[static_cast<std::size_t>(Probe::Y3)].mean_um;
+        emit axes->clicked(x[sample], y[sample]);
+        QCOMPARE(*polar->marker(), angles[sample]);
         auto* play = trajectory_->findChild<QToolButton*>("play");
         const double before = *polar->marker();
         play->click();
@@ -318,7 +328,17 @@ private slots:
             QCOMPARE(document->inputs.size(), std::size_t{1});
             QCOMPARE(document->inputs.front().sha256.size(), std::size_t{64});
             QCOMPARE(document->results.size(), std::size_t{1});
+            for (const PanelExport& one : panel->exports()) {
+                const QString path = folder_.filePath(panel->facts().id.c_str() + QString("_out.") + one.suffix);
+                one.write(path);
+                QVERIFY2(QFileInfo(path).size() > 100, qPrintable(one.label));
+            }
         }
+        // The report says which section it judges.
+        const Document judged = *roundness_->reportDocument();
+        const auto* said = std::get_if<Paragraph>(&judged.sections.front().blocks.at(1));
+        QVERIFY(said);
+        QCOMPARE(*find(said->values, "section"), Value(std::int64_t{roundness_->result()->chosenSection()->section}));
         session_->save(folder_.filePath("project.lathelier"));
         const ProjectFile saved = readProject(folder_.filePath("project.lathelier").toStdString());
         QCOMPARE(saved.project.panels.at("roundness").inputs.at("record").sha256.size(), std::size_t{64});

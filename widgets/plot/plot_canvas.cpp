@@ -23,7 +23,6 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     plot_->setMouseTracking(true);
     plot_->setMinimumSize(40, 30);  // it cannot paint on nothing
     plot_->installEventFilter(this);
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);
     plot_->setPlottingHint(QCP::phFastPolylines);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);

@@ -5,7 +5,16 @@ namespace lathelier {
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched != plot_) return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::Leave) hideCrosshair();
+    // QCustomPlot keeps what the mouse does from its parent, the request for the menu too.
+    if (event->type() == QEvent::ContextMenu) {
+        const auto* request = static_cast<QContextMenuEvent*>(event);
+        QContextMenuEvent here(request->reason(), plot_->mapTo(this, request->pos()), request->globalPos(),
+                               request->modifiers());
+        contextMenuEvent(&here);
+        return true;
+    }
     return QWidget::eventFilter(watched, event);
 }
 

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
+#include <QWindow>
 #include <cmath>
 
 using namespace lathelier;
@@ -161,16 +162,28 @@ private slots:
     void contextMenuOffersPictureAndData()
     {
         QStringList offered;
-        QTimer::singleShot(50, this, [&] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            QVERIFY(menu);
-            for (const QAction* action : menu->actions()) offered << action->text();
-            menu->close();
-        });
-        QContextMenuEvent event(QContextMenuEvent::Mouse, {100, 100}, view_->mapToGlobal({100, 100}));
-        QApplication::sendEvent(view_, &event);
+        QPoint shownAt;
+        const auto look = [&] {
+            QTimer::singleShot(50, this, [&] {
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                if (!menu) return;
+                for (const QAction* action : menu->actions()) offered << action->text();
+                shownAt = menu->pos();
+                menu->close();
+            });
+        };
+        look();
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, {100, 100}, view_->mapToGlobal({100, 100}));
+        QApplication::sendEvent(view_, &key);
         QVERIFY(offered.join('|').contains("Copy picture"));
         QVERIFY(offered.join('|').contains("CSV"));
+        offered.clear();
+        look();
+        // Through the window, as the system does it: a right click anywhere on the plot, at the place of the pointer.
+        QTest::mouseClick(view_->windowHandle(), Qt::RightButton, {}, {120, 90});
+        QTest::qWait(100);
+        QVERIFY2(offered.join('|').contains("CSV"), "no menu by right click");
+        QCOMPARE(shownAt, view_->mapToGlobal({120, 90}));
     }
 
     void picturesAndDataAreWritten()

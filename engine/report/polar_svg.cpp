@@ -131,10 +131,8 @@ std::string tracePath(const Polar& polar, const PolarPlot::Trace& trace)
 std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& circle)
 {
     std::string data;
-    for (int angle = 0; angle < 360; angle += 2) {
-        data += angle ? 'L' : 'M';
-        data += polar.point(angle * degree, deviationAt(circle, angle * degree));
-    }
+    for (int angle = 0; angle < 360; angle += 2)
+        data += (angle ? 'L' : 'M') + polar.point(angle * degree, deviationAt(circle, angle * degree));
     return data + "Z";
 }
 
@@ -188,7 +186,9 @@ void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks&
 {
     std::vector<RingLabel> labels;
     std::vector<std::string> words;
-    for (const double value : divisions.values) {
+    std::vector<double> values = divisions.values;  // 0 first: it gets the best place
+    std::stable_partition(values.begin(), values.end(), [](double value) { return value == 0; });
+    for (const double value : values) {
         const double radius = polar.radius(value);
         if (radius <= corePx + 6 || radius >= rimPx - 8) continue;
         words.push_back(fmt::format("{}{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language),
@@ -197,7 +197,8 @@ void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks&
     }
     placeRingLabels(labels, drawnPlaces(polar, plot), rimPx);
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const double x = centreX + labels[i].place.x_px, y = centreY - labels[i].place.y_px;
+        if (!labels[i].place) continue;
+        const double x = centreX + labels[i].place->x_px, y = centreY - labels[i].place->y_px;
         svg.rect(x - labels[i].width_px / 2, y - 7, labels[i].width_px, 14, "#ffffff");
         svg.text(x, y + 4, Svg::Anchor::Middle, 11, words[i]);
     }
@@ -280,14 +281,24 @@ double pxPerUm(const PolarPlot& plot, double magnification)
     return magnification * basePx(plot) / base_um;
 }
 
-/// How many of the labels would lie on something at this angle; places them there.
+bool overlap(const PolarPlace& a, const PolarPlace& b, double width_px, double height_px)
+{
+    return std::abs(a.x_px - b.x_px) < width_px && std::abs(a.y_px - b.y_px) < height_px;
+}
+
+/// How badly the labels would stand at this angle; places them there.
 double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double angle_rad, double rim_px)
 {
     constexpr double air_px = 2;
     constexpr double aside = 0.1;  // standing beside its ring is worse than on it, but better than on a curve
+    constexpr double crossed = 1, dropped = 2;
     const PolarPlace along{std::cos(angle_rad), std::sin(angle_rad)};
-    double widest = 0;
-    for (const RingLabel& label : labels) widest = std::max(widest, label.width_px + label.height_px);
+    double widest = 0, apart_px = rim_px;
+    for (const RingLabel& label : labels) {
+        widest = std::max(widest, label.width_px + label.height_px);
+        if (&label != &labels.front())
+            apart_px = std::min(apart_px, std::abs(label.radius_px - labels.front().radius_px));
+    }
     std::vector<PolarPlace> near;
     for (const PolarPlace& place : drawn)
         if (place.x_px * along.x_px + place.y_px * along.y_px > 0 &&
@@ -296,17 +307,22 @@ double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>&
     double cost = 0;
     for (RingLabel& label : labels) {
         const double halfWidth = label.width_px / 2 + air_px, halfHeight = label.height_px / 2;
-        const double extent = std::abs(along.x_px) * halfWidth + std::abs(along.y_px) * halfHeight;
-        double least = std::numeric_limits<double>::infinity();
-        for (const double shift : {0.0, -1.0, 1.0}) {
-            const double radius = label.radius_px + shift * (extent + air_px);
-            if (shift > 0 && radius + extent > rim_px) continue;
+        double least = dropped;
+        label.place.reset();
+        for (const double shift : {0.0, -0.6, 0.6, -0.9, 0.9, -1.2, 1.2}) {
+            const double away_px = shift * label.height_px;
+            if (std::abs(away_px) > apart_px / 2) break;  // it would stand at another ring
+            const double radius = label.radius_px + away_px;
+            if (shift > 0 && radius + halfHeight > rim_px) continue;
             const PolarPlace middle{radius * along.x_px, radius * along.y_px};
-            const bool hit = std::any_of(near.begin(), near.end(), [&](const PolarPlace& place) {
-                return std::abs(place.x_px - middle.x_px) < halfWidth &&
-                       std::abs(place.y_px - middle.y_px) < halfHeight;
-            });
-            const double here = (hit ? 1 : 0) + (shift != 0 ? aside : 0);
+            const auto touches = [&](const RingLabel& other) {
+                return &other < &label && other.place &&
+                       overlap(*other.place, middle, halfWidth + other.width_px / 2, halfHeight + other.height_px / 2);
+            };
+            if (std::any_of(labels.begin(), labels.end(), touches)) continue;
+            const auto lies = [&](const PolarPlace& place) { return overlap(place, middle, halfWidth, halfHeight); };
+            const bool hit = std::any_of(near.begin(), near.end(), lies);
+            const double here = (hit ? crossed : 0) + aside * std::abs(shift);
             if (here >= least) continue;
             least = here;
             label.place = middle;
@@ -329,12 +345,14 @@ void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlac
 {
     double least = std::numeric_limits<double>::infinity();
     std::vector<RingLabel> best = labels;
-    for (const int angle : {75, 105, 255, 285, 45, 135, 225, 315, 15, 165, 195, 345}) {
-        const double cost = placeOnRay(labels, drawn, angle * degree, rim_px);
-        if (cost >= least) continue;
-        least = cost;
-        best = labels;
-    }
+    // From the usual place on: three rays between any two spokes.
+    for (const int spoke : {60, 90, 240, 270, 30, 120, 210, 300, 0, 150, 180, 330})
+        for (const int beside : {15, 9, 21}) {
+            const double cost = placeOnRay(labels, drawn, (spoke + beside) * degree, rim_px);
+            if (cost >= least) continue;
+            least = cost;
+            best = labels;
+        }
     labels = std::move(best);
 }
 

@@ -1,6 +1,7 @@
 // Polar plots of a report as SVG.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,11 @@ struct PolarPlace {
     double x_px = 0, y_px = 0;
 };
 
-/// The number of a ring, and where it stands (its middle).
+/// The number of a ring, and where its middle stands; nowhere when it has no room beside the numbers before it.
 struct RingLabel {
     double radius_px = 0;
     double width_px = 0, height_px = 0;
-    PolarPlace place{};
+    std::optional<PolarPlace> place{};
 };
 
 /// Places the labels on one ray between two of degrees: where least of what is drawn lies on them, and beside their

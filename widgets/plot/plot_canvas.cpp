@@ -53,7 +53,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
     connect(plot_, &QCustomPlot::mouseRelease, this, &PlotCanvas::mouseReleased);
     connect(plot_, &QCustomPlot::mouseWheel, this, &PlotCanvas::mouseWheel);
-    connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { resetView(); });
+    connect(plot_, &QCustomPlot::mouseDoubleClick, this, &PlotCanvas::mouseDoubleClicked);
 }
 
 PlotCanvas::~PlotCanvas() = default;

@@ -101,14 +101,24 @@ TEST(PolarSvg, NumbersOfTheScaleStandWhereNothingIsDrawn)
         for (double y = 0; y <= 100; y += 2) drawn.push_back({x, y});
     for (int angle = 180; angle < 360; ++angle)
         drawn.push_back({60 * std::cos(angle * M_PI / 180), 60 * std::sin(angle * M_PI / 180)});
-    std::vector<RingLabel> labels{{60, 24, 14}, {85, 24, 14}};
+    std::vector<RingLabel> labels{{60, 24, 14}, {92, 24, 14}};
     placeRingLabels(labels, drawn, 100);
     for (const RingLabel& label : labels) {
-        EXPECT_LT(label.place.y_px, 0);
+        ASSERT_TRUE(label.place);
+        EXPECT_LT(label.place->y_px, 0);
         for (const PolarPlace& place : drawn)
-            EXPECT_FALSE(std::abs(place.x_px - label.place.x_px) < 12 && std::abs(place.y_px - label.place.y_px) < 7);
+            EXPECT_FALSE(std::abs(place.x_px - label.place->x_px) < 12 && std::abs(place.y_px - label.place->y_px) < 7);
     }
-    EXPECT_NEAR(std::hypot(labels[1].place.x_px, labels[1].place.y_px), 85, 1e-9);  // free: on its ring
+    EXPECT_NEAR(std::hypot(labels[1].place->x_px, labels[1].place->y_px), 92, 1e-9);  // free: on its ring
+    std::vector<RingLabel> crowded{{60, 24, 14}, {61, 24, 14}, {62, 24, 14}, {63, 24, 14}, {64, 24, 14}, {65, 24, 14}};
+    placeRingLabels(crowded, {}, 100);
+    for (const RingLabel& a : crowded)
+        for (const RingLabel& b : crowded) {
+            if (&a == &b || !a.place || !b.place) continue;
+            EXPECT_GE(std::hypot(a.place->x_px - b.place->x_px, a.place->y_px - b.place->y_px), 14);
+        }
+    EXPECT_TRUE(crowded[0].place);
+    EXPECT_FALSE(crowded[5].place);
 }
 
 TEST(PolarSvg, DeviationsThatGoOneWayGetTheRoomOfTheOther)

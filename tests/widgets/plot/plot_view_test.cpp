@@ -248,6 +248,59 @@ private slots:
         QVERIFY(view_->readout().contains("m/s²"));
     }
 
+    void barsAreReadByTheirWholeNumber()
+    {
+        PlotData data;
+        data.title = "Spectrum";
+        data.x = {"Undulations", "UPR"};
+        data.y = {"Amplitude", "µm"};
+        data.yFromZero = true;
+        PlotCurve bars;
+        bars.style = PlotCurve::Style::Bars;
+        for (int upr = 2; upr <= 60; ++upr) {
+            bars.x.push_back(upr);
+            bars.y.push_back(10.0 / upr);
+        }
+        data.curves.push_back(bars);
+        view_->setData(data);
+        QCoreApplication::processEvents();
+        for (const double x : {4.7, 5.3}) {
+            hover(surface(*view_), at(*view_, x, 4));
+            QVERIFY2(view_->readout().startsWith("Undulations 5 UPR"), qPrintable(view_->readout()));
+            QVERIFY2(view_->readout().contains("Amplitude 2.0"), qPrintable(view_->readout()));
+        }
+        hover(surface(*view_), at(*view_, 1.7, 4));  // the left half of the first bar
+        QVERIFY2(view_->readout().contains("Amplitude 5.0"), qPrintable(view_->readout()));
+    }
+
+    void doubleClickTakesItsFirstClickBack()
+    {
+        QSignalSpy clicked(view_, &PlotCanvas::clicked), back(view_, &PlotCanvas::clickTakenBack);
+        const QPoint place = at(*view_, 30, 50);
+        QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(surface(*view_), Qt::LeftButton, {}, place);
+        QCOMPARE(clicked.count(), 1);
+        QCOMPARE(back.count(), 1);
+    }
+
+    void theRemarkStaysBesideTheReadout()
+    {
+        PlotData data = parabola();
+        data.remark = "error × 200";
+        view_->setData(data);
+        const auto inkAtTheRight = [&] {
+            QCoreApplication::processEvents();
+            const QImage image = view_->grab(QRect(450, 0, 150, view_->fontMetrics().height())).toImage();
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (qGray(image.pixel(x, y)) < 128) return true;
+            return false;
+        };
+        QVERIFY(!inkAtTheRight());
+        hover(surface(*view_), at(*view_, 50, 60));
+        QVERIFY2(inkAtTheRight(), "the magnification is gone while the pointer is over the plot");
+    }
+
     void emptyDataDrawEmptyAxes()
     {
         view_->setData({});

@@ -63,7 +63,7 @@ double basePx(const PolarPlot& plot)
 {
     const Interval reach = reachOf(plot);
     if (reach.to > -2 * reach.from) return 140;
-    return -reach.from > 2 * reach.to ? 245 : 195;
+    return -reach.from > 2 * reach.to ? 225 : 195;
 }
 
 /// The way from deviations to the sheet.

@@ -241,8 +241,10 @@ QString PlotView::readoutAt(double x, double y) const
         return unit.isEmpty() ? number : number + ' ' + unit;
     };
     QStringList parts;
-    parts << data.x.title + ' ' +
-                 withUnit(counts ? readable(x, 1000, locale()) : readable(x, range.width(), locale()), data.x.unit);
+    if (counts && !data.x.unit.isEmpty())
+        parts << withUnit(readable(x, 1000, locale()), data.x.unit);  // "5 UPR" says it all
+    else
+        parts << data.x.title + ' ' + withUnit(readable(x, counts ? 1000 : range.width(), locale()), data.x.unit);
     bool any = false;
     for (const PlotCurve& curve : data.curves) {
         if (!curve.spoken || curve.x.empty() || x < curve.x.front() || x > curve.x.back()) continue;

@@ -28,8 +28,7 @@ Value orNothing(double value)
 PlotData spectrumData(const RoundnessResult& result)
 {
     PlotData plot;
-    plot.title = RoundnessCharts::tr("Spectrum");
-    plot.remark = RoundnessCharts::tr("before the filter");
+    plot.title = RoundnessCharts::tr("Spectrum") + ", " + RoundnessCharts::tr("before the filter");
     plot.x = {RoundnessCharts::tr("Undulations per revolution"), "UPR"};
     plot.y = {RoundnessCharts::tr("Amplitude"), "µm"};
     plot.yFromZero = true;

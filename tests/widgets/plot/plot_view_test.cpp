@@ -266,7 +266,7 @@ private slots:
         QCoreApplication::processEvents();
         for (const double x : {4.7, 5.3}) {
             hover(surface(*view_), at(*view_, x, 4));
-            QVERIFY2(view_->readout().startsWith("Undulations 5 UPR"), qPrintable(view_->readout()));
+            QVERIFY2(view_->readout().startsWith("5 UPR"), qPrintable(view_->readout()));
             QVERIFY2(view_->readout().contains("Amplitude 2.0"), qPrintable(view_->readout()));
         }
         hover(surface(*view_), at(*view_, 1.7, 4));  // the left half of the first bar

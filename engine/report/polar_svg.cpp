@@ -291,7 +291,7 @@ double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>&
 {
     constexpr double air_px = 2;
     constexpr double aside = 0.1;  // standing beside its ring is worse than on it, but better than on a curve
-    constexpr double crossed = 1, dropped = 2;
+    constexpr double crossed = 0.3, few = 100, dropped = 2;
     const PolarPlace along{std::cos(angle_rad), std::sin(angle_rad)};
     double widest = 0, apart_px = rim_px;
     for (const RingLabel& label : labels) {
@@ -321,8 +321,8 @@ double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>&
             };
             if (std::any_of(labels.begin(), labels.end(), touches)) continue;
             const auto lies = [&](const PolarPlace& place) { return overlap(place, middle, halfWidth, halfHeight); };
-            const bool hit = std::any_of(near.begin(), near.end(), lies);
-            const double here = (hit ? crossed : 0) + aside * std::abs(shift);
+            const auto hits = static_cast<double>(std::count_if(near.begin(), near.end(), lies));
+            const double here = (hits > 0 ? crossed + hits / (hits + few) : 0) + aside * std::abs(shift);
             if (here >= least) continue;
             least = here;
             label.place = middle;

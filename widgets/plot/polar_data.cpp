@@ -177,7 +177,7 @@ double fittingMagnification(const PolarPicture& picture)
     // What goes one way only may take the room of the other: deviations from an inscribed or circumscribed circle.
     const double inward_um = std::max(-picture.lowest_um, 1e-6);
     const double range_um = std::max(picture.highest_um, 0.0) + inward_um;
-    return rounded(std::min(0.9 / range_um, 0.65 / inward_um) * baseOf(picture.plot) * 1000, false);
+    return rounded(std::min(1.0 / range_um, 0.65 / inward_um) * baseOf(picture.plot) * 1000, false);
 }
 
 double steppedMagnification(double magnification, int steps)

@@ -16,9 +16,8 @@ namespace {
 constexpr double sheetHeight = 640;
 constexpr double centreX = 330;
 constexpr double centreY = 340;
-constexpr double basePx = 195;  ///< radius of the base circle on the sheet
-constexpr double rimPx = 270;   ///< nothing is drawn beyond
-constexpr double corePx = 75;   ///< nor inside
+constexpr double rimPx = 270;  ///< nothing is drawn beyond
+constexpr double corePx = 75;  ///< nor inside
 constexpr double legendX = 650;
 constexpr double degree = std::numbers::pi / 180;
 constexpr double micrometresPerMillimetre = 1000;
@@ -30,7 +29,7 @@ constexpr std::string_view dashes = "7 4";
 
 std::string_view colourOf(int colour, std::size_t position)
 {
-    return plotColour(colour >= 0 ? static_cast<std::size_t>(colour) : position);
+    return polarColour(colour >= 0 ? static_cast<std::size_t>(colour) : position);
 }
 
 /// Where a reference line lies, seen from the base circle's centre.
@@ -59,14 +58,26 @@ Interval reachOf(const PolarPlot& plot)
     return reach;
 }
 
+/// Radius of the base circle on the sheet: deviations that go one way only get the room of the other.
+double basePx(const PolarPlot& plot)
+{
+    const Interval reach = reachOf(plot);
+    if (reach.to > -2 * reach.from) return 140;
+    return -reach.from > 2 * reach.to ? 225 : 195;
+}
+
 /// The way from deviations to the sheet.
 class Polar {
 public:
-    explicit Polar(double px_per_um) : px_per_um_(px_per_um) {}
+    Polar(double base_px, double px_per_um) : base_px_(base_px), px_per_um_(px_per_um) {}
 
     double radius(double deviation_um) const
     {
-        return std::clamp(basePx + deviation_um * px_per_um_, corePx, rimPx + 12);
+        return std::clamp(base_px_ + deviation_um * px_per_um_, corePx, rimPx + 12);
+    }
+    PolarPlace place(double angle_rad, double deviation_um) const
+    {
+        return {radius(deviation_um) * std::cos(angle_rad), radius(deviation_um) * std::sin(angle_rad)};
     }
     static std::string at(double angle_rad, double radius_px)
     {
@@ -76,6 +87,7 @@ public:
     std::string point(double angle_rad, double deviation_um) const { return at(angle_rad, radius(deviation_um)); }
 
 private:
+    double base_px_;
     double px_per_um_;
 };
 
@@ -119,10 +131,8 @@ std::string tracePath(const Polar& polar, const PolarPlot::Trace& trace)
 std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& circle)
 {
     std::string data;
-    for (int angle = 0; angle < 360; angle += 2) {
-        data += angle ? 'L' : 'M';
-        data += polar.point(angle * degree, deviationAt(circle, angle * degree));
-    }
+    for (int angle = 0; angle < 360; angle += 2)
+        data += (angle ? 'L' : 'M') + polar.point(angle * degree, deviationAt(circle, angle * degree));
     return data + "Z";
 }
 
@@ -151,18 +161,46 @@ void drawGrid(Svg& svg, const Polar& polar, const Ticks& divisions, const Langua
     }
 }
 
-/// The scale stands on the ray of 75°, over what is drawn there.
-void drawScale(Svg& svg, const Polar& polar, const Ticks& divisions, const Language& language)
+/// Everything that the numbers of the scale should not stand on.
+std::vector<PolarPlace> drawnPlaces(const Polar& polar, const PolarPlot& plot)
 {
-    const double angle = 75 * degree;
-    for (const double value : divisions.values) {
+    std::vector<PolarPlace> places;
+    for (const PolarPlot::Trace& trace : plot.traces) {
+        const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
+        const std::size_t step = std::max<std::size_t>(1, count / 1440);
+        for (std::size_t i = 0; i < count; i += step)
+            if (isDrawable(trace.angle_deg[i]) && isDrawable(trace.deviation_um[i]))
+                places.push_back(polar.place(trace.angle_deg[i] * degree, trace.deviation_um[i]));
+    }
+    for (const PolarPlot::ReferenceLine& circle : plot.circles)
+        for (int angle = 0; angle < 360; ++angle)
+            places.push_back(polar.place(angle * degree, deviationAt(circle, angle * degree)));
+    for (const PolarPlot::Mark& mark : plot.contacts)
+        if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
+            places.push_back(polar.place(mark.angle_deg * degree, mark.deviation_um));
+    return places;
+}
+
+/// Beneath the data: a number may be crossed by a curve, never the other way round.
+void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks& divisions, const Language& language)
+{
+    std::vector<RingLabel> labels;
+    std::vector<std::string> words;
+    std::vector<double> values = divisions.values;  // 0 first: it gets the best place
+    std::stable_partition(values.begin(), values.end(), [](double value) { return value == 0; });
+    for (const double value : values) {
         const double radius = polar.radius(value);
-        if (radius <= corePx + 6 || radius >= rimPx - 4) continue;
-        const std::string label = fmt::format("{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language));
-        const double x = centreX + radius * std::cos(angle), y = centreY - radius * std::sin(angle);
-        const double width = textWidth(label, 11) + 4;
-        svg.rect(x - width / 2, y - 7, width, 14, "#ffffff");
-        svg.text(x, y + 4, Svg::Anchor::Middle, 11, label);
+        if (radius <= corePx + 6 || radius >= rimPx - 8) continue;
+        words.push_back(fmt::format("{}{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language),
+                                    value == 0 ? " µm" : ""));
+        labels.push_back({radius, textWidth(words.back(), 11) + 4, 14});
+    }
+    placeRingLabels(labels, drawnPlaces(polar, plot), rimPx);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (!labels[i].place) continue;
+        const double x = centreX + labels[i].place->x_px, y = centreY - labels[i].place->y_px;
+        svg.rect(x - labels[i].width_px / 2, y - 7, labels[i].width_px, 14, "#ffffff");
+        svg.text(x, y + 4, Svg::Anchor::Middle, 11, words[i]);
     }
 }
 
@@ -240,17 +278,90 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
 double pxPerUm(const PolarPlot& plot, double magnification)
 {
     const double base_um = plot.base_radius_mm > 0 ? plot.base_radius_mm * micrometresPerMillimetre : 1;
-    return magnification * basePx / base_um;
+    return magnification * basePx(plot) / base_um;
+}
+
+bool overlap(const PolarPlace& a, const PolarPlace& b, double width_px, double height_px)
+{
+    return std::abs(a.x_px - b.x_px) < width_px && std::abs(a.y_px - b.y_px) < height_px;
+}
+
+/// How badly the labels would stand at this angle; places them there.
+double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double angle_rad, double rim_px)
+{
+    constexpr double air_px = 2;
+    constexpr double aside = 0.1;  // standing beside its ring is worse than on it, but better than on a curve
+    constexpr double crossed = 0.3, few = 100, dropped = 2;
+    const PolarPlace along{std::cos(angle_rad), std::sin(angle_rad)};
+    double widest = 0, apart_px = rim_px;
+    for (const RingLabel& label : labels) {
+        widest = std::max(widest, label.width_px + label.height_px);
+        if (&label != &labels.front())
+            apart_px = std::min(apart_px, std::abs(label.radius_px - labels.front().radius_px));
+    }
+    std::vector<PolarPlace> near;
+    for (const PolarPlace& place : drawn)
+        if (place.x_px * along.x_px + place.y_px * along.y_px > 0 &&
+            std::abs(place.x_px * along.y_px - place.y_px * along.x_px) < widest)
+            near.push_back(place);
+    double cost = 0;
+    for (RingLabel& label : labels) {
+        const double halfWidth = label.width_px / 2 + air_px, halfHeight = label.height_px / 2;
+        double least = dropped;
+        label.place.reset();
+        for (const double shift : {0.0, -0.6, 0.6, -0.9, 0.9, -1.2, 1.2}) {
+            const double away_px = shift * label.height_px;
+            if (std::abs(away_px) > apart_px / 2) break;  // it would stand at another ring
+            const double radius = label.radius_px + away_px;
+            if (shift > 0 && radius + halfHeight > rim_px) continue;
+            const PolarPlace middle{radius * along.x_px, radius * along.y_px};
+            const auto touches = [&](const RingLabel& other) {
+                return &other < &label && other.place &&
+                       overlap(*other.place, middle, halfWidth + other.width_px / 2, halfHeight + other.height_px / 2);
+            };
+            if (std::any_of(labels.begin(), labels.end(), touches)) continue;
+            const auto lies = [&](const PolarPlace& place) { return overlap(place, middle, halfWidth, halfHeight); };
+            const auto hits = static_cast<double>(std::count_if(near.begin(), near.end(), lies));
+            const double here = (hits > 0 ? crossed + hits / (hits + few) : 0) + aside * std::abs(shift);
+            if (here >= least) continue;
+            least = here;
+            label.place = middle;
+        }
+        cost += least;
+    }
+    return cost;
 }
 
 }  // namespace
+
+std::string_view polarColour(std::size_t number)
+{
+    static constexpr std::array<std::string_view, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                             "#56b4e9", "#e69f00", "#787878"};
+    return colours[number % colours.size()];
+}
+
+void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double rim_px)
+{
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<RingLabel> best = labels;
+    // From the usual place on: three rays between any two spokes.
+    for (const int spoke : {60, 90, 240, 270, 30, 120, 210, 300, 0, 150, 180, 330})
+        for (const int beside : {15, 9, 21}) {
+            const double cost = placeOnRay(labels, drawn, (spoke + beside) * degree, rim_px);
+            if (cost >= least) continue;
+            least = cost;
+            best = labels;
+        }
+    labels = std::move(best);
+}
 
 double fittingMagnification(const PolarPlot& plot)
 {
     const Interval reach = reachOf(plot);
     double largest = std::numeric_limits<double>::infinity();  // px per µm
-    if (reach.to > 0) largest = std::min(largest, (rimPx - basePx) / reach.to);
-    if (reach.from < 0) largest = std::min(largest, (basePx - corePx) / -reach.from);
+    if (reach.to > 0) largest = std::min(largest, (rimPx - basePx(plot)) / reach.to);
+    if (reach.from < 0) largest = std::min(largest, (basePx(plot) - corePx) / -reach.from);
     if (!std::isfinite(largest)) return 1;
     const double wanted = largest / pxPerUm(plot, 1);
     const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -264,11 +375,13 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     const std::string title = captionText(plot.title, language);
     const double magnification = plot.magnification.value_or(fittingMagnification(plot));
     const double scale = pxPerUm(plot, magnification);
-    const Polar polar(scale);
-    const Ticks divisions = niceTicks((corePx - basePx) / scale, (rimPx - basePx) / scale, 8);
+    const double base = basePx(plot);
+    const Polar polar(base, scale);
+    const Ticks divisions = niceTicks((corePx - base) / scale, (rimPx - base) / scale, 8);
     Svg svg(sheetWidth, sheetHeight, title);
     svg.text(20, 24, Svg::Anchor::Start, titleSize, title, true);
     drawGrid(svg, polar, divisions, language);
+    drawScale(svg, polar, plot, divisions, language);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         const std::string data = tracePath(polar, plot.traces[i]);
         if (!data.empty()) svg.path(data, colourOf(plot.traces[i].colour, i), plot.traces[i].thin ? 0.5 : 1.6);
@@ -280,7 +393,6 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
             svg.path(markPath(mark.angle_deg * degree, polar.radius(mark.deviation_um), mark.outer), "none", 0,
                      markColour);
-    drawScale(svg, polar, divisions, language);
     drawLegend(svg, plot, magnification, divisions, language);
     return svg.finish();
 }

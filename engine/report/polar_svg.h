@@ -1,7 +1,10 @@
 // Polar plots of a report as SVG.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/report/document.h"
 
@@ -12,8 +15,28 @@ namespace lathelier {
 /// degree.
 std::string toSvg(const PolarPlot& plot, const Language& language = {});
 
-/// What `plot.magnification` stands for when it is not given: 1, 2 or 5 × 10^n, so that all fits between a third of the
-/// base circle and the rim. 1 for a plot without deviations.
+/// The colours of the plots by number, on the screen and of polar plots on paper: they stay apart for colour-blind eyes
+/// (Okabe and Ito). After seven from the start.
+std::string_view polarColour(std::size_t number);
+
+/// A place in the drawing, seen from the plot's centre: x to the right, y upward.
+struct PolarPlace {
+    double x_px = 0, y_px = 0;
+};
+
+/// The number of a ring, and where its middle stands; nowhere when it has no room beside the numbers before it.
+struct RingLabel {
+    double radius_px = 0;
+    double width_px = 0, height_px = 0;
+    std::optional<PolarPlace> place{};
+};
+
+/// Places the labels on one ray between two of degrees: where least of what is drawn lies on them, and beside their
+/// ring rather than on a curve that runs along it.
+void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double rim_px);
+
+/// What `plot.magnification` stands for when it is not given: 1, 2 or 5 × 10^n, so that all fits between the core and
+/// the rim. 1 for a plot without deviations.
 double fittingMagnification(const PolarPlot& plot);
 
 }  // namespace lathelier

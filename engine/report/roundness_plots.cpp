@@ -13,7 +13,7 @@ constexpr double um_per_mm = 1000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int leastOrders = 50;  ///< shown of a spectrum
 
-/// Numbers of the report's colours (plotColour()).
+/// Numbers of the colours (polarColour()).
 constexpr int profileColour = 0, leastSquaresColour = 2, zoneColour = 1, inscribedColour = 4, circumscribedColour = 3;
 
 double degrees(double angle_rad)
@@ -21,13 +21,28 @@ double degrees(double angle_rad)
     return angle_rad * 180 / std::numbers::pi;
 }
 
-/// The evaluated points as deviations from the least-squares circle, broken at gaps and closed.
-PolarPlot::Trace profileTrace(const RoundnessResult& result)
+/// What the deviations of the plot count from: the chosen circle; of a minimum zone the circle in its middle.
+const FittedCircle& baseOf(const RoundnessResult& result)
+{
+    return result.circles.of(result.parameters.circle);
+}
+
+/// "profile, from MICI": a deviation says nothing without what it counts from.
+std::string profileName(const RoundnessResult& result, const Language& language)
+{
+    const ReferenceCircle circle = result.parameters.circle;
+    const Text words = circle == ReferenceCircle::MZCI ? LT_TEXT("Engine", "profile, from {circle} (mean)")
+                                                       : LT_TEXT("Engine", "profile, from {circle}");
+    return fill(text(words, language), {{"circle", std::string(name(circle))}}, language);
+}
+
+/// The evaluated points as deviations from the chosen circle, broken at gaps and closed.
+PolarPlot::Trace profileTrace(const RoundnessResult& result, const Language& language)
 {
     PolarPlot::Trace trace;
-    trace.name = LT_TEXT("Engine", "profile");
+    trace.name = profileName(result, language);
     trace.colour = profileColour;
-    const FittedCircle& base = result.circles.LSCI;
+    const FittedCircle& base = baseOf(result);
     std::vector<double> angle, deviation;
     for (const Eigen::Vector2d& point : result.evaluated_mm) {
         const Eigen::Vector2d ray = point - base.centre_mm;
@@ -54,8 +69,9 @@ PolarPlot::Trace profileTrace(const RoundnessResult& result)
 PolarPlot::ReferenceLine lineOf(const RoundnessResult& result, const FittedCircle& circle, double radius_mm,
                                 const std::string& name, int colour, bool dashed)
 {
-    const Eigen::Vector2d off = um_per_mm * (circle.centre_mm - result.circles.LSCI.centre_mm);
-    return {name, off.x(), off.y(), um_per_mm * (radius_mm - result.circles.LSCI.radius_mm), colour, dashed};
+    const FittedCircle& base = baseOf(result);
+    const Eigen::Vector2d off = um_per_mm * (circle.centre_mm - base.centre_mm);
+    return {name, off.x(), off.y(), um_per_mm * (radius_mm - base.radius_mm), colour, dashed};
 }
 
 Text reasonOf(const RoundnessResult& result, int upr)
@@ -71,9 +87,11 @@ PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& lang
 {
     PolarPlot plot;
     plot.title = LT_TEXT("Engine", "Profile and reference circles");
-    plot.base_radius_mm = result.circles.LSCI.radius_mm;
-    plot.traces = {profileTrace(result)};
-    const int decimals = decimalsFor(result.RONt_expanded_uncertainty_um);
+    const FittedCircle& base = baseOf(result);
+    plot.base_radius_mm = base.radius_mm;
+    plot.traces = {profileTrace(result, language)};
+    // The same whichever circle is chosen: only its uncertainty is known, and the four are there to be compared.
+    const int decimals = result.circles.MZCI.RONt_um < 1 ? 3 : 2;
     const auto label = [&](ReferenceCircle circle) {
         return std::string(name(circle)) + "  RONt " + fixed(result.circles.of(circle).RONt_um, decimals, language) +
                " µm";
@@ -85,13 +103,12 @@ PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& lang
         lineOf(result, c.MZCI, c.MZCI.inner_radius_mm, "", zoneColour, false),
         lineOf(result, c.MICI, c.MICI.inner_radius_mm, label(ReferenceCircle::MICI), inscribedColour, true),
         lineOf(result, c.MCCI, c.MCCI.outer_radius_mm, label(ReferenceCircle::MCCI), circumscribedColour, true)};
-    const FittedCircle& chosen = c.of(result.parameters.circle);
-    for (const CircleContact& contact : chosen.contacts) {
+    for (const CircleContact& contact : base.contacts) {
         const auto at = std::find(result.evaluated_index.begin(), result.evaluated_index.end(), contact.index);
         if (at == result.evaluated_index.end()) continue;
         const auto i = static_cast<std::size_t>(at - result.evaluated_index.begin());
-        const Eigen::Vector2d ray = result.evaluated_mm[i] - c.LSCI.centre_mm;
-        plot.contacts.push_back({degrees(std::atan2(ray.y(), ray.x())), um_per_mm * (ray.norm() - c.LSCI.radius_mm),
+        const Eigen::Vector2d ray = result.evaluated_mm[i] - base.centre_mm;
+        plot.contacts.push_back({degrees(std::atan2(ray.y(), ray.x())), um_per_mm * (ray.norm() - base.radius_mm),
                                  contact.side == CircleContact::Side::Outer});
     }
     return plot;

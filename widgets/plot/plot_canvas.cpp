@@ -23,7 +23,6 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     plot_->setMouseTracking(true);
     plot_->setMinimumSize(40, 30);  // it cannot paint on nothing
     plot_->installEventFilter(this);
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);
     plot_->setPlottingHint(QCP::phFastPolylines);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
@@ -54,7 +53,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
     connect(plot_, &QCustomPlot::mouseRelease, this, &PlotCanvas::mouseReleased);
     connect(plot_, &QCustomPlot::mouseWheel, this, &PlotCanvas::mouseWheel);
-    connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] { resetView(); });
+    connect(plot_, &QCustomPlot::mouseDoubleClick, this, &PlotCanvas::mouseDoubleClicked);
 }
 
 PlotCanvas::~PlotCanvas() = default;

@@ -1,5 +1,6 @@
-// What every plot can do: title, crosshair with the values in the title's place, wheel zoom, drag to pan, double click
-// to reset, keyboard, context menu with copy and save. PlotView and MapView put their content into it.
+// What every plot can do: title, crosshair with the values in the title's place (its remark stays), wheel zoom, drag to
+// pan, double click to reset, keyboard, context menu with copy and save. PlotView and MapView put their content into
+// it.
 #pragma once
 
 #include <memory>
@@ -33,6 +34,7 @@ public:
 
 signals:
     void clicked(double x, double y);  ///< a click that was no drag, in data coordinates
+    void clickTakenBack();             ///< that click was the first half of a double click, which resets the view
 
 protected:
     explicit PlotCanvas(QWidget* parent);
@@ -72,6 +74,7 @@ private:
     void mousePressed(QMouseEvent* event);
     void mouseMoved(QMouseEvent* event);
     void mouseReleased(QMouseEvent* event);
+    void mouseDoubleClicked(QMouseEvent* event);
     void mouseWheel(QWheelEvent* event);
     void hideCrosshair();
 

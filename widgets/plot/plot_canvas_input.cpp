@@ -5,7 +5,16 @@ namespace lathelier {
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched != plot_) return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::Leave) hideCrosshair();
+    // QCustomPlot keeps what the mouse does from its parent, the request for the menu too.
+    if (event->type() == QEvent::ContextMenu) {
+        const auto* request = static_cast<QContextMenuEvent*>(event);
+        QContextMenuEvent here(request->reason(), plot_->mapTo(this, request->pos()), request->globalPos(),
+                               request->modifiers());
+        contextMenuEvent(&here);
+        return true;
+    }
     return QWidget::eventFilter(watched, event);
 }
 
@@ -22,6 +31,7 @@ void PlotCanvas::mousePressed(QMouseEvent* event)
     setFocus(Qt::MouseFocusReason);
     if (event->button() != Qt::LeftButton) return;
     parts_->pressed = true;
+    parts_->hasClicked = false;
     parts_->pressedAt = event->pos();
     parts_->dragsContent = beginDrag(event->pos());
     plot_->setInteraction(QCP::iRangeDrag, !parts_->dragsContent);
@@ -57,8 +67,17 @@ void PlotCanvas::mouseReleased(QMouseEvent* event)
         return endDrag();
     }
     const bool still = (event->pos() - parts_->pressedAt).manhattanLength() <= 3;
-    if (still && plot_->axisRect()->rect().contains(event->pos()))
-        emit clicked(plot_->xAxis->pixelToCoord(event->pos().x()), plot_->yAxis->pixelToCoord(event->pos().y()));
+    if (!still || !plot_->axisRect()->rect().contains(event->pos())) return;
+    parts_->hasClicked = true;
+    emit clicked(plot_->xAxis->pixelToCoord(event->pos().x()), plot_->yAxis->pixelToCoord(event->pos().y()));
+}
+
+void PlotCanvas::mouseDoubleClicked(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) return;
+    if (parts_->hasClicked) emit clickTakenBack();
+    parts_->hasClicked = false;
+    resetView();
 }
 
 void PlotCanvas::mouseWheel(QWheelEvent* event)

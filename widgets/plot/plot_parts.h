@@ -17,6 +17,7 @@ struct PlotCanvas::Parts {
     QPoint pressedAt;
     bool legendWanted = false;
     bool pressed = false;
+    bool hasClicked = false;  ///< with the last press
     bool dragsContent = false;
     bool viewChosen = false;  ///< the user has zoomed or panned
 };

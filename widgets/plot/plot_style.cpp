@@ -1,8 +1,9 @@
 #include "widgets/plot/plot_style.h"
 
 #include <QFontMetricsF>
-#include <array>
 #include <cmath>
+
+#include "engine/report/polar_svg.h"
 
 namespace lathelier {
 namespace {
@@ -25,10 +26,8 @@ PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
 
 QColor PlotStyle::curve(int index) const
 {
-    static const std::array<QColor, 7> row{QColor(0, 114, 178),   QColor(213, 94, 0),   QColor(0, 158, 115),
-                                           QColor(204, 121, 167), QColor(86, 180, 233), QColor(230, 159, 0),
-                                           QColor(120, 120, 120)};
-    const QColor colour = row[static_cast<std::size_t>(index) % row.size()];
+    const std::string_view name = polarColour(static_cast<std::size_t>(index));  // as in the report
+    const QColor colour(QString::fromLatin1(name.data(), static_cast<int>(name.size())));
     return dark() ? mix(colour, Qt::white, 0.3) : colour;
 }
 

@@ -28,6 +28,15 @@ std::size_t nearest(const std::vector<double>& x, double place)
     return place - x[index - 1] < x[index] - place ? index - 1 : index;
 }
 
+/// The bar under this x; none between bars that are drawn apart, or beyond the last.
+std::optional<std::size_t> barAt(const PlotCurve& curve, double x)
+{
+    if (curve.style != PlotCurve::Style::Bars || curve.x.empty()) return std::nullopt;
+    const std::size_t i = nearest(curve.x, x);
+    const double width = curve.x.size() > 1 ? curve.x[1] - curve.x[0] : 1;
+    return std::abs(curve.x[i] - x) <= width / 2 ? std::optional(i) : std::nullopt;
+}
+
 }  // namespace
 
 PlotView::PlotView(QWidget* parent) : PlotCanvas(parent), content_(std::make_unique<Content>())
@@ -36,6 +45,7 @@ PlotView::PlotView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uni
     content_->marker->setLayer("overlay");
     content_->marker->setVisible(false);
     content_->marker->setSelectable(false);
+    connect(&plot(), &QCustomPlot::afterLayout, this, &PlotView::placeLimits);
     refresh(false);
 }
 
@@ -220,11 +230,21 @@ QString PlotView::readoutAt(double x, double y) const
 {
     const PlotData& data = content_->data;
     const QRectF range = visibleRange();
+    bool counts = false;  // an x that only takes whole numbers is spoken as one
+    for (const PlotCurve& curve : data.curves)
+        if (const auto bar = barAt(curve, x)) {
+            x = curve.x[*bar];
+            counts = std::all_of(curve.x.begin(), curve.x.end(), [](double v) { return v == std::round(v); });
+            break;
+        }
     const auto withUnit = [](const QString& number, const QString& unit) {
         return unit.isEmpty() ? number : number + ' ' + unit;
     };
     QStringList parts;
-    parts << data.x.title + ' ' + withUnit(readable(x, range.width(), locale()), data.x.unit);
+    if (counts && !data.x.unit.isEmpty())
+        parts << withUnit(readable(x, 1000, locale()), data.x.unit);  // "5 UPR" says it all
+    else
+        parts << data.x.title + ' ' + withUnit(readable(x, counts ? 1000 : range.width(), locale()), data.x.unit);
     bool any = false;
     for (const PlotCurve& curve : data.curves) {
         if (!curve.spoken || curve.x.empty() || x < curve.x.front() || x > curve.x.back()) continue;

@@ -20,7 +20,11 @@ void PlotView::placeLimits()
         place->setTypeX(level ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
         place->setTypeY(level ? QCPItemPosition::ptPlotCoords : QCPItemPosition::ptAxisRectRatio);
         place->setCoords(level ? 0.995 : limit.value, level ? limit.value : 0.01);
-        label->setPositionAlignment(level ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft | Qt::AlignTop);
+        // A name that would be cut off at the right edge stands at the left of its line.
+        const double room = plot().axisRect()->right() - pixelAt(limit.value, 0).x();
+        const bool cut = QFontMetricsF(font()).horizontalAdvance(limit.label) + 10 > room;
+        label->setPositionAlignment(level ? Qt::AlignRight | Qt::AlignBottom
+                                          : (cut ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
         label->setPadding(QMargins(5, 0, 5, 0));
     }
 }

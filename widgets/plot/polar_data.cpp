@@ -10,6 +10,7 @@
 #include "widgets/core/language.h"
 
 namespace lathelier {
+
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -112,9 +113,10 @@ double deviationAt(const PolarPlot::ReferenceLine& circle, double base_radius_mm
     return inside < 0 ? none : along_um + std::sqrt(inside) - base_radius_mm * 1000;
 }
 
-PolarPicturePtr polarPicture(PolarPlot plot)
+PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent)
 {
     auto picture = std::make_shared<PolarPicture>();
+    picture->silent = silent;
     picture->plot = std::move(plot);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const auto see = [&](double value) {
@@ -172,8 +174,10 @@ double PolarScale::angleOf(const QPointF& place) const
 
 double fittingMagnification(const PolarPicture& picture)
 {
-    const double reach_um = std::max({picture.highest_um, -picture.lowest_um, 1e-6});
-    return rounded(0.4 * baseOf(picture.plot) * 1000 / reach_um, false);
+    // What goes one way only may take the room of the other: deviations from an inscribed or circumscribed circle.
+    const double inward_um = std::max(-picture.lowest_um, 1e-6);
+    const double range_um = std::max(picture.highest_um, 0.0) + inward_um;
+    return rounded(std::min(1.0 / range_um, 0.65 / inward_um) * baseOf(picture.plot) * 1000, false);
 }
 
 double steppedMagnification(double magnification, int steps)
@@ -192,17 +196,38 @@ QString toCsv(const PolarPlot& plot)
 {
     QString text = QStringLiteral("trace,angle_deg,deviation_um\n");
     const auto number = [](double value) { return QString::number(value, 'g', 17); };
+    const auto add = [&](QString name, double angle_deg, double deviation) {
+        if (std::isfinite(deviation))
+            text += '"' + name.replace('"', "\"\"") + "\"," + number(angle_deg) + ',' + number(deviation) + '\n';
+    };
+    const auto nameOf = [](const Caption& caption) {
+        return QString::fromStdString(captionText(caption, screenLanguage()));
+    };
     int position = 0;
     for (const PolarPlot::Trace& trace : plot.traces) {
         ++position;
-        QString name = QString::fromStdString(captionText(trace.name, screenLanguage()));
+        QString name = nameOf(trace.name);
         if (name.isEmpty()) name = QString::number(position);
-        name.replace('"', "\"\"");
         const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
-        for (std::size_t i = 0; i < count; ++i)
-            if (std::isfinite(trace.deviation_um[i]))
-                text += '"' + name + "\"," + number(trace.angle_deg[i]) + ',' + number(trace.deviation_um[i]) + '\n';
+        for (std::size_t i = 0; i < count; ++i) add(name, trace.angle_deg[i], trace.deviation_um[i]);
     }
+    const PolarPlot::ReferenceLine* named = nullptr;
+    for (const PolarPlot::ReferenceLine& circle : plot.circles) {
+        ++position;
+        QString name = nameOf(circle.name);
+        if (!name.isEmpty())
+            named = &circle;
+        else if (named)  // the other circle of a zone, which the legend names once
+            name = (circle.deviation_um < named->deviation_um ? PolarWords::tr("%1, inner circle")
+                                                              : PolarWords::tr("%1, outer circle"))
+                       .arg(nameOf(named->name));
+        else
+            name = QString::number(position);
+        for (int angle = 0; angle < 360; ++angle) add(name, angle, deviationAt(circle, plot.base_radius_mm, angle));
+    }
+    for (const PolarPlot::Mark& mark : plot.contacts)
+        add(mark.outer ? PolarWords::tr("outer contact") : PolarWords::tr("inner contact"), mark.angle_deg,
+            mark.deviation_um);
     return text;
 }
 

@@ -2,7 +2,9 @@
 // place on the screen.
 #pragma once
 
+#include <QCoreApplication>
 #include <QPointF>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +12,11 @@
 #include "engine/report/document.h"
 
 namespace lathelier {
+
+/// The words of polar plots.
+struct PolarWords {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::PolarWords)
+};
 
 /// A trace as it is drawn: for each tenth of a degree at most the first, lowest, highest and last sample.
 struct PolarLine {
@@ -24,11 +31,14 @@ struct PolarPicture {
     std::vector<PolarLine> lines;  ///< one for each trace
     double lowest_um = 0;          ///< of all that is drawn
     double highest_um = 0;
+    std::size_t silent = 0;  ///< so many traces at the end are drawn, but not read at the pointer
+
+    std::size_t spoken() const { return plot.traces.size() - std::min(silent, plot.traces.size()); }
 };
 
 using PolarPicturePtr = std::shared_ptr<const PolarPicture>;
 
-PolarPicturePtr polarPicture(PolarPlot plot);
+PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent = 0);
 
 /// Deviation of a circle that lies off the centre, seen from the base circle's centre at this angle; exact, so that it
 /// is right at every magnification (where it looks like a limaçon). NaN where the ray misses it.
@@ -57,7 +67,8 @@ private:
     double base_px_;
 };
 
-/// The largest magnification of 1, 2, 5 × 10^n whose drawing keeps a clear middle. A plot that has no base radius
+/// The largest magnification of 1, 2, 5 × 10^n whose drawing keeps a clear middle and something of the base circle. A
+/// plot that has no base radius
 /// (error motion) counts as if it had one of 1 mm.
 double fittingMagnification(const PolarPicture& picture);
 
@@ -67,7 +78,8 @@ double steppedMagnification(double magnification, int steps);
 /// 1, 2 or 5 × 10^n µm, so that divisions lie at least `smallest_px` apart.
 double division_um(const PolarScale& scale, double smallest_px);
 
-/// One line for each sample: trace, angle, deviation; decimal point in every locale.
+/// One line for each sample: trace, angle, deviation; then the reference circles degree by degree and the contacts, all
+/// as deviations from the base circle. Decimal point in every locale.
 QString toCsv(const PolarPlot& plot);
 
 }  // namespace lathelier

@@ -1,6 +1,5 @@
 #include "widgets/plot/polar_painter.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainterPath>
 #include <algorithm>
@@ -11,18 +10,13 @@
 
 namespace lathelier {
 
-/// The words of this plot.
-struct PolarWords {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::PolarWords)
-};
-
-struct PolarPainter::LegendLine {
-    QString text;
-    QColor colour;
-    enum class Kind { Line, Thin, Dashed, Outer, Inner } kind = Kind::Line;
-};
-
 namespace {
+
+// In lines of type.
+constexpr double lowestWithReadout = 13;
+constexpr double smallestWithDegrees = 5;
+constexpr double smallestWithAllDegrees = 9;
+constexpr double leastShareOfDisc = 0.72;
 
 QString words(const Caption& caption)
 {
@@ -57,36 +51,6 @@ PolarPainter::PolarPainter(const PolarPicture& picture, double magnification, co
 {
 }
 
-std::vector<PolarPainter::LegendLine> PolarPainter::legendLines() const
-{
-    std::vector<LegendLine> lines;
-    const auto known = [&](const QString& text) {
-        return std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) { return line.text == text; });
-    };
-    std::size_t position = 0;
-    for (const PolarPlot::Trace& trace : picture_.plot.traces) {
-        const QString name = words(trace.name);
-        if (!name.isEmpty() && !known(name))
-            lines.push_back(
-                {name, colourOf(trace.colour, position), trace.thin ? LegendLine::Kind::Thin : LegendLine::Kind::Line});
-        ++position;
-    }
-    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
-        const QString name = words(circle.name);
-        if (!name.isEmpty())
-            lines.push_back({name, colourOf(circle.colour, position),
-                             circle.dashed ? LegendLine::Kind::Dashed : LegendLine::Kind::Line});
-        ++position;
-    }
-    const auto contacts = [&](bool outer) {
-        return std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
-                           [&](const PolarPlot::Mark& mark) { return mark.outer == outer; });
-    };
-    if (contacts(true)) lines.push_back({PolarWords::tr("outer contact"), style_.text, LegendLine::Kind::Outer});
-    if (contacts(false)) lines.push_back({PolarWords::tr("inner contact"), style_.text, LegendLine::Kind::Inner});
-    return lines;
-}
-
 QColor PolarPainter::colourOf(int wanted, std::size_t position) const
 {
     return style_.curve(wanted >= 0 ? wanted : static_cast<int>(position));
@@ -99,29 +63,31 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
     Layout layout;
     layout.title = QRectF(room.left() + 6, room.top(), room.width() - 12, line + 4);
     QRectF rest = room.adjusted(4, line + 6, -4, -4);
-    const std::vector<LegendLine> lines = legendLines();
-    if (!lines.empty()) {
-        double widest = 0;
-        for (const LegendLine& entry : lines) widest = std::max(widest, metrics.horizontalAdvance(entry.text));
-        widest += 2.6 * line;
-        const int columns = std::max(1, static_cast<int>(rest.width() / widest));
-        const double rows = std::ceil(static_cast<double>(lines.size()) / columns);
-        const double below = rows * line * 1.15 + 4;
-        // Where the disc becomes larger: with the legend beside it, or below.
-        layout.beside = std::min(rest.width() - widest, rest.height()) > std::min(rest.width(), rest.height() - below);
-        if (layout.beside) {
-            const double side = std::min(rest.width() - widest, rest.height());
-            const double spare = std::max(0.0, rest.width() - widest - side) / 2;
-            layout.legend = QRectF(rest.left() + spare + side, rest.top(), widest, rest.height());
-            rest = QRectF(rest.left() + spare, rest.top(), side, rest.height());
-        } else {
-            layout.legend = QRectF(rest.left(), rest.bottom() - below, rest.width(), below);
-            rest.setBottom(layout.legend.top());
-        }
+    if (rest.height() > lowestWithReadout * line) {
+        layout.readout = layout.title.translated(0, line + 2);
+        rest.setTop(layout.readout.bottom());
     }
-    const double degrees = metrics.horizontalAdvance("180°") + line * 0.5;
-    const double side = std::max(20.0, std::min(rest.width(), rest.height()) - 2 * degrees);
-    layout.disc = QRectF(rest.center().x() - side / 2, rest.center().y() - side / 2, side, side);
+    QSizeF margins(metrics.horizontalAdvance("180°") + 0.5 * line, 1.45 * line);
+    const auto bare = [&] {
+        return std::min(rest.width() - 2 * margins.width(), rest.height() - 2 * margins.height());
+    };
+    if (bare() < smallestWithDegrees * line) {
+        layout.degrees = 0;
+        margins = {2, 2};
+    } else if (bare() < smallestWithAllDegrees * line) {
+        layout.degrees = 90;
+    }
+    // The data come first: the legend is shortened, then left out, before it takes a large share of the disc.
+    Split best;
+    for (const bool shortNames : {false, true}) {
+        best = split(rest, margins, shortNames);
+        if (best.disc_px >= leastShareOfDisc * bare()) break;
+    }
+    if (best.disc_px < leastShareOfDisc * bare()) best = {bare(), rest, {}, {}};
+    const double side = std::max(20.0, best.disc_px);
+    layout.disc = QRectF(best.disc.center().x() - side / 2, best.disc.center().y() - side / 2, side, side);
+    layout.legend = std::move(best.legend);
+    layout.legendAt = best.legendAt;
     return layout;
 }
 
@@ -138,6 +104,7 @@ void PolarPainter::paint(QPainter& painter) const
     painter.setFont(font_);
     paintTitle(painter);
     paintGrid(painter);
+    paintScale(painter);
     painter.save();
     QPainterPath disc;
     disc.addEllipse(layout_.disc);
@@ -147,7 +114,6 @@ void PolarPainter::paint(QPainter& painter) const
     paintLines(painter, false);
     paintContacts(painter);
     painter.restore();
-    paintScale(painter);
     paintLegend(painter);
 }
 
@@ -165,17 +131,25 @@ void PolarPainter::paintTitle(QPainter& painter) const
     painter.setFont(bold);
     painter.drawText(layout_.title, Qt::AlignLeft | Qt::AlignVCenter, title);
     painter.setFont(font_);
+    if (layout_.readout.isEmpty()) {  // the readout will stand at the left
+        painter.drawText(layout_.title, Qt::AlignRight | Qt::AlignVCenter, aside);
+        return;
+    }
     const double gap = title.isEmpty() ? 0 : boldMetrics.horizontalAdvance(title) + metrics.height();
     painter.drawText(layout_.title.adjusted(gap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, aside);
 }
 
 void PolarPainter::paintReadout(QPainter& painter, const QString& text) const
 {
-    painter.fillRect(layout_.title, style_.background);
+    const QFontMetricsF metrics(font_);
+    QRectF place = layout_.readout;
+    if (place.isEmpty()) {
+        place = layout_.title.adjusted(0, 0, -metrics.horizontalAdvance(remark()) - metrics.height() / 2, 0);
+        painter.fillRect(place, style_.background);
+    }
     painter.setFont(font_);
     painter.setPen(style_.text);
-    painter.drawText(layout_.title, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(font_).elidedText(text, Qt::ElideRight, layout_.title.width()));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(text, Qt::ElideRight, place.width()));
 }
 
 void PolarPainter::paintGrid(QPainter& painter) const
@@ -194,6 +168,7 @@ void PolarPainter::paintGrid(QPainter& painter) const
         const QPointF end = centre + (scale_.at(angle, 0) - centre) * (room / scale_.base_px());
         painter.setPen(QPen(style_.grid, 1));
         painter.drawLine(centre + (end - centre) * 0.05, end);
+        if (layout_.degrees == 0 || angle % layout_.degrees != 0) continue;
         painter.setPen(style_.text);
         // Clear of the disc by half a line in every direction, also where the label lies beside it.
         const QString label = QStringLiteral("%1°").arg(angle);
@@ -210,7 +185,23 @@ void PolarPainter::paintGrid(QPainter& painter) const
     painter.drawLine(centre - QPointF(0, line / 3), centre + QPointF(0, line / 3));
 }
 
-/// The numbers of the rings, along one spoke between two of degrees.
+std::vector<PolarPlace> PolarPainter::drawnPlaces() const
+{
+    std::vector<PolarPlace> places;
+    const auto add = [&](double angle_deg, double deviation_um) {
+        if (!std::isfinite(angle_deg) || !std::isfinite(deviation_um)) return;
+        const QPointF arm = scale_.at(angle_deg, deviation_um) - scale_.centre();
+        places.push_back({arm.x(), -arm.y()});
+    };
+    for (const PolarLine& line : picture_.lines)
+        for (std::size_t i = 0; i < line.angle_deg.size(); ++i) add(line.angle_deg[i], line.deviation_um[i]);
+    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
+        for (int angle = 0; angle < 360; ++angle) add(angle, deviationAt(circle, picture_.plot.base_radius_mm, angle));
+    for (const PolarPlot::Mark& mark : picture_.plot.contacts) add(mark.angle_deg, mark.deviation_um);
+    return places;
+}
+
+/// The numbers of the rings, along one ray where little is drawn. Painted before the data, which they must not hide.
 void PolarPainter::paintScale(QPainter& painter) const
 {
     const QFontMetricsF metrics(font_);
@@ -218,18 +209,27 @@ void PolarPainter::paintScale(QPainter& painter) const
     const int every = std::max(1, static_cast<int>(std::ceil(1.6 * metrics.height() / step)));
     const int inward = static_cast<int>((scale_.base_px() - 2 * metrics.height()) / step);
     const int outward = static_cast<int>((scale_.room_px() - scale_.base_px()) / step);
-    for (int ring = -inward; ring <= outward; ++ring) {
-        if (ring % every != 0) continue;
-        const double value_um = ring * division_um_;
-        if (scale_.base_px() + ring * step > scale_.room_px() - 0.6 * metrics.height()) break;
-        const QString label = ring == 0 ? QStringLiteral("0 µm") : signedDivision(value_um, locale_);
-        QRectF plate(0, 0, metrics.horizontalAdvance(label) + 6, metrics.height());
-        plate.moveCenter(scale_.at(75, value_um));
-        QColor ground = style_.background;
-        ground.setAlphaF(0.75);
+    std::vector<RingLabel> labels;
+    QStringList texts;
+    const auto add = [&](int ring) {
+        const double radius = scale_.base_px() + ring * step;
+        if (radius > scale_.room_px() - 0.6 * metrics.height()) return;
+        texts << (ring == 0 ? QStringLiteral("0 µm") : signedDivision(ring * division_um_, locale_));
+        labels.push_back({radius, metrics.horizontalAdvance(texts.back()) + 6, metrics.height()});
+    };
+    add(0);  // the first to get a place
+    for (int ring = every; ring <= outward; ring += every) add(ring);
+    for (int ring = -every; ring >= -inward; ring -= every) add(ring);
+    placeRingLabels(labels, drawnPlaces(), scale_.room_px());
+    QColor ground = style_.background;
+    ground.setAlphaF(0.75);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (!labels[i].place) continue;
+        QRectF plate(0, 0, labels[i].width_px, labels[i].height_px);
+        plate.moveCenter(scale_.centre() + QPointF(labels[i].place->x_px, -labels[i].place->y_px));
         painter.fillRect(plate, ground);
         painter.setPen(style_.text);
-        painter.drawText(plate, Qt::AlignCenter, label);
+        painter.drawText(plate, Qt::AlignCenter, texts[static_cast<int>(i)]);
     }
 }
 
@@ -294,39 +294,6 @@ void PolarPainter::paintContacts(QPainter& painter) const
         paintMark(painter, scale_.at(mark.angle_deg, mark.deviation_um), mark.outer, style_.text);
 }
 
-void PolarPainter::paintLegend(QPainter& painter) const
-{
-    const std::vector<LegendLine> lines = legendLines();
-    if (lines.empty()) return;
-    const QFontMetricsF metrics(font_);
-    const double line = metrics.height();
-    double widest = 0;
-    for (const LegendLine& entry : lines) widest = std::max(widest, metrics.horizontalAdvance(entry.text));
-    widest += 2.6 * line;
-    const int columns = layout_.beside ? 1 : std::max(1, static_cast<int>(layout_.legend.width() / widest));
-    const double step = layout_.beside ? 1.35 * line : 1.15 * line;
-    const double used = std::min<double>(columns, static_cast<double>(lines.size())) * widest;
-    const double left =
-        layout_.beside ? layout_.legend.left() : layout_.legend.left() + (layout_.legend.width() - used) / 2;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto column = static_cast<double>(static_cast<int>(i) % columns);
-        const auto row = static_cast<double>(static_cast<int>(i) / columns);
-        const QRectF place(left + column * widest, layout_.legend.top() + row * step, widest, line);
-        const QPointF middle(place.left() + line, place.center().y());
-        const LegendLine& entry = lines[i];
-        using Kind = LegendLine::Kind;
-        if (entry.kind == Kind::Outer || entry.kind == Kind::Inner) {
-            paintMark(painter, middle, entry.kind == Kind::Outer, entry.colour);
-        } else {
-            painter.setPen(QPen(entry.colour, entry.kind == Kind::Thin ? 1 : 1.2 * style_.lineWidth,
-                                entry.kind == Kind::Dashed ? Qt::DashLine : Qt::SolidLine));
-            painter.drawLine(middle - QPointF(0.8 * line, 0), middle + QPointF(0.8 * line, 0));
-        }
-        painter.setPen(style_.text);
-        painter.drawText(place.adjusted(2.2 * line, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, entry.text);
-    }
-}
-
 void PolarPainter::paintAngle(QPainter& painter, double angle_deg, const QColor& colour, bool strong) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -334,7 +301,7 @@ void PolarPainter::paintAngle(QPainter& painter, double angle_deg, const QColor&
     const QPointF end = centre + (scale_.at(angle_deg, 0) - centre) * (scale_.room_px() / scale_.base_px());
     painter.setPen(QPen(colour, strong ? style_.lineWidth : 1, strong ? Qt::SolidLine : Qt::DotLine));
     painter.drawLine(centre, end);
-    for (std::size_t t = 0; t < picture_.plot.traces.size(); ++t) {
+    for (std::size_t t = 0; t < picture_.spoken(); ++t) {
         const PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin) continue;
         const auto nearest = nearestSample(trace, angle_deg);

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QPainter>
 
+#include "engine/report/polar_svg.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/polar_data.h"
 
@@ -23,21 +24,44 @@ public:
     /// The marked angle: a spoke, and a dot on the first trace.
     void paintAngle(QPainter& painter, double angle_deg, const QColor& colour, bool strong) const;
 
-    /// `text` in the title's place.
+    /// `text` on its own line under the title; in a low plot in the title's place. The magnification stays.
     void paintReadout(QPainter& painter, const QString& text) const;
 
 private:
-    struct LegendLine;
+    struct LegendLine {
+        enum class Kind { Line, Thin, Dashed, Outer, Inner };
+        QString text;
+        QColor colour;
+        Kind kind = Kind::Line;
+        QPointF place{};  ///< left end, from the legend's corner
+    };
+    struct Legend {
+        std::vector<LegendLine> lines;
+        QSizeF size{0, 0};
+        double sample_px = 0;  ///< before the words
+    };
     struct Layout {
         QRectF title;
+        QRectF readout;  ///< empty: it stands in the title's place
         QRectF disc;
-        QRectF legend;
-        bool beside = false;  ///< the legend stands at the right, not below
+        QPointF legendAt;
+        Legend legend;
+        int degrees = 30;  ///< between two labels of the rim; 0: none
+    };
+    struct Split {  ///< a room shared by disc and legend
+        double disc_px = 0;
+        QRectF disc;
+        QPointF legendAt;
+        Legend legend;
     };
     Layout layOut(const QRectF& room) const;
-    std::vector<LegendLine> legendLines() const;
+    Split split(const QRectF& room, const QSizeF& margins, bool shortNames) const;
+    std::vector<LegendLine> legendLines(bool shortNames) const;
+    Legend column(Legend legend) const;
+    Legend rows(Legend legend, double width_px) const;
     QString remark() const;
     QColor colourOf(int wanted, std::size_t position) const;
+    std::vector<PolarPlace> drawnPlaces() const;
     void paintTitle(QPainter& painter) const;
     void paintGrid(QPainter& painter) const;
     void paintScale(QPainter& painter) const;

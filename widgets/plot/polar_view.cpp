@@ -1,6 +1,7 @@
 #include "widgets/plot/polar_view.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPdfWriter>
@@ -17,6 +18,12 @@ namespace {
 QString titleOf(const PolarPicture& picture)
 {
     return QString::fromStdString(captionText(picture.plot.title, screenLanguage()));
+}
+
+/// Another reference circle of the same part, not another part.
+bool sizesAgree(double a_mm, double b_mm)
+{
+    return std::abs(a_mm - b_mm) <= 0.01 * std::max(std::abs(a_mm), std::abs(b_mm));
 }
 
 const PolarPlot::Trace* firstTrace(const PolarPicturePtr& picture)
@@ -39,7 +46,7 @@ PolarView::PolarView(QWidget* parent) : PlotWidget(parent)
 void PolarView::setPicture(const PolarPicturePtr& picture)
 {
     const bool same = picture_ && picture && picture_->plot.title == picture->plot.title &&
-                      picture_->plot.base_radius_mm == picture->plot.base_radius_mm;
+                      sizesAgree(picture_->plot.base_radius_mm, picture->plot.base_radius_mm);
     picture_ = picture;
     if (!same) chosen_.reset();
     forgetPixmap();
@@ -62,6 +69,7 @@ void PolarView::setMagnification(std::optional<double> magnification)
 void PolarView::setMarker(std::optional<double> angle_deg)
 {
     marker_ = angle_deg;
+    setAccessibleDescription(readout());
     update();
 }
 
@@ -78,8 +86,9 @@ QString PolarView::spoken(double angle_deg) const
     const PolarPlot::Trace* first = firstTrace(picture_);
     if (!first) return {};
     const auto nearest = nearestSample(*first, angle_deg);
-    QStringList parts{tr("angle %1°").arg(screenNumber(nearest ? first->angle_deg[*nearest] : angle_deg, 1))};
-    for (const PolarPlot::Trace& trace : picture_->plot.traces) {
+    QStringList parts{screenNumber(nearest ? first->angle_deg[*nearest] : angle_deg, 1) + "°"};
+    for (std::size_t t = 0; t < picture_->spoken(); ++t) {
+        const PolarPlot::Trace& trace = picture_->plot.traces[t];
         if (trace.thin) continue;
         const auto sample = nearestSample(trace, angle_deg);
         if (!sample) continue;
@@ -105,6 +114,15 @@ QPointF PolarView::pixelAt(double angle_deg, double deviation_um) const
     return PolarPainter(*picture_, magnification(), rect(), font(), style, locale())
         .scale()
         .at(angle_deg, deviation_um);
+}
+
+QRectF PolarView::discRect() const
+{
+    if (!picture_) return {};
+    const PlotStyle style(palette(), font());
+    const PolarScale scale = PolarPainter(*picture_, magnification(), rect(), font(), style, locale()).scale();
+    const QPointF reach(scale.room_px(), scale.room_px());
+    return {scale.centre() - reach, scale.centre() + reach};
 }
 
 void PolarView::paintEvent(QPaintEvent*)
@@ -203,14 +221,32 @@ void PolarView::mousePressEvent(QMouseEvent* event)
 {
     setFocus(Qt::MouseFocusReason);
     mouseMoveEvent(event);
-    if (event->button() != Qt::LeftButton || !pointer_) return;
-    setMarker(pointer_);
-    emit clicked(*pointer_);
+    if (event->button() != Qt::LeftButton) return;
+    before_ = marker_;
+    pressed_ = true;
+    if (pointer_) choose(pointer_);
 }
 
-void PolarView::mouseDoubleClickEvent(QMouseEvent*)
+void PolarView::mouseDoubleClickEvent(QMouseEvent* event)
 {
+    if (event->button() != Qt::LeftButton) return;
+    if (pressed_ && marker_ != before_) choose(before_);  // it was no click, but the beginning of this
+    pressed_ = false;
     resetView();
+}
+
+void PolarView::choose(std::optional<double> angle_deg)
+{
+    setMarker(angle_deg);
+    if (angle_deg)
+        emit clicked(*angle_deg);
+    else
+        emit unmarked();
+}
+
+void PolarView::addToMenu(QMenu& menu)
+{
+    if (marker_) menu.addAction(tr("Take the mark away"), this, [this] { choose({}); });
 }
 
 void PolarView::wheelEvent(QWheelEvent* event)
@@ -230,8 +266,7 @@ void PolarView::step(int samples)
     const auto at = nearestSample(*first, marker_.value_or(0));
     const int next = ((at ? static_cast<int>(*at) : 0) + samples + count) % count;
     pointer_.reset();
-    setMarker(first->angle_deg[static_cast<std::size_t>(next)]);
-    emit clicked(*marker_);
+    choose(first->angle_deg[static_cast<std::size_t>(next)]);
 }
 
 void PolarView::keyPressEvent(QKeyEvent* event)
@@ -243,6 +278,9 @@ void PolarView::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Plus: return setMagnification(steppedMagnification(magnification(), 1));
         case Qt::Key_Minus: return setMagnification(steppedMagnification(magnification(), -1));
         case Qt::Key_Home: return resetView();
+        case Qt::Key_Escape:
+            if (marker_) return choose({});
+            return QWidget::keyPressEvent(event);
         default: QWidget::keyPressEvent(event);
     }
 }

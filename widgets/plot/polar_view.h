@@ -11,7 +11,7 @@
 namespace lathelier {
 
 /// The wheel (or + and -) changes the magnification, a double click (or Home) fits it again; ← and → move the mark from
-/// sample to sample of the first trace.
+/// sample to sample of the first trace, Escape or the menu takes it away.
 class PolarView : public PlotWidget {
     Q_OBJECT
 
@@ -35,6 +35,7 @@ public:
 
     /// Where a sample stands in this widget, for tests and for callouts.
     QPointF pixelAt(double angle_deg, double deviation_um) const;
+    QRectF discRect() const;  ///< inside the rim
 
     QImage picture(double scale = 2) override;
     QString csv() const override;
@@ -45,12 +46,14 @@ public:
 
 signals:
     void clicked(double angle_deg);  ///< or moved there by the keyboard
+    void unmarked();                 ///< the user took the mark away
     void pointed(double angle_deg);  ///< the pointer is over this angle
     void pointerLeft();
     void magnificationChanged(double magnification);
 
 protected:
     bool saveVector(const QString& path) override;
+    void addToMenu(QMenu& menu) override;
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -65,13 +68,16 @@ private:
     void forgetPixmap();
     void point(std::optional<double> angle_deg);
     void step(int samples);
+    void choose(std::optional<double> angle_deg);
     QString spoken(double angle_deg) const;
 
     PolarPicturePtr picture_;
     std::optional<double> chosen_;   ///< magnification
     std::optional<double> marker_;   ///< degrees
     std::optional<double> pointer_;  ///< degrees
-    QPixmap pixmap_;                 ///< everything that does not follow the pointer
+    std::optional<double> before_;   ///< the marker before the last press, which may be the first of a double click
+    bool pressed_ = false;
+    QPixmap pixmap_;  ///< everything that does not follow the pointer
     int wheel_ = 0;
 };
 

@@ -37,9 +37,9 @@ protected:
         const QRect place =
             title_ ? title_->rect().adjusted(0, 0, -title_->room_, 0) : rect().adjusted(0, 0, -room_, 0);
         const QRect room = place.adjusted(6, 0, -6, 0);
-        if (title_) painter->fillRect(place, background_);
         painter->setFont(font_);
         painter->setPen(colour_);
+        if (title_) return drawOver(painter, place, room, title_->aside_);
         const QString shown = metrics.elidedText(text_, Qt::ElideRight, room.width());
         painter->drawText(room, static_cast<int>(alignment_ | Qt::AlignVCenter), shown);
         if (aside_.isEmpty() || shown != text_) return;
@@ -52,6 +52,18 @@ protected:
     }
 
 private:
+    /// The title's remark, such as a magnification, stays readable beside what covers the title.
+    void drawOver(QCPPainter* painter, const QRect& place, const QRect& room, const QString& remark) const
+    {
+        const QFontMetrics metrics(font_);
+        painter->fillRect(place, background_);
+        const QString kept = metrics.elidedText(remark, Qt::ElideRight, room.width() / 2);
+        const int width = kept.isEmpty() ? 0 : metrics.horizontalAdvance(kept) + metrics.height();
+        painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, kept);
+        painter->drawText(room, static_cast<int>(alignment_ | Qt::AlignVCenter),
+                          metrics.elidedText(text_, Qt::ElideRight, room.width() - width));
+    }
+
     QString text_;
     QString aside_;
     int room_ = 0;

@@ -28,8 +28,7 @@ Value orNothing(double value)
 PlotData spectrumData(const RoundnessResult& result)
 {
     PlotData plot;
-    plot.title = RoundnessCharts::tr("Spectrum");
-    plot.remark = RoundnessCharts::tr("before the filter");
+    plot.title = RoundnessCharts::tr("Spectrum") + ", " + RoundnessCharts::tr("before the filter");
     plot.x = {RoundnessCharts::tr("Undulations per revolution"), "UPR"};
     plot.y = {RoundnessCharts::tr("Amplitude"), "µm"};
     plot.yFromZero = true;
@@ -93,16 +92,21 @@ PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const Harmonic& har
 {
     PolarPlot plot = picture->plot;
     PolarPlot::Trace wave;
-    wave.name = std::to_string(harmonic.upr) + " UPR";
-    wave.colour = 3;
+    wave.name = std::to_string(harmonic.upr) + " UPR  " + screenNumber(harmonic.amplitude, 2).toStdString() + " µm";
+    wave.colour = 5;  // none of the circles has it
+    // A wave runs about the least-squares circle, the first of them, whatever circle deviations count from.
+    const auto ground_um = [&](double angle_deg) {
+        return plot.circles.empty() ? 0 : deviationAt(plot.circles.front(), plot.base_radius_mm, angle_deg);
+    };
     const int samples = std::max(360, 16 * harmonic.upr);
     for (int i = 0; i < samples; ++i) {
         const double angle = 2 * std::numbers::pi * i / samples;
         wave.angle_deg.push_back(360.0 * i / samples);
-        wave.deviation_um.push_back(harmonic.amplitude * std::cos(harmonic.upr * angle - harmonic.phase_rad));
+        wave.deviation_um.push_back(ground_um(360.0 * i / samples) +
+                                    harmonic.amplitude * std::cos(harmonic.upr * angle - harmonic.phase_rad));
     }
     plot.traces.push_back(std::move(wave));
-    return polarPicture(std::move(plot));
+    return polarPicture(std::move(plot), 1);  // a part of the profile, not a second one
 }
 
 }  // namespace lathelier

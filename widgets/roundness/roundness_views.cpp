@@ -58,7 +58,10 @@ RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
     connect(section_, &SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);
     connect(polar_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
     connect(&angle_, &MarkedAngle::changed, this, &RoundnessViews::markAngle);
+    connect(polar_, &PolarView::unmarked, this, [this] { angle_.set({}); });
+    connect(spectrum_, &PlotCanvas::clickTakenBack, this, [this] { markHarmonic(harmonicBefore_); });
     connect(spectrum_, &PlotCanvas::clicked, this, [this](double upr, double) {
+        harmonicBefore_ = harmonic_;
         const int wanted = static_cast<int>(std::lround(upr));
         markHarmonic(harmonic_ == wanted ? std::nullopt : std::optional(wanted));
     });

@@ -41,6 +41,7 @@ private:
     MarkedAngle& angle_;
     std::shared_ptr<const SpindlePicture> picture_;
     std::optional<int> harmonic_;
+    std::optional<int> harmonicBefore_;  ///< the last click
     SectionBar* section_;
     QToolButton* form_;
     QToolButton* laid_;

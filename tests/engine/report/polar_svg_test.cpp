@@ -23,7 +23,8 @@ PolarPlot plotWith(double amplitude_um, double radius_mm = 25, std::size_t point
         trace.deviation_um.push_back(amplitude_um * std::cos(3 * angle * M_PI / 180));
     }
     plot.traces = {trace};
-    plot.circles = {{std::string("MZCI"), amplitude_um / 10, 0, amplitude_um, 1, false}, {std::string("MICI"), 0, 0, 0, 4, true}};
+    plot.circles = {{std::string("MZCI"), amplitude_um / 10, 0, amplitude_um, 1, false},
+                    {std::string("MICI"), 0, 0, 0, 4, true}};
     plot.contacts = {{0, amplitude_um, true}, {60, -amplitude_um, false}};
     return plot;
 }
@@ -79,6 +80,56 @@ TEST(PolarSvg, LongTracesAreThinnedAndGapsStayOpen)
     EXPECT_EQ(count(broken, "nan"), 0u);
     EXPECT_NE(whole, broken);
     EXPECT_NO_THROW(toSvg(PolarPlot{}));
+}
+
+TEST(PolarSvg, NumbersOfTheScaleLieBeneathTheData)
+{
+    const std::string svg = toSvg(plotWith(3));
+    const std::size_t number = svg.find(">+2<"), plate = svg.rfind("#ffffff");
+    const std::size_t profile = svg.find("stroke=\"" + std::string(polarColour(0)));
+    ASSERT_NE(number, std::string::npos);
+    ASSERT_NE(profile, std::string::npos);
+    EXPECT_LT(number, profile);
+    EXPECT_LT(plate, profile);
+}
+
+TEST(PolarSvg, NumbersOfTheScaleStandWhereNothingIsDrawn)
+{
+    // All is drawn in the upper half, and a curve runs along the lower ring.
+    std::vector<PolarPlace> drawn;
+    for (double x = -100; x <= 100; x += 2)
+        for (double y = 0; y <= 100; y += 2) drawn.push_back({x, y});
+    for (int angle = 180; angle < 360; ++angle)
+        drawn.push_back({60 * std::cos(angle * M_PI / 180), 60 * std::sin(angle * M_PI / 180)});
+    std::vector<RingLabel> labels{{60, 24, 14}, {92, 24, 14}};
+    placeRingLabels(labels, drawn, 100);
+    for (const RingLabel& label : labels) {
+        ASSERT_TRUE(label.place);
+        EXPECT_LT(label.place->y_px, 0);
+        for (const PolarPlace& place : drawn)
+            EXPECT_FALSE(std::abs(place.x_px - label.place->x_px) < 12 && std::abs(place.y_px - label.place->y_px) < 7);
+    }
+    EXPECT_NEAR(std::hypot(labels[1].place->x_px, labels[1].place->y_px), 92, 1e-9);  // free: on its ring
+    std::vector<RingLabel> crowded{{60, 24, 14}, {61, 24, 14}, {62, 24, 14}, {63, 24, 14}, {64, 24, 14}, {65, 24, 14}};
+    placeRingLabels(crowded, {}, 100);
+    for (const RingLabel& a : crowded)
+        for (const RingLabel& b : crowded) {
+            if (&a == &b || !a.place || !b.place) continue;
+            EXPECT_GE(std::hypot(a.place->x_px - b.place->x_px, a.place->y_px - b.place->y_px), 14);
+        }
+    EXPECT_TRUE(crowded[0].place);
+    EXPECT_FALSE(crowded[5].place);
+}
+
+TEST(PolarSvg, DeviationsThatGoOneWayGetTheRoomOfTheOther)
+{
+    for (const double sign : {1.0, -1.0}) {
+        PolarPlot plot = plotWith(3);
+        for (double& value : plot.traces[0].deviation_um) value = sign * std::abs(value);
+        plot.circles.clear();
+        plot.contacts.clear();
+        EXPECT_GE(fittingMagnification(plot), fittingMagnification(plotWith(3)));
+    }
 }
 
 TEST(PolarSvg, StandsInReports)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +82,42 @@ TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
     const Plot spectrum = spectrumPlot(result);
     EXPECT_EQ(spectrum.curves[0].y.size() + 1, spectrum.curves[0].x.size());
     EXPECT_NEAR(spectrum.curves[0].y[1], 4, .1);
+}
+
+TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)
+{
+    for (const ReferenceCircle which :
+         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+        RoundnessParameters parameters;
+        parameters.circle = which;
+        const RoundnessResult result = made(parameters);
+        const FittedCircle& circle = result.circles.of(which);
+        const PolarPlot plot = roundnessPolarPlot(result);
+        EXPECT_EQ(plot.base_radius_mm, circle.radius_mm);
+        EXPECT_NE(captionText(plot.traces[0].name).find(name(which)), std::string::npos);
+        const auto [low, high] =
+            std::minmax_element(plot.traces[0].deviation_um.begin(), plot.traces[0].deviation_um.end());
+        EXPECT_NEAR(*low, 1000 * (circle.inner_radius_mm - circle.radius_mm), 1e-6) << name(which);
+        EXPECT_NEAR(*high, 1000 * (circle.outer_radius_mm - circle.radius_mm), 1e-6) << name(which);
+        for (const PolarPlot::Mark& mark : plot.contacts)
+            EXPECT_NEAR(mark.deviation_um, mark.outer ? *high : *low, 1e-3) << name(which);
+    }
+}
+
+TEST(RoundnessReport, TheLegendOfTheCirclesDoesNotDependOnTheChosenOne)
+{
+    std::vector<std::string> first;
+    for (const ReferenceCircle which : {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MCCI}) {
+        RoundnessParameters parameters;
+        parameters.circle = which;
+        RoundnessResult result = made(parameters);
+        result.RONt_expanded_uncertainty_um = which == ReferenceCircle::LSCI ? 0.5 : 0.005;
+        std::vector<std::string> names;
+        for (const PolarPlot::ReferenceLine& line : roundnessPolarPlot(result).circles)
+            names.push_back(captionText(line.name));
+        if (first.empty()) first = names;
+        EXPECT_EQ(names, first);
+    }
 }
 
 TEST(RoundnessReport, SuperimposedProfiles)

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
+#include <QWindow>
 #include <cmath>
 
 using namespace lathelier;
@@ -161,16 +162,28 @@ private slots:
     void contextMenuOffersPictureAndData()
     {
         QStringList offered;
-        QTimer::singleShot(50, this, [&] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            QVERIFY(menu);
-            for (const QAction* action : menu->actions()) offered << action->text();
-            menu->close();
-        });
-        QContextMenuEvent event(QContextMenuEvent::Mouse, {100, 100}, view_->mapToGlobal({100, 100}));
-        QApplication::sendEvent(view_, &event);
+        QPoint shownAt;
+        const auto look = [&] {
+            QTimer::singleShot(50, this, [&] {
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                if (!menu) return;
+                for (const QAction* action : menu->actions()) offered << action->text();
+                shownAt = menu->pos();
+                menu->close();
+            });
+        };
+        look();
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, {100, 100}, view_->mapToGlobal({100, 100}));
+        QApplication::sendEvent(view_, &key);
         QVERIFY(offered.join('|').contains("Copy picture"));
         QVERIFY(offered.join('|').contains("CSV"));
+        offered.clear();
+        look();
+        // Through the window, as the system does it: a right click anywhere on the plot, at the place of the pointer.
+        QTest::mouseClick(view_->windowHandle(), Qt::RightButton, {}, {120, 90});
+        QTest::qWait(100);
+        QVERIFY2(offered.join('|').contains("CSV"), "no menu by right click");
+        QCOMPARE(shownAt, view_->mapToGlobal({120, 90}));
     }
 
     void picturesAndDataAreWritten()
@@ -233,6 +246,59 @@ private slots:
         QVERIFY(qBlue(ink) > qRed(ink));  // the curve's blue fills the middle
         hover(surface(*view_), at(*view_, 50, 0.2));
         QVERIFY(view_->readout().contains("m/s²"));
+    }
+
+    void barsAreReadByTheirWholeNumber()
+    {
+        PlotData data;
+        data.title = "Spectrum";
+        data.x = {"Undulations", "UPR"};
+        data.y = {"Amplitude", "µm"};
+        data.yFromZero = true;
+        PlotCurve bars;
+        bars.style = PlotCurve::Style::Bars;
+        for (int upr = 2; upr <= 60; ++upr) {
+            bars.x.push_back(upr);
+            bars.y.push_back(10.0 / upr);
+        }
+        data.curves.push_back(bars);
+        view_->setData(data);
+        QCoreApplication::processEvents();
+        for (const double x : {4.7, 5.3}) {
+            hover(surface(*view_), at(*view_, x, 4));
+            QVERIFY2(view_->readout().startsWith("5 UPR"), qPrintable(view_->readout()));
+            QVERIFY2(view_->readout().contains("Amplitude 2.0"), qPrintable(view_->readout()));
+        }
+        hover(surface(*view_), at(*view_, 1.7, 4));  // the left half of the first bar
+        QVERIFY2(view_->readout().contains("Amplitude 5.0"), qPrintable(view_->readout()));
+    }
+
+    void doubleClickTakesItsFirstClickBack()
+    {
+        QSignalSpy clicked(view_, &PlotCanvas::clicked), back(view_, &PlotCanvas::clickTakenBack);
+        const QPoint place = at(*view_, 30, 50);
+        QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(surface(*view_), Qt::LeftButton, {}, place);
+        QCOMPARE(clicked.count(), 1);
+        QCOMPARE(back.count(), 1);
+    }
+
+    void theRemarkStaysBesideTheReadout()
+    {
+        PlotData data = parabola();
+        data.remark = "error × 200";
+        view_->setData(data);
+        const auto inkAtTheRight = [&] {
+            QCoreApplication::processEvents();
+            const QImage image = view_->grab(QRect(450, 0, 150, view_->fontMetrics().height())).toImage();
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (qGray(image.pixel(x, y)) < 128) return true;
+            return false;
+        };
+        QVERIFY(!inkAtTheRight());
+        hover(surface(*view_), at(*view_, 50, 60));
+        QVERIFY2(inkAtTheRight(), "the magnification is gone while the pointer is over the plot");
     }
 
     void emptyDataDrawEmptyAxes()

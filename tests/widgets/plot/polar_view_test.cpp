@@ -1,5 +1,6 @@
 #include "widgets/plot/polar_view.h"
 
+#include <QDir>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -8,7 +9,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/report/polar_svg.h"
 #include "widgets/core/resources.h"
+#include "widgets/plot/plot_style.h"
 
 using namespace lathelier;
 
@@ -150,6 +153,121 @@ private slots:
                  qPrintable(view_->readout()));
     }
 
+    void theOtherCircleOfAZoneHasANameInTheTable()
+    {
+        PolarPlot plot = lobes();
+        plot.circles.push_back({std::string(), 8, 0, -6});
+        QVERIFY(toCsv(plot).contains("\n\"MCCI, inner circle\",0,2\n"));
+    }
+
+    void titleAndMagnificationStayBesideTheReadout()
+    {
+        const auto top = [&] { return view_->grab(QRect(0, 0, 640, view_->fontMetrics().height() + 4)).toImage(); };
+        const QImage before = top();
+        view_->setMarker(45.0);
+        QVERIFY(!view_->readout().isEmpty());
+        QCOMPARE(top(), before);
+        hover(view_.get(), view_->pixelAt(120, 3).toPoint());
+        QCOMPARE(top(), before);
+        // A low plot has no line for it: it covers the title, never the magnification at the right.
+        const auto right = [&] { return view_->grab(QRect(220, 0, 100, view_->fontMetrics().height())).toImage(); };
+        view_->resize(320, 12 * view_->fontMetrics().height());
+        view_->setMarker({});
+        hover(view_.get(), {1, 1});
+        const QImage stated = right();
+        view_->setMarker(45.0);
+        QCOMPARE(right(), stated);
+    }
+
+    void doubleClickLeavesTheMarker()
+    {
+        view_->setMarker(90.0);
+        QSignalSpy clicked(view_.get(), &PolarView::clicked), unmarked(view_.get(), &PolarView::unmarked);
+        const QPoint place = view_->pixelAt(45, 0).toPoint();
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, place);
+        QCOMPARE(*view_->marker(), 90.0);
+        QCOMPARE(clicked.last()[0].toDouble(), 90.0);  // and the linked views go back
+        view_->setMarker({});
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, place);
+        QVERIFY(!view_->marker());
+        QCOMPARE(unmarked.count(), 1);
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place);
+        QTest::keyClick(view_.get(), Qt::Key_Escape);
+        QVERIFY(!view_->marker());
+        QCOMPARE(unmarked.count(), 2);
+    }
+
+    void scaleNeverHidesTheData()
+    {
+        // A profile so dense that there is no free place for the numbers: it must be drawn unbroken all the same.
+        PolarPlot plot = lobes();
+        plot.circles.clear();
+        plot.contacts.clear();
+        plot.title = std::string();
+        for (int k = 0; k < 40; ++k) {
+            PolarPlot::Trace ring = plot.traces.front();
+            ring.colour = 0;
+            for (double& value : ring.deviation_um) value = -5 + k * 0.25;
+            plot.traces.push_back(ring);
+        }
+        view_->setPicture(polarPicture(plot));
+        const QImage image = view_->grab().toImage();
+        const QColor ink = PlotStyle(view_->palette(), view_->font()).curve(0);
+        for (const PolarPlot::Trace& trace : plot.traces)
+            for (std::size_t i = 0; i < trace.angle_deg.size(); ++i) {
+                const QPoint place = view_->pixelAt(trace.angle_deg[i], trace.deviation_um[i]).toPoint();
+                int away = 500;
+                for (const QPoint& step : {QPoint(0, 0), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)}) {
+                    const QColor seen = image.pixelColor(place + step);
+                    away = std::min(away, std::abs(seen.red() - ink.red()) + std::abs(seen.green() - ink.green()));
+                }
+                QVERIFY2(away < 200, qPrintable(QString("%1° %2").arg(trace.angle_deg[i]).arg(away)));
+            }
+    }
+
+    void theDiscComesBeforeTheLegend()
+    {
+        PolarPlot plot = lobes();
+        plot.circles.clear();
+        for (const char* name :
+             {"LSCI  RONt 10.77 µm", "MZCI  RONt 9.49 µm", "MICI  RONt 13.62 µm", "MCCI  RONt 11.29 µm"})
+            plot.circles.push_back({std::string(name), 1, 1, 2});
+        view_->setPicture(polarPicture(plot));
+        QFont large = view_->font();
+        large.setPixelSize(21);
+        view_->setFont(large);
+        view_->resize(533, 483);  // presenter mode at 1280x800
+        view_->grab().save(qEnvironmentVariable("LATHELIER_LOOK", QDir::tempPath()) + "/polar_presenter.png");
+        QVERIFY2(view_->discRect().width() > 260, qPrintable(QString::number(view_->discRect().width())));
+        view_->resize(250, 200);
+        QVERIFY2(view_->discRect().width() > 120, qPrintable(QString::number(view_->discRect().width())));
+        for (const QSize& size : {QSize(180, 180), QSize(533, 483), QSize(900, 300), QSize(300, 900)}) {
+            view_->resize(size);
+            QVERIFY(QRectF(view_->rect()).contains(view_->discRect()));
+        }
+    }
+
+    void oneSidedDeviationsAreDrawnAsLarge()
+    {
+        for (const double side : {5.0, -5.0}) {
+            PolarPlot plot = lobes();
+            plot.circles.clear();
+            plot.contacts.clear();
+            const double both = fittingMagnification(*polarPicture(plot));
+            for (double& value : plot.traces.front().deviation_um) value += side;  // from an inscribed circle, say
+            QVERIFY(fittingMagnification(*polarPicture(plot)) >= both / 2);
+        }
+    }
+
+    void screenAndReportShareTheirColours()
+    {
+        const PlotStyle paper(paperPalette(), view_->font());
+        for (int i = 0; i < 8; ++i)
+            QCOMPARE(paper.curve(i).name().toStdString(), std::string(polarColour(static_cast<std::size_t>(i))));
+    }
+
     void clickAndKeysMoveTheMarker()
     {
         QSignalSpy clicked(view_.get(), &PolarView::clicked);
@@ -179,7 +297,10 @@ private slots:
         QVERIFY(svg.readAll().contains("<polyline"));
         QVERIFY(view_->saveData(folder.filePath("plot.csv")));
         QVERIFY(view_->csv().startsWith("trace,angle_deg,deviation_um\n\"profile\",0,5\n"));
-        QCOMPARE(view_->csv().count('\n'), 721);
+        // 720 samples; the circle, degree by degree; two contacts.
+        QCOMPARE(view_->csv().count('\n'), 1 + 720 + 360 + 2);
+        QVERIFY(view_->csv().contains("\n\"MCCI\",0,10\n"));
+        QVERIFY(view_->csv().contains("\n\"outer contact\",0,5\n\"inner contact\",60,-5\n"));
         QVERIFY(!view_->savePicture(folder.filePath("no/such/folder/plot.svg")));
         QVERIFY(!view_->saveData(folder.filePath("no/such/folder/plot.csv")));
         view_->picture().save(qEnvironmentVariable("LATHELIER_LOOK", folder.path()) + "/polar.png");

@@ -1,0 +1,130 @@
+// What the lines of a polar plot are: full names where there is room, short ones where the disc needs it.
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/core/language.h"
+#include "widgets/plot/polar_painter.h"
+
+namespace lathelier {
+
+namespace {
+
+// In lines of type.
+constexpr double sampleWidth = 2.2, shortSample = 1.5;
+constexpr double gap = 0.6;
+constexpr double rowStep = 1.15;
+constexpr double columnStep = 1.35;
+
+}  // namespace
+
+std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames) const
+{
+    using Kind = LegendLine::Kind;
+    std::vector<LegendLine> lines;
+    const auto add = [&](QString text, const QColor& colour, Kind kind) {
+        if (shortNames) text = text.section("  ", 0, 0);  // what follows the name is a figure
+        const bool known =
+            std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) { return line.text == text; });
+        if (!text.isEmpty() && !known) lines.push_back({text, colour, kind});
+    };
+    const auto words = [](const Caption& caption) {
+        return QString::fromStdString(captionText(caption, screenLanguage()));
+    };
+    std::size_t position = 0;
+    for (const PolarPlot::Trace& trace : picture_.plot.traces)
+        add(words(trace.name), colourOf(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
+    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
+        add(words(circle.name), colourOf(circle.colour, position++), circle.dashed ? Kind::Dashed : Kind::Line);
+    for (const bool outer : {true, false})
+        if (std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
+                        [&](const PolarPlot::Mark& mark) { return mark.outer == outer; }))
+            add(outer ? PolarWords::tr("outer contact") : PolarWords::tr("inner contact"), style_.text,
+                outer ? Kind::Outer : Kind::Inner);
+    return lines;
+}
+
+PolarPainter::Legend PolarPainter::column(Legend legend) const
+{
+    const QFontMetricsF metrics(font_);
+    const double line = metrics.height();
+    for (LegendLine& entry : legend.lines) {
+        entry.place = {0, legend.size.height()};
+        legend.size = {
+            std::max(legend.size.width(), legend.sample_px + gap * line + metrics.horizontalAdvance(entry.text)),
+            legend.size.height() + columnStep * line};
+    }
+    return legend;
+}
+
+/// Columns of one width; where that would leave a single one, each entry behind the other.
+PolarPainter::Legend PolarPainter::rows(Legend legend, double width_px) const
+{
+    const QFontMetricsF metrics(font_);
+    const double line = metrics.height();
+    const auto widthOf = [&](const LegendLine& entry) {
+        return legend.sample_px + gap * line + metrics.horizontalAdvance(entry.text);
+    };
+    if (legend.lines.empty()) return legend;
+    double widest = 0;
+    for (const LegendLine& entry : legend.lines) widest = std::max(widest, widthOf(entry));
+    const auto columns = static_cast<int>(width_px / widest);
+    QPointF next(0, 0);
+    double used = 0;
+    for (LegendLine& entry : legend.lines) {
+        const double width = columns > 2 ? widest : widthOf(entry);
+        if (next.x() > 0 && next.x() + width > width_px) next = {0, next.y() + rowStep * line};
+        entry.place = next;
+        next.rx() += width;
+        used = std::max(used, next.x());
+    }
+    legend.size = {used, next.y() + rowStep * line + 4};
+    return legend;
+}
+
+PolarPainter::Split PolarPainter::split(const QRectF& room, const QSizeF& margins, bool shortNames) const
+{
+    const auto disc = [&](const QRectF& rest) {
+        return std::min(rest.width() - 2 * margins.width(), rest.height() - 2 * margins.height());
+    };
+    Legend legend;
+    legend.lines = legendLines(shortNames);
+    legend.sample_px = (shortNames ? shortSample : sampleWidth) * QFontMetricsF(font_).height();
+    if (legend.lines.empty()) return {disc(room), room, {}, {}};
+    Split below, beside;
+    below.legend = rows(legend, room.width());
+    below.disc = room.adjusted(0, 0, 0, -below.legend.size.height());
+    below.disc_px = disc(below.disc);
+    below.legendAt = {room.center().x() - below.legend.size.width() / 2, below.disc.bottom()};
+    beside.legend = column(std::move(legend));
+    if (beside.legend.size.height() > room.height()) return below;
+    const double width = std::min(room.width() - beside.legend.size.width(), room.height() + 2 * margins.width());
+    const double spare = std::max(0.0, room.width() - beside.legend.size.width() - width) / 2;
+    beside.disc = QRectF(room.left() + spare, room.top(), width, room.height());
+    beside.disc_px = disc(beside.disc);
+    beside.legendAt = beside.disc.topRight();
+    return beside.disc_px > below.disc_px ? beside : below;
+}
+
+void PolarPainter::paintLegend(QPainter& painter) const
+{
+    const double line = QFontMetricsF(font_).height();
+    for (const LegendLine& entry : layout_.legend.lines) {
+        const QRectF place(layout_.legendAt + entry.place, QSizeF(layout_.legend.size.width(), line));
+        const double half = layout_.legend.sample_px / 2 - 0.2 * line;
+        const QPointF middle(place.left() + half, place.center().y());
+        using Kind = LegendLine::Kind;
+        if (entry.kind == Kind::Outer || entry.kind == Kind::Inner) {
+            paintMark(painter, middle, entry.kind == Kind::Outer, entry.colour);
+        } else {
+            painter.setPen(QPen(entry.colour, entry.kind == Kind::Thin ? 1 : 1.2 * style_.lineWidth,
+                                entry.kind == Kind::Dashed ? Qt::DashLine : Qt::SolidLine));
+            painter.drawLine(middle - QPointF(0.9 * half, 0), middle + QPointF(0.9 * half, 0));
+        }
+        painter.setPen(style_.text);
+        painter.drawText(place.adjusted(layout_.legend.sample_px, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         entry.text);
+    }
+}
+
+}  // namespace lathelier

@@ -3231,6 +3231,14 @@
         <source>Section {section} of {count}; revolutions: {turns}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>profile, from {circle} (mean)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>profile, from {circle}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>
@@ -4187,7 +4195,7 @@ deviation %3 µm</source>
 <context>
     <name>lathelier::PolarView</name>
     <message>
-        <source>angle %1°</source>
+        <source>Take the mark away</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4207,6 +4215,14 @@ deviation %3 µm</source>
     </message>
     <message>
         <source>deviation × %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, inner circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, outer circle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3231,6 +3231,14 @@
         <source>Section {section} of {count}; revolutions: {turns}.</source>
         <translation>Przekrój {section} z {count}; obroty: {turns}.</translation>
     </message>
+    <message>
+        <source>profile, from {circle} (mean)</source>
+        <translation>profil, od {circle} (średni)</translation>
+    </message>
+    <message>
+        <source>profile, from {circle}</source>
+        <translation>profil, od {circle}</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>
@@ -4191,8 +4199,8 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::PolarView</name>
     <message>
-        <source>angle %1°</source>
-        <translation>kąt %1°</translation>
+        <source>Take the mark away</source>
+        <translation>Usuń znacznik</translation>
     </message>
 </context>
 <context>
@@ -4212,6 +4220,14 @@ odchyłka %3 µm</translation>
     <message>
         <source>deviation × %1 · %2</source>
         <translation>odchyłka × %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, inner circle</source>
+        <translation>%1, okrąg wewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1, outer circle</source>
+        <translation>%1, okrąg zewnętrzny</translation>
     </message>
 </context>
 <context>

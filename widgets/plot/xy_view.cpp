@@ -139,11 +139,10 @@ QString XyView::readoutAt(double x, double y) const
     QStringList parts;
     if (!nearest->name.isEmpty()) parts << nearest->name;
     if (sample < nearest->along.size())
-        parts << QString("%1 %2 %3")
-                     .arg(data.along.title, readable(nearest->along[sample], 100, locale()), data.along.unit);
-    parts << QString("X %1 %2").arg(number(px), data.x.unit) << QString("Y %1 %2").arg(number(py), data.y.unit);
+        parts << readable(nearest->along[sample], 100, locale()) + data.along.unit;
+    parts << "X " + number(px) << "Y " + number(py);
     parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), data.x.unit);
-    return parts.join("  ·  ");
+    return parts.join(" · ");
 }
 
 void XyView::fitRanges()

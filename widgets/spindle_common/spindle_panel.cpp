@@ -23,9 +23,15 @@ double numberOf(const FileFacts& facts, const char* name)
 
 }  // namespace
 
+void MarkedAngle::takeBack()
+{
+    set(before_deg_);
+}
+
 void MarkedAngle::set(std::optional<double> angle_deg)
 {
     if (angle_deg == angle_deg_) return;
+    before_deg_ = angle_deg_;
     angle_deg_ = angle_deg;
     emit changed();
 }

@@ -17,12 +17,14 @@ class MarkedAngle : public QObject {
 public:
     std::optional<double> angle_deg() const { return angle_deg_; }
     void set(std::optional<double> angle_deg);
+    void takeBack();  ///< the last set(): it was the first half of a double click
 
 signals:
     void changed();
 
 private:
     std::optional<double> angle_deg_;
+    std::optional<double> before_deg_;
 };
 
 /// The panel's line of the panel table, but for its maker and what it reports.

@@ -83,6 +83,9 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
             if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
     });
     connect(axes_, &PlotCanvas::clicked, this, &TrajectoryViews::markNear);
+    connect(motion_, &PolarView::unmarked, this, [this] { angle_.set({}); });
+    for (PlotCanvas* plot : {static_cast<PlotCanvas*>(axes_), static_cast<PlotCanvas*>(coordinates_)})
+        connect(plot, &PlotCanvas::clickTakenBack, &angle_, &MarkedAngle::takeBack);
     connect(scene_, &SceneView::pointPicked, this, [this](int path, qint64 dot) {
         const StackedPlace place = stackedPlace(*inScene_, static_cast<std::size_t>(path), dot);
         angle_.set(place.angle_deg);

@@ -68,7 +68,7 @@ private slots:
     {
         hover(view_->findChild<QWidget*>(), view_->pixelAt(0, 11).toPoint());
         const QString text = view_->readout();
-        QVERIFY2(text.contains("radius vector 12") && text.contains("angle 90"), qPrintable(text));
+        QVERIFY2(text.contains("radius vector 12") && text.contains(QStringLiteral(" · 90.0°")), qPrintable(text));
     }
 
     void dataAreWritten()

@@ -250,6 +250,9 @@ private slots:
         const auto& y = section.probes[static_cast<std::size_t>(Probe::Y3)].mean_um;
         emit axes->clicked(x[sample], y[sample]);
         QCOMPARE(*polar->marker(), angles[sample]);
+        emit axes->clicked(x[90], y[90]);
+        emit axes->clickTakenBack();
+        QCOMPARE(*polar->marker(), angles[sample]);
         auto* play = trajectory_->findChild<QToolButton*>("play");
         const double before = *polar->marker();
         play->click();

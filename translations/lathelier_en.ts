@@ -4358,10 +4358,6 @@ deviation %3 µm</source>
 <context>
     <name>lathelier::RoundnessPanel</name>
     <message>
-        <source> · section %1 of %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Profile and circles as drawn (CSV)…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4383,6 +4379,10 @@ deviation %3 µm</source>
     </message>
     <message>
         <source>Q-DAS (*.dfq)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section %1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

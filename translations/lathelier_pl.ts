@@ -2997,7 +2997,7 @@
     </message>
     <message>
         <source>Proved to [µm]</source>
-        <translation>Udowodniono do [µm]</translation>
+        <translation>Pewne do [µm]</translation>
     </message>
     <message>
         <source>What the undulations say</source>
@@ -4362,10 +4362,6 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::RoundnessPanel</name>
     <message>
-        <source> · section %1 of %2</source>
-        <translation> · przekrój %1 z %2</translation>
-    </message>
-    <message>
         <source>Profile and circles as drawn (CSV)…</source>
         <translation>Profil i okręgi jak na wykresie (CSV)…</translation>
     </message>
@@ -4388,6 +4384,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>Q-DAS (*.dfq)</source>
         <translation>Q-DAS (*.dfq)</translation>
+    </message>
+    <message>
+        <source>section %1 of %2</source>
+        <translation>przekrój %1 z %2</translation>
     </message>
 </context>
 <context>

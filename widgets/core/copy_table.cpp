@@ -161,6 +161,7 @@ int CopyTable::sizeHintForColumn(int column) const
 void CopyTable::fitCells()
 {
     resizeRowsToContents();
+    horizontalHeader()->setStretchLastSection(false);  // else the last column stays as wide as its contents
     resizeColumnsToContents();
     horizontalHeader()->setStretchLastSection(true);
 }

@@ -59,8 +59,11 @@ Headline RoundnessPanel::headline(const SpindlePicture& picture) const
 {
     Headline headline = lathelier::headline(*picture.roundness(), screenLanguage());
     if (const TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection())
-        headline.text +=
-            tr(" · section %1 of %2").arg(section->section).arg(picture.trajectory->sections.size()).toStdString();
+        headline.text += " · " + tr("section %1 of %2")
+                                     .arg(section->section)
+                                     .arg(picture.trajectory->sections.size())
+                                     .replace(' ', QChar::Nbsp)  // one thing, on one line
+                                     .toStdString();
     return headline;
 }
 

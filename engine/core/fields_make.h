@@ -76,7 +76,7 @@ Field<P> field(const char* key, std::vector<Interval> P::*member, Range range, c
 /// An enum whose enumerators are 0, 1, 2… in the order of `choices`.
 template <class P, class E>
     requires std::is_enum_v<E>
-Field<P> field(const char* key, E P::*member, std::vector<FieldChoice> choices, const Label& label)
+Field<P> field(const char* key, E P::*member, const std::vector<FieldChoice>& choices, const Label& label)
 {
     FieldInfo info = detail::makeInfo(key, FieldInfo::Kind::Choice, label);
     info.choices = choices;

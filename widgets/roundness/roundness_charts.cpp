@@ -18,11 +18,6 @@ namespace {
 
 constexpr int fewHarmonics = 60;  // shown at first; the rest comes with the wheel
 
-Value orNothing(double value)
-{
-    return std::isfinite(value) ? Value(value) : Value();
-}
-
 }  // namespace
 
 PlotData spectrumData(const RoundnessResult& result)
@@ -68,9 +63,8 @@ Table circleTable(const RoundnessResult& result)
         const FittedCircle& circle = result.circles.of(which);
         std::string label(name(which));
         if (which == result.parameters.circle) label += " ◀";
-        table.rows.push_back({label, orNothing(circle.RONt_um), orNothing(circle.radius_mm),
-                              orNothing(circle.centre_mm.x()), orNothing(circle.centre_mm.y()),
-                              circle.certified_gap_um ? orNothing(*circle.certified_gap_um) : Value()});
+        table.rows.push_back({label, circle.RONt_um, circle.radius_mm, circle.centre_mm.x(), circle.centre_mm.y(),
+                              circle.certified_gap_um ? Value(*circle.certified_gap_um) : Value()});
     }
     return table;
 }
@@ -83,8 +77,7 @@ Table hintTable(const RoundnessResult& result)
                      LT_TEXT("Engine", "Usual cause")};
     table.decimals = {0, 3, 0, 0};
     for (const RoundnessHint& hint : result.hints)
-        table.rows.push_back(
-            {std::int64_t{hint.upr}, hint.amplitude_um, orNothing(hint.share_percent), Value(hint.meaning)});
+        table.rows.push_back({std::int64_t{hint.upr}, hint.amplitude_um, hint.share_percent, Value(hint.meaning)});
     return table;
 }
 

@@ -39,11 +39,10 @@ QuantityTable motionTable(const TrajectorySection& section, std::size_t probe)
 {
     const Text um = LT_TEXT("Engine", "µm");
     const ErrorMotion& motion = section.error_motion[probe];
-    const auto orNothing = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
     return {std::string(probeNames[probe]),
-            {{LT_TEXT("Engine", "Synchronous error motion"), orNothing(motion.synchronous_um), um, 2},
-             {LT_TEXT("Engine", "Asynchronous error motion"), orNothing(motion.asynchronous_um), um, 2},
-             {LT_TEXT("Engine", "Total error motion"), orNothing(motion.total_um), um, 2}}};
+            {{LT_TEXT("Engine", "Synchronous error motion"), motion.synchronous_um, um, 2},
+             {LT_TEXT("Engine", "Asynchronous error motion"), motion.asynchronous_um, um, 2},
+             {LT_TEXT("Engine", "Total error motion"), motion.total_um, um, 2}}};
 }
 
 /// The motion in the chosen section. The workpiece's form is the report of the other panels; of the whole report of

@@ -56,7 +56,13 @@ void writeImages(const std::string& path, const TrajectoryResult& result)
 {
     std::string out = "section,z_mm,i,angle_deg,body_angle_deg,radius_mm,x_mm,y_mm";
     for (const std::string probe : {"X3", "Y3", "Xp", "Yp"})
-        out += "," + probe + "_um,s" + probe + "_um,confidence_" + probe + "_um";
+        out.append(",")
+            .append(probe)
+            .append("_um,s")
+            .append(probe)
+            .append("_um,confidence_")
+            .append(probe)
+            .append("_um");
     out += '\n';
     for (const TrajectorySection& s : result.sections)
         for (std::size_t i = 0; i < s.angle_deg.size(); ++i) {

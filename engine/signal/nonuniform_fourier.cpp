@@ -22,7 +22,8 @@ class Grid {
 public:
     explicit Grid(int limit)
         : limit_(limit),
-          size_(quickTransformLength(std::max<std::size_t>(2 * (2 * static_cast<std::size_t>(limit) + 1), 4 * reach))),
+          size_(quickTransformLength(
+              std::max<std::size_t>(2 * (2 * static_cast<std::size_t>(limit) + 1), 4 * std::size_t{reach}))),
           step_(2 * pi / static_cast<double>(size_))
     {
         const double modes = 2.0 * limit + 1;
@@ -50,7 +51,7 @@ public:
         const double ratio = std::exp(x * step_ / (2 * tau_));
         double power = near * std::pow(ratio, -(reach - 1));
         std::size_t index = (static_cast<std::size_t>(base) + size_ - (reach - 1)) % size_;
-        for (std::size_t l = 0; l < 2 * reach; ++l) {
+        for (std::size_t l = 0; l < 2 * std::size_t{reach}; ++l) {
             visit(index, power * fixed_[l]);
             power *= ratio;
             if (++index == size_) index = 0;
@@ -70,7 +71,7 @@ private:
     std::size_t size_;
     double step_;
     double tau_ = 0;
-    std::array<double, 2 * reach> fixed_{};
+    std::array<double, 2 * std::size_t{reach}> fixed_{};
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/form/cylindricity.h"
 
@@ -81,9 +82,15 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     result.half_diameter_range_um = result.diameter_range_um / 2;
     result.profile_straightness_um = 1e3 * straightnessOf(result.z_mm, result.radius_mm);
     result.axis_straightness_um = straightness(axis_mm).STRt_MZLI_um;
-    const CylindricityResult cylinder = cylindricity(surface_mm, {}, progress);
-    result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;
-    result.CYLt_MZCY_um = cylinder.MZCY.CYLt_um;
+    // A stack that is short beside its diameter is a disc: it has no axis, but all else.
+    result.CYLt_LSCY_um = result.CYLt_MZCY_um = std::numeric_limits<double>::quiet_NaN();
+    try {
+        const CylindricityResult cylinder = cylindricity(surface_mm, {}, progress);
+        result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;
+        result.CYLt_MZCY_um = cylinder.MZCY.CYLt_um;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::NotConverged && error.code() != ErrorCode::PointsDegenerate) throw;
+    }
     return result;
 }
 

@@ -335,6 +335,19 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     EXPECT_TRUE(trajectory({}).sections.empty());
 }
 
+TEST(Trajectory, ADiscHasNoCylindricityButAllElse)
+{
+    SpindleModel model = fineModel();
+    model.workpiece_diameter_mm = 110;
+    model.feed_mm_rev = 1e-4;  // five sections within 4 µm
+    TrajectoryParameters parameters;
+    parameters.revolutions = model.revolutions;
+    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))}, parameters);
+    ASSERT_TRUE(result.longitudinal);
+    EXPECT_NEAR(result.longitudinal->taper_diameter_um, model.taper_diameter_um, 0.01);
+    EXPECT_TRUE(std::isnan(result.longitudinal->CYLt_LSCY_um));
+}
+
 TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
 {
     const std::vector<ProbeFile> records{fileOf(makeProbeRecord(fineModel()))};  // 5 sections of 8 turns

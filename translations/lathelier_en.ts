@@ -3640,7 +3640,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>open a project or scans</source>
+        <source>open a project or measured files</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

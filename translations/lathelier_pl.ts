@@ -3640,7 +3640,7 @@
         <translation>Klawisze</translation>
     </message>
     <message>
-        <source>open a project or scans</source>
+        <source>open a project or measured files</source>
         <translation>otwórz projekt lub skany</translation>
     </message>
     <message>

@@ -1,6 +1,7 @@
 // compare REFERENCE COPY: how far the copy is from the original, where, and how
 // sure that is.
 #include "engine/registration/compare.h"
+#include "engine/core/core_codes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,9 +22,9 @@ void runCompare(const Request& request, Inputs& inputs, const Progress& progress
     const auto deviations = request.outputs.find(deviationsOption);
     const bool wanted = deviations != request.outputs.end();
     if (wanted && !isDeviationFile(deviations->second))  // said before the work, not after it
-        throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", deviationsOption},
-                                                    {"found", deviations->second},
-                                                    {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
+        throw Error(errors::valueNotUnderstood, {{"parameter", deviationsOption},
+                                                 {"found", deviations->second},
+                                                 {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
     const Text reading = LT_TEXT("Engine", "Reading");
     const ScanFile reference =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);

@@ -1,5 +1,6 @@
 // roundness PROFILE...: form deviation by the four reference circles, harmonics, uncertainty and verdict.
 #include "engine/form/roundness.h"
+#include "engine/core/core_codes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -44,14 +45,13 @@ void checkCombination(const Request& request, const RoundnessParameters& paramet
 {
     const bool filtered = !bandOf(parameters).isAll();
     if (isSet(request, noFilterKey) && filtered)
-        throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", "--no-filter"},
-                                                    {"found", "--cutoff-upr / --band-upr"},
-                                                    {"expected", LT_TEXT("Engine", "no filter beside it")}});
+        throw Error(errors::valueNotUnderstood, {{"parameter", "--no-filter"},
+                                                 {"found", "--cutoff-upr / --band-upr"},
+                                                 {"expected", LT_TEXT("Engine", "no filter beside it")}});
     if (wordOf(request, superimposeKey) && request.operands.size() != 1)
-        throw Error(ErrorCode::ValueNotUnderstood,
-                    {{"parameter", "--superimpose"},
-                     {"found", static_cast<std::int64_t>(request.operands.size())},
-                     {"expected", LT_TEXT("Engine", "one profile to lay the other on")}});
+        throw Error(errors::valueNotUnderstood, {{"parameter", "--superimpose"},
+                                                 {"found", static_cast<std::int64_t>(request.operands.size())},
+                                                 {"expected", LT_TEXT("Engine", "one profile to lay the other on")}});
 }
 
 Json toJson(const Found& found)

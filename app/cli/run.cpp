@@ -7,6 +7,7 @@
 #include "app/cli/help.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/standard_streams.h"
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
 #include "engine/report/html.h"
@@ -78,9 +79,9 @@ void gather(Answer& answer, Work work)
     } catch (const Error& error) {
         answer.errors.push_back(error);
     } catch (const std::bad_alloc&) {
-        answer.errors.emplace_back(ErrorCode::OutOfMemory, Values{});
+        answer.errors.emplace_back(errors::outOfMemory, Values{});
     } catch (const std::exception& failure) {
-        answer.errors.emplace_back(ErrorCode::Internal, Values{{"reason", std::string(failure.what())}});
+        answer.errors.emplace_back(errors::internal, Values{{"reason", std::string(failure.what())}});
     }
 }
 
@@ -88,7 +89,7 @@ std::string forPeople(const Answer& answer)
 {
     std::string result = answer.summary;
     for (const Note& note : answer.notes)
-        result += (severity(note.code) == Severity::Warning ? "! " : "- ") + text(note) + "\n";
+        result += (note.code.severity == Severity::Warning ? "! " : "- ") + text(note) + "\n";
     return result;
 }
 

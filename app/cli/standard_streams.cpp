@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/file_system.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier::cli {
 
@@ -18,7 +19,7 @@ void print(Stream stream, std::string_view text)
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) {
             if (stream == Stream::Errors) return;
-            throw Error(ErrorCode::FileNotWritable,
+            throw Error(errors::fileNotWritable,
                         {{"path", std::string("standard output")}, {"reason", systemReason(errno)}});
         }
         text.remove_prefix(static_cast<std::size_t>(count));

@@ -10,7 +10,7 @@ enum class Stream {
     Errors    ///< standard error; what cannot be written there is lost
 };
 
-/// Writes all of it. Error FileNotWritable for Answers, such as on a full disk or when the reader has gone.
+/// Writes all of it. Error fileNotWritable for Answers, such as on a full disk or when the reader has gone.
 void print(Stream stream, std::string_view text);
 
 }  // namespace lathelier::cli

@@ -49,7 +49,7 @@ void HelpWindow::retranslate()
         tr("“Report…” writes the result on screen as HTML or PDF, with method, parameters, notes and the "
            "digests of the "
            "input files. “In the report” makes it part of the project's report (File menu).") +
-        "</p><h2>" + tr("Keys") + "</h2>" + key("Ctrl+O", tr("open a project or scans")) +
+        "</p><h2>" + tr("Keys") + "</h2>" + key("Ctrl+O", tr("open a project or measured files")) +
         key("Ctrl+S", tr("save the project")) + key("Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo")) +
         key("F5", tr("compute again")) + key("Esc", tr("stop the computation")) +
         key("F9", tr("presenter mode: larger type, thicker lines")) + key("F11", tr("full screen")) +

@@ -57,7 +57,7 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
         writeReport(file, joined(parts, QFileInfo(project).completeBaseName().toStdString()));
     } catch (const Error& error) {
         std::cerr << screenText(error).toStdString() << '\n';
-        return exitCode(kind(error.code()));
+        return exitCode(error.code().kind);
     }
     std::cerr << QFileInfo(file).absoluteFilePath().toStdString() << '\n';
     return 0;

@@ -17,30 +17,34 @@ enum class ErrorKind {
     NoAnswer        ///< exit 4: the files are sound, but the question has no answer
 };
 
-/// Every reason for "no answer". One line each in error_codes.def.h: code, stable key, kind, English pattern.
-enum class ErrorCode {
-#define LATHELIER_ERROR(code, key, kind, pattern) code,
-#include "engine/core/error_codes.def.h"
-#undef LATHELIER_ERROR
-};
-
-/// Every "answered, but". One line each in note_codes.def.h: code, stable key, severity, English pattern.
-enum class NoteCode {
-#define LATHELIER_NOTE(code, key, severity, pattern) code,
-#include "engine/core/note_codes.def.h"
-#undef LATHELIER_NOTE
-};
-
 /// How much a note matters for trusting the number beside it.
 enum class Severity { Info, Warning };
+
+/// One reason for "no answer": an object beside the room that throws it, in its `<room>_codes.h`. Keys are unique.
+struct ErrorCode {
+    const char* key;  ///< stable name for scripts, "file_not_found"
+    ErrorKind kind;
+    Text pattern;  ///< English; {name} is replaced by the named value
+
+    friend bool operator==(const ErrorCode& a, const ErrorCode& b) { return std::string_view(a.key) == b.key; }
+};
+
+/// One "answered, but": an object beside the room that says it, in its `<room>_codes.h`. Keys are unique.
+struct NoteCode {
+    const char* key;  ///< stable name for scripts, "unit_guessed"
+    Severity severity;
+    Text pattern;  ///< English; {name} is replaced by the named value
+
+    friend bool operator==(const NoteCode& a, const NoteCode& b) { return std::string_view(a.key) == b.key; }
+};
 
 /// Thrown when there is no answer. Carries a code and named values; text(Error) in texts.h makes the sentence.
 /// Readers put in `path` and `line` + `column` (both from 1) or `byte` (from 0), `found` and `expected`.
 class Error : public std::exception {
 public:
-    Error(ErrorCode code, Values values);
+    Error(const ErrorCode& code, Values values);
 
-    ErrorCode code() const { return code_; }
+    const ErrorCode& code() const { return code_; }
     const Values& values() const { return values_; }
 
     /// Adds a value on the way up (a parser knows the line, its caller the path). An existing name is kept.
@@ -69,12 +73,7 @@ struct Note {
 
 using Notes = std::vector<Note>;
 
-std::string_view key(ErrorCode code);  ///< stable name for scripts, "file_not_found"
-std::string_view key(NoteCode code);   ///< stable name for scripts, "unit_guessed"
-ErrorKind kind(ErrorCode code);
-Severity severity(NoteCode code);
-
 /// True when `notes` holds one with this code.
-bool contains(const Notes& notes, NoteCode code);
+bool contains(const Notes& notes, const NoteCode& code);
 
 }  // namespace lathelier

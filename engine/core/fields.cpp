@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 
 namespace lathelier {
@@ -30,17 +31,17 @@ Text expectation(const FieldInfo& info)
         for (const FieldChoice& choice : info.choices) choices += (choices.empty() ? "" : " | ") + choice.key;
         set(values, "expected", choices);
     }
-    throw Error(ErrorCode::ValueNotUnderstood, values);
+    throw Error(errors::valueNotUnderstood, values);
 }
 
 void checkRange(const FieldInfo& info, double number)
 {
     if (!(number >= info.minimum && number <= info.maximum))
-        throw Error(ErrorCode::ValueOutOfRange, {{"parameter", info.key},
-                                                 {"found", number},
-                                                 {"expected", expectation(info)},
-                                                 {"minimum", info.minimum},
-                                                 {"maximum", info.maximum}});
+        throw Error(errors::valueOutOfRange, {{"parameter", info.key},
+                                              {"found", number},
+                                              {"expected", expectation(info)},
+                                              {"minimum", info.minimum},
+                                              {"maximum", info.maximum}});
 }
 
 bool holdsNumber(const Value& value)

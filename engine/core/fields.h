@@ -46,7 +46,7 @@ struct Field {
 template <class P>
 const std::vector<Field<P>>& fields();
 
-/// Throws Error ValueOutOfRange or ValueNotUnderstood when `value` is nothing this field takes.
+/// Throws Error valueOutOfRange or valueNotUnderstood when `value` is nothing this field takes.
 void check(const FieldInfo& info, const Value& value);
 
 /// Reads what a person or a script typed ("0.05", "auto", "10:20,30:40"), decimal point only. Throws Error.

@@ -62,7 +62,7 @@ Json toJson(const Notes& notes)
 {
     Json result = Json::array();
     for (const Note& note : notes) {
-        Json item{{"code", key(note.code)}};
+        Json item{{"code", note.code.key}};
         item.update(toJson(note.values));
         result.push_back(std::move(item));
     }
@@ -71,7 +71,7 @@ Json toJson(const Notes& notes)
 
 Json toJson(const Error& error)
 {
-    Json result{{"code", key(error.code())}};
+    Json result{{"code", error.code().key}};
     result.update(toJson(error.values()));
     return result;
 }

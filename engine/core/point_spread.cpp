@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 
@@ -23,8 +24,8 @@ struct Moments {
 PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, double limit_mm, const Progress& progress)
 {
     if (points_mm.size() < least)
-        throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(points_mm.size())},
-                                              {"minimum", static_cast<std::int64_t>(least)}});
+        throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(points_mm.size())},
+                                           {"minimum", static_cast<std::int64_t>(least)}});
     const Vector3d origin = points_mm.front();  // squares of differences, not of far coordinates
     const Moments moments = parallelReduce(
         points_mm.size(), 16384, progress, Moments{},
@@ -47,7 +48,7 @@ PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, dou
             return all;
         });
     if (!(moments.largest <= limit_mm))
-        throw Error(ErrorCode::CoordinateTooLarge, {{"found", moments.largest}, {"maximum", limit_mm}});
+        throw Error(errors::coordinateTooLarge, {{"found", moments.largest}, {"maximum", limit_mm}});
     const auto count = static_cast<double>(points_mm.size());
     const Vector3d mean = moments.sum / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.squares / count - mean * mean.transpose());
@@ -56,7 +57,7 @@ PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, dou
 
 void refuseDegenerate(const PointSpread& spread, double place_mm, double flat_mm)
 {
-    const auto refuse = [](Text where) { throw Error(ErrorCode::PointsDegenerate, {{"found", where}}); };
+    const auto refuse = [](Text where) { throw Error(errors::pointsDegenerate, {{"found", where}}); };
     if (!(spread.extent_mm[2] > place_mm)) refuse(LT_TEXT("Engine", "in one place"));
     if (!(spread.extent_mm[1] > flat_mm)) refuse(LT_TEXT("Engine", "on a line"));
     if (!(spread.extent_mm[0] > flat_mm)) refuse(LT_TEXT("Engine", "in a plane"));

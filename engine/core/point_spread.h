@@ -15,11 +15,11 @@ struct PointSpread {
     double largest_mm = 0;                                ///< largest coordinate
 };
 
-/// Errors: TooFewPoints (fewer than `least`), CoordinateTooLarge (beyond `limit_mm` or not finite).
+/// Errors: tooFewPoints (fewer than `least`), coordinateTooLarge (beyond `limit_mm` or not finite).
 PointSpread spreadOf(std::span<const Eigen::Vector3d> points_mm, std::size_t least, double limit_mm,
                      const Progress& progress = {});
 
-/// Error PointsDegenerate when the extent is no more than `place_mm` (in one place), or across it than `flat_mm` (on a
+/// Error pointsDegenerate when the extent is no more than `place_mm` (in one place), or across it than `flat_mm` (on a
 /// line, in a plane).
 void refuseDegenerate(const PointSpread& spread, double place_mm, double flat_mm);
 

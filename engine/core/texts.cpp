@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "engine/core/codes.h"
-
 namespace lathelier {
 namespace {
 
@@ -45,7 +43,10 @@ std::string text(const Value& value, const Language& language)
     struct Visitor {
         const Language& language;
         std::string operator()(std::monostate) const { return {}; }
-        std::string operator()(bool v) const { return text(v ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"), language); }
+        std::string operator()(bool v) const
+        {
+            return text(v ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"), language);
+        }
         std::string operator()(std::int64_t v) const { return std::to_string(v); }
         std::string operator()(double v) const { return number(v, language); }
         std::string operator()(const std::string& v) const { return v; }
@@ -66,13 +67,13 @@ std::string text(const Value& value, const Language& language)
 std::string text(const Error& error, const Language& language)
 {
     const std::string where = place(error.values(), language);
-    const std::string what = fill(text(pattern(error.code()), language), error.values(), language);
+    const std::string what = fill(text(error.code().pattern, language), error.values(), language);
     return where.empty() ? what : where + ": " + what;
 }
 
 std::string text(const Note& note, const Language& language)
 {
-    return fill(text(pattern(note.code), language), note.values, language);
+    return fill(text(note.code.pattern, language), note.values, language);
 }
 
 std::string fixed(double value, int decimals, const Language& language)

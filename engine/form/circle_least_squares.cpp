@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/form/circle_simple.h"
 
@@ -112,7 +113,7 @@ LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
         }
     }
     if (!circle.allFinite() || std::abs(circle[2]) > runaway)
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
     return {circle.head<2>(), circle[2], std::sqrt(now.squares / static_cast<double>(points.size()))};
 }
 

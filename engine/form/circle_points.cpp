@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 
 namespace lathelier {
@@ -21,9 +22,9 @@ void checkDifferent(std::span<const Eigen::Vector2d> points_mm, std::size_t leas
         if (different.size() == least) return;
     }
     if (different.size() == 1 && points_mm.size() >= least)
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
-    throw Error(ErrorCode::TooFewPoints, {{"found", static_cast<std::int64_t>(different.size())},
-                                          {"minimum", static_cast<std::int64_t>(least)}});
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
+    throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(different.size())},
+                                       {"minimum", static_cast<std::int64_t>(least)}});
 }
 
 /// Smallest width of the points across their principal direction.
@@ -50,7 +51,7 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
     // Compared so that what is no number is refused as well: minima and maxima do not keep it.
     for (const Eigen::Vector2d& point : points_mm)
         if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largest_mm) || !point.allFinite())
-            throw Error(ErrorCode::CoordinateTooLarge, {{"found", size}, {"maximum", largest_mm}});
+            throw Error(errors::coordinateTooLarge, {{"found", size}, {"maximum", largest_mm}});
     middle_mm_ = 0.5 * low + 0.5 * high;
     const double half_mm = 0.5 * (high - low).maxCoeff();
     scale_mm_ = std::ldexp(1.0, std::ilogb(half_mm) + 1);
@@ -65,7 +66,7 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
     }
     const double rounding = low.abs().max(high.abs()).maxCoeff() / scale_mm_ * std::numeric_limits<double>::epsilon();
     if (widthAcross(x_, y_) <= std::max(1e-10, 16 * rounding))
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
 }
 
 CirclePoints::Extremes CirclePoints::extremes(const Eigen::Vector2d& centre) const

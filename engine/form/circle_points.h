@@ -12,7 +12,7 @@ namespace lathelier {
 /// costs no bit. All that follows counts in these units; toMm() leads back.
 class CirclePoints {
 public:
-    /// Errors: TooFewPoints (fewer than `least` different ones), PointsDegenerate, CoordinateTooLarge.
+    /// Errors: tooFewPoints (fewer than `least` different ones), pointsDegenerate, coordinateTooLarge.
     CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size_t least);
 
     std::size_t size() const { return static_cast<std::size_t>(x_.size()); }

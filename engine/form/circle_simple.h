@@ -14,7 +14,7 @@ struct LeastSquaresCircle {
     double rms = 0;  ///< root mean square of distance - radius
 };
 
-/// Geometric least squares by Newton's method from the algebraic circle (Kåsa). Error PointsDegenerate when the
+/// Geometric least squares by Newton's method from the algebraic circle (Kåsa). Error pointsDegenerate when the
 /// points are so straight that the circle runs away.
 LeastSquaresCircle leastSquaresCircle(const CirclePoints& points);
 

@@ -59,8 +59,8 @@ struct CircleOptions {
 /// All four circles of 4 to 1e6 points in any order, any offset, partial arcs, duplicates. The points need not be
 /// uniform. Results do not depend on the order of the points beyond the last bits, nor on the number of threads.
 /// MICI: the centre is sought inside the convex hull of the points and LSCI's centre. MZCI: within two radii of LSCI's.
-/// Errors: TooFewPoints (fewer than 4 different ones), PointsDegenerate (`found`: in one place, on a line),
-/// CoordinateTooLarge (also what is no number). Throws Cancelled.
+/// Errors: tooFewPoints (fewer than 4 different ones), pointsDegenerate (`found`: in one place, on a line),
+/// coordinateTooLarge (also what is no number). Throws Cancelled.
 ReferenceCircles fitCircles(std::span<const Eigen::Vector2d> points_mm, const CircleOptions& options = {},
                             const Progress& progress = {});
 

@@ -23,7 +23,7 @@ struct CylinderGuess {
 };
 
 /// The least-squares cylinder of some of the points, from many directions: near enough for any pose, long or short.
-/// Errors: TooFewPoints, PointsDegenerate, NotConverged, CoordinateTooLarge.
+/// Errors: tooFewPoints, pointsDegenerate, notConverged, coordinateTooLarge.
 CylinderGuess guessCylinder(std::span<const Eigen::Vector3d> points_mm, const Progress& progress);
 
 /// Geometric least squares by damped Gauss-Newton from an axis near z.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/core/point_spread.h"
@@ -172,7 +173,7 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
             direction = next;
         }
     }
-    if (!std::isfinite(best)) throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{200}}});
+    if (!std::isfinite(best)) throw Error(errors::notConverged, {{"iterations", std::int64_t{200}}});
     return guess;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/form/cylinder_fits.h"
 #include "engine/form/cylinder_sections.h"
 
@@ -63,7 +64,7 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
                                 const Progress& progress)
 {
     if (parameters.tolerance_um && parameters.decision == DecisionRule::Guarded && !parameters.probe_uncertainty_um)
-        throw Error(ErrorCode::ValueNotUnderstood,
+        throw Error(errors::valueNotUnderstood,
                     {{"parameter", "probe_uncertainty_um"},
                      {"found", Value()},
                      {"expected", LT_TEXT("Engine", "a value, for a decision with uncertainty")}});
@@ -76,7 +77,7 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
 
     const CylinderPoints points(points_mm, guess.mean_mm, guess.direction, guess.scale_mm);
     const LeastSquaresCylinder fit = leastSquaresCylinder(points, guess.cylinder, progress);
-    if (!fit.converged) throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{200}}});
+    if (!fit.converged) throw Error(errors::notConverged, {{"iterations", std::int64_t{200}}});
     result.LSCY = toResult(points, fit, progress);
     progress.report(0.3);
     const MinimumZoneCylinder zone = minimumZoneCylinder(points, fit.axis, progress.part(0.3, 0.9));

@@ -51,8 +51,8 @@ struct CylindricityResult {
 };
 
 /// Points of a cylindrical surface in any order and any pose. The verdict is MZCY's.
-/// Errors: TooFewPoints (6), PointsDegenerate (`found`: in one place, on a line, in a plane),
-/// NotConverged, CoordinateTooLarge, ValueNotUnderstood (guarded without an uncertainty). Throws Cancelled.
+/// Errors: tooFewPoints (6), pointsDegenerate (`found`: in one place, on a line, in a plane),
+/// notConverged, coordinateTooLarge, valueNotUnderstood (guarded without an uncertainty). Throws Cancelled.
 CylindricityResult cylindricity(std::span<const Eigen::Vector3d> points_mm,
                                 const CylindricityParameters& parameters = {}, const Progress& progress = {});
 
@@ -66,7 +66,7 @@ struct StraightnessResult {
     double STRt_MZLI_um = 0;          ///< diameter of the smallest cylinder about the points, of any direction
 };
 
-/// Errors: TooFewPoints (fewer than 2), PointsDegenerate (all in one place).
+/// Errors: tooFewPoints (fewer than 2), pointsDegenerate (all in one place).
 StraightnessResult straightness(std::span<const Eigen::Vector3d> points_mm);
 
 }  // namespace lathelier

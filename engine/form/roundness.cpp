@@ -5,11 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/form/form_codes.h"
 #include "engine/form/prepared_profile.h"
 #include "engine/form/roundness_hints.h"
 #include "engine/form/roundness_methods.h"
 #include "engine/form/roundness_uncertainty.h"
 #include "engine/form/two_point.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -58,24 +60,24 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
 {
     const auto count = [](std::size_t value) { return static_cast<std::int64_t>(value); };
     const AngularSampling& sampling = prepared.sampling;
-    if (profile.size_is_nominal) notes.push_back({NoteCode::SizeNominal, {}});
+    if (profile.size_is_nominal) notes.push_back({notes::sizeNominal, {}});
     if (prepared.not_finite > 0)
-        notes.push_back({NoteCode::PointsNotFinite, {{"path", profile.name}, {"count", count(prepared.not_finite)}}});
-    if (prepared.excluded > 0) notes.push_back({NoteCode::SectorsExcluded, {{"count", count(prepared.excluded)}}});
-    if (prepared.outliers > 0) notes.push_back({NoteCode::OutliersRemoved, {{"count", count(prepared.outliers)}}});
+        notes.push_back({notes::pointsNotFinite, {{"path", profile.name}, {"count", count(prepared.not_finite)}}});
+    if (prepared.excluded > 0) notes.push_back({notes::sectorsExcluded, {{"count", count(prepared.excluded)}}});
+    if (prepared.outliers > 0) notes.push_back({notes::outliersRemoved, {{"count", count(prepared.outliers)}}});
     if (sampling.different < prepared.index.size())
-        notes.push_back({NoteCode::DuplicatePoints, {{"count", count(prepared.index.size() - sampling.different)}}});
+        notes.push_back({notes::duplicatePoints, {{"count", count(prepared.index.size() - sampling.different)}}});
     const double largest_deg = std::round(sampling.largest_gap_rad / degree * 100) / 100;
     if (sampling.largest_gap_rad > std::numbers::pi / 2)
-        notes.push_back({NoteCode::PartialArc, {{"missing_deg", largest_deg}}});
+        notes.push_back({notes::partialArc, {{"missing_deg", largest_deg}}});
     else if (sampling.gaps > 0)
-        notes.push_back({NoteCode::GapsInProfile, {{"count", count(sampling.gaps)}, {"largest_deg", largest_deg}}});
+        notes.push_back({notes::gapsInProfile, {{"count", count(sampling.gaps)}, {"largest_deg", largest_deg}}});
     else if (sampling.largest_gap_rad > 1.5 * sampling.median_spacing_rad)
-        notes.push_back({NoteCode::AnglesUneven, {}});
+        notes.push_back({notes::anglesUneven, {}});
     const double cutoff = band.high_upr.value_or(band.low_upr.value_or(0));
     if (cutoff > carriedCutoff(sampling))
         notes.push_back(
-            {NoteCode::Undersampled,
+            {notes::undersampled,
              {{"points", static_cast<std::int64_t>(std::llround(2 * std::numbers::pi / sampling.median_spacing_rad))},
               {"cutoff_upr", cutoff},
               {"supported_upr", carriedStandardCutoff(sampling)}}});
@@ -83,16 +85,16 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
 
 void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, Notes& notes)
 {
-    if (!circles.MZCI.unique) notes.push_back({NoteCode::MinimumZoneNotUnique, {}});
-    if (!circles.MICI.unique) notes.push_back({NoteCode::InscribedNotUnique, {}});
+    if (!circles.MZCI.unique) notes.push_back({notes::minimumZoneNotUnique, {}});
+    if (!circles.MICI.unique) notes.push_back({notes::inscribedNotUnique, {}});
     for (const ReferenceCircle which : {ReferenceCircle::MZCI, ReferenceCircle::MICI}) {
         const FittedCircle& circle = circles.of(which);
         // Rounding of coordinates far from the origin counts as reached.
         const double goal = std::max(
             {options.certificate_um, options.certificate_relative * circle.RONt_um, 1e-11 * circle.outer_radius_mm});
         if (circle.certified_gap_um && *circle.certified_gap_um > 2 * goal)
-            notes.push_back({NoteCode::CertificateOpen,
-                             {{"circle", std::string(name(which))}, {"gap_um", *circle.certified_gap_um}}});
+            notes.push_back(
+                {notes::certificateOpen, {{"circle", std::string(name(which))}, {"gap_um", *circle.certified_gap_um}}});
     }
 }
 
@@ -151,7 +153,7 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
 
     noteSampling(profile, prepared, band, result.notes);
     noteCircles(result.circles, options, result.notes);
-    if (!std::isfinite(result.point_noise_um)) result.notes.push_back({NoteCode::NoiseNotKnown, {}});
+    if (!std::isfinite(result.point_noise_um)) result.notes.push_back({notes::noiseNotKnown, {}});
     result.evaluated_mm = std::move(evaluated.points_mm);
     progress.report(1);
     return result;

@@ -36,7 +36,7 @@ struct RoundnessParameters {
 template <>
 const std::vector<Field<RoundnessParameters>>& fields<RoundnessParameters>();
 
-/// The band that the parameters ask for; a lower end of 1 UPR or less damps nothing. Error ValueNotUnderstood when
+/// The band that the parameters ask for; a lower end of 1 UPR or less damps nothing. Error valueNotUnderstood when
 /// both are given, or more than one band, or an empty one.
 ProfileBand bandOf(const RoundnessParameters& parameters);
 
@@ -96,9 +96,9 @@ struct RoundnessResult {
 };
 
 /// Evaluates `profile` about its fitted centres, wherever the origin is. Deterministic. Without a filter the circles
-/// are those of the given points, untouched. Notes: Undersampled, GapsInProfile, PartialArc, AnglesUneven,
-/// DuplicatePoints, OutliersRemoved, SectorsExcluded, MinimumZoneNotUnique, InscribedNotUnique, CertificateOpen,
-/// NoiseNotKnown, SizeNominal. Errors as fitCircles(); ValueNotUnderstood. Throws Cancelled.
+/// are those of the given points, untouched. Notes: undersampled, gapsInProfile, partialArc, anglesUneven,
+/// duplicatePoints, outliersRemoved, sectorsExcluded, minimumZoneNotUnique, inscribedNotUnique, certificateOpen,
+/// noiseNotKnown, sizeNominal. Errors as fitCircles(); valueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
                           const Progress& progress = {});
 

@@ -1,5 +1,6 @@
 #include <span>
 
+#include "engine/core/core_codes.h"
 #include "engine/form/roundness.h"
 #include "engine/form/roundness_methods.h"
 
@@ -25,7 +26,7 @@ Field<P> withUsual(Field<P> field, std::span<const double> values)
 
 [[noreturn]] void reject(const char* parameter, const Value& found, Text expected)
 {
-    throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", parameter}, {"found", found}, {"expected", expected}});
+    throw Error(errors::valueNotUnderstood, {{"parameter", parameter}, {"found", found}, {"expected", expected}});
 }
 
 }  // namespace

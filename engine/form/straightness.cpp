@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/form/axis_frame.h"
 #include "engine/form/circle_simple.h"
 #include "engine/form/cylindricity.h"
@@ -59,7 +60,7 @@ double smallestCylinder(const std::vector<Vector2d>& offset, const std::vector<d
 StraightnessResult straightness(std::span<const Vector3d> points_mm)
 {
     if (points_mm.size() < 2)
-        throw Error(ErrorCode::TooFewPoints,
+        throw Error(errors::tooFewPoints,
                     {{"found", static_cast<std::int64_t>(points_mm.size())}, {"minimum", std::int64_t{2}}});
     Vector3d mean = Vector3d::Zero();
     for (const Vector3d& point : points_mm) mean += (point - points_mm.front()) / static_cast<double>(points_mm.size());
@@ -68,7 +69,7 @@ StraightnessResult straightness(std::span<const Vector3d> points_mm)
     for (const Vector3d& point : points_mm) moments += (point - mean) * (point - mean).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
     if (!(axes.eigenvalues()[2] > 0))
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
 
     StraightnessResult result;
     result.point_mm = mean;

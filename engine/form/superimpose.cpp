@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/form/form_codes.h"
 #include "engine/form/prepared_profile.h"
 #include "engine/signal/closed_interpolation.h"
 #include "engine/signal/fourier.h"
@@ -250,7 +251,7 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
     result.radius_difference_mm = b.prepared.radius_mm - a.prepared.radius_mm - best.rest[2];
     const bool round = spread < leastForm * a.prepared.radius_mm;
     if (round || isAmbiguous(poses, best, spread) || !(result.correlation > 0.3))
-        result.notes.push_back({NoteCode::RotationNotDetermined, {}});
+        result.notes.push_back({notes::rotationNotDetermined, {}});
     progress.report(1);
     return result;
 }

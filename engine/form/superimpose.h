@@ -29,7 +29,7 @@ struct SuperimposeResult {
     double mean_difference_um = 0;  ///< mean of absolute differences
     double rms_difference_um = 0;
     double correlation = 0;
-    Notes notes;  ///< RotationNotDetermined when the form says nothing of the angle
+    Notes notes;  ///< rotationNotDetermined when the form says nothing of the angle
 };
 
 /// Rotation, centre and radius of `second` that bring it closest to `first` in the least-squares sense: all rotations

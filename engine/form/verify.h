@@ -30,7 +30,7 @@ struct VerifyResult {
 /// answer exact; lobes, ellipse, nested squares and Reuleaux triangle for the other three; scattered points against
 /// all their possible contacts; the certificate's gap. Cylinders in several poses, straightness, the Gaussian filter
 /// and harmonics. The NIST circle sets (`.ds`, `.fit`) when `nist_directory` or, if that is empty, the practice data
-/// beside the current folder hold them. Errors: FileNotFound, FileNotReadable, Malformed of a directory given. Throws
+/// beside the current folder hold them. Errors: fileNotFound, fileNotReadable, malformed of a directory given. Throws
 /// Cancelled.
 VerifyResult verify(const std::string& nist_directory = {}, const Progress& progress = {});
 

@@ -8,13 +8,14 @@
 #include "engine/form/circles.h"
 #include "engine/form/verify_kinds.h"
 #include "engine/io/file.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// All numbers of a file, parted by white space. Error Malformed.
+/// All numbers of a file, parted by white space. Error malformed.
 std::vector<double> numbersOf(const fs::path& path, const Progress& progress)
 {
     const FileBytes bytes(path.string(), progress);
@@ -28,10 +29,10 @@ std::vector<double> numbersOf(const fs::path& path, const Progress& progress)
         double value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
         if (error != std::errc())
-            throw Error(ErrorCode::Malformed, {{"path", path.string()},
-                                               {"byte", static_cast<std::int64_t>(at - text.data())},
-                                               {"found", std::string(at, std::min<std::ptrdiff_t>(end - at, 20))},
-                                               {"expected", LT_TEXT("Engine", "a number")}});
+            throw Error(errors::malformed, {{"path", path.string()},
+                                            {"byte", static_cast<std::int64_t>(at - text.data())},
+                                            {"found", std::string(at, std::min<std::ptrdiff_t>(end - at, 20))},
+                                            {"expected", LT_TEXT("Engine", "a number")}});
         numbers.push_back(value);
         at = next;
     }
@@ -45,9 +46,9 @@ void compareSet(const fs::path& data, const fs::path& answer, VerifyTally& tally
     const bool whole =
         fit.size() == 7 && points.size() >= 10 && points[0] * 3 + 1 == static_cast<double>(points.size());
     if (!whole)
-        throw Error(ErrorCode::Malformed, {{"path", data.string()},
-                                           {"found", static_cast<std::int64_t>(points.size())},
-                                           {"expected", LT_TEXT("Engine", "a count and as many points")}});
+        throw Error(errors::malformed, {{"path", data.string()},
+                                        {"found", static_cast<std::int64_t>(points.size())},
+                                        {"expected", LT_TEXT("Engine", "a count and as many points")}});
     Eigen::Index across = 0;
     Eigen::Vector3d(fit[3], fit[4], fit[5]).cwiseAbs().maxCoeff(&across);
     const auto u = static_cast<std::size_t>((across + 1) % 3), v = static_cast<std::size_t>((across + 2) % 3);
@@ -70,7 +71,7 @@ std::optional<VerifyKind> verifyNistCircles(std::string& directory, const Progre
             if (fs::is_directory(place, none)) directory = place;
         if (directory.empty()) return std::nullopt;
     } else if (!fs::is_directory(directory, none)) {
-        throw Error(ErrorCode::FileNotFound, {{"path", directory}});
+        throw Error(errors::fileNotFound, {{"path", directory}});
     }
     std::vector<fs::path> sets;
     for (const auto& entry : fs::directory_iterator(directory, none))

@@ -5,6 +5,7 @@
 #include "engine/io/dfq_writer.h"
 #include "engine/io/encoding.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/text_lines.h"
 
@@ -82,16 +83,16 @@ public:
 
     QdasFile finish(const Lines& lines)
     {
-        if (!sawField_) throw Error(ErrorCode::FileEmpty, {});
+        if (!sawField_) throw Error(errors::fileEmpty, {});
         if (announced_ && static_cast<std::int64_t>(characteristics_.size()) > *announced_) throw countDiffers(lines);
         if (announced_ && !characteristics_.empty() && characteristics_.rbegin()->first > *announced_)
             throw countDiffers(lines);
         if (announced_ && static_cast<std::int64_t>(characteristics_.size()) < *announced_)
-            throw Error(ErrorCode::Truncated, {{"line", lines.number()},
-                                               {"column", std::int64_t{1}},
-                                               {"found", static_cast<std::int64_t>(characteristics_.size())},
-                                               {"expected", *announced_},
-                                               {"items", LT_TEXT("Engine", "characteristics")}});
+            throw Error(errors::truncated, {{"line", lines.number()},
+                                            {"column", std::int64_t{1}},
+                                            {"found", static_cast<std::int64_t>(characteristics_.size())},
+                                            {"expected", *announced_},
+                                            {"items", LT_TEXT("Engine", "characteristics")}});
         for (auto& [index, characteristic] : characteristics_)
             file_.characteristics.push_back(std::move(characteristic));
         return std::move(file_);
@@ -113,10 +114,10 @@ private:
 
     Error countDiffers(const Lines& lines) const
     {
-        return Error(ErrorCode::Malformed, {{"line", lines.number()},
-                                            {"column", std::int64_t{1}},
-                                            {"found", characteristics_.rbegin()->first},
-                                            {"expected", LT_TEXT("Engine", "as many characteristics as K0100 says")}});
+        return Error(errors::malformed, {{"line", lines.number()},
+                                         {"column", std::int64_t{1}},
+                                         {"found", characteristics_.rbegin()->first},
+                                         {"expected", LT_TEXT("Engine", "as many characteristics as K0100 says")}});
     }
 
     QdasFile file_;

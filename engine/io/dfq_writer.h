@@ -31,10 +31,10 @@ struct QdasFile {
 /// The file's bytes, CRLF, windows-1252 where it can say it. Values are written with a decimal point.
 std::string toDfq(const QdasFile& file);
 
-/// Reads what toDfq() writes, and its kin. Errors Malformed (line), FileEmpty. For round-trip tests and imports.
+/// Reads what toDfq() writes, and its kin. Errors malformed (line), fileEmpty. For round-trip tests and imports.
 QdasFile readDfq(const std::string& name, std::string_view bytes);
 
-/// Writes beside, then renames. Error FileNotWritable.
+/// Writes beside, then renames. Error fileNotWritable.
 void writeDfq(const std::string& path, const QdasFile& file);
 
 }  // namespace lathelier

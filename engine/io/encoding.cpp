@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/io/io_codes.h"
 #include "engine/io/windows1252.h"
 
 namespace lathelier {
@@ -267,9 +268,9 @@ DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress
     const Utf8Check check = checkUtf8(bytes, progress);
     if (check.badByte != std::string_view::npos) {
         if (encoding == Encoding::Utf8 && mark == 0)
-            throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(check.badByte)},
-                                               {"found", LT_TEXT("Engine", "a byte that is no UTF-8")},
-                                               {"expected", LT_TEXT("Engine", "text in UTF-8")}});
+            throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(check.badByte)},
+                                            {"found", LT_TEXT("Engine", "a byte that is no UTF-8")},
+                                            {"expected", LT_TEXT("Engine", "text in UTF-8")}});
         return {fromLatin1(bytes, progress), "latin-1"};
     }
     if (check.needsPlain) return {plainUtf8(bytes, progress), "utf-8"};

@@ -36,7 +36,7 @@ private:
 bool looksLikeText(std::string_view bytes);
 
 /// Decodes. Auto: byte order mark (also of UTF-32), else UTF-16 by its zero bytes, else UTF-8 when valid, else Latin-1
-/// (Windows-1252). A plain ASCII or UTF-8 text is not copied. Error Malformed (`byte`) when the given encoding does not
+/// (Windows-1252). A plain ASCII or UTF-8 text is not copied. Error malformed (`byte`) when the given encoding does not
 /// fit.
 DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress& progress = {});
 

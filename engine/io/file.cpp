@@ -13,6 +13,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/file_system.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -23,7 +24,7 @@ constexpr auto longestWaitForWriter = std::chrono::seconds(5);
 
 [[noreturn]] void throwNotReadable(const std::string& path, Value reason)
 {
-    throw Error(ErrorCode::FileNotReadable, {{"path", path}, {"reason", std::move(reason)}});
+    throw Error(errors::fileNotReadable, {{"path", path}, {"reason", std::move(reason)}});
 }
 
 Text kindOf(mode_t mode)
@@ -81,21 +82,21 @@ struct FileBytes::Content {
 
 FileBytes::FileBytes(const std::string& path, const Progress& progress) : content_(std::make_unique<Content>())
 {
-    if (path.find('\0') != std::string::npos) throw Error(ErrorCode::FileNotFound, {{"path", path}});
+    if (path.find('\0') != std::string::npos) throw Error(errors::fileNotFound, {{"path", path}});
     // Non-blocking: opening a pipe that nobody writes into would never return.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     if (!file.isOpen()) {
         const int reason = errno;
-        if (reason == ENOENT || reason == ENOTDIR) throw Error(ErrorCode::FileNotFound, {{"path", path}});
+        if (reason == ENOENT || reason == ENOTDIR) throw Error(errors::fileNotFound, {{"path", path}});
         if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
-            throw Error(ErrorCode::NotAFile, {{"path", path}, {"found", kindOf(status.st_mode)}});
+            throw Error(errors::notAFile, {{"path", path}, {"found", kindOf(status.st_mode)}});
         throwNotReadable(path, systemReason(reason));
     }
     if (::fstat(file.number(), &status) != 0) throwNotReadable(path, systemReason(errno));
     const bool isPipe = S_ISFIFO(status.st_mode);
     if (!isPipe && !S_ISREG(status.st_mode))
-        throw Error(ErrorCode::NotAFile, {{"path", path}, {"found", kindOf(status.st_mode)}});
+        throw Error(errors::notAFile, {{"path", path}, {"found", kindOf(status.st_mode)}});
     if (!isPipe && status.st_size > 0) {
         const auto size = static_cast<std::size_t>(status.st_size);
         void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number(), 0);

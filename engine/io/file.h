@@ -14,7 +14,7 @@ namespace lathelier {
 /// The bytes of a file, mapped into memory where possible.
 class FileBytes {
 public:
-    /// Errors: FileNotFound, NotAFile (folder, device, socket), FileNotReadable. An empty file is fine. A pipe is read
+    /// Errors: fileNotFound, notAFile (folder, device, socket), fileNotReadable. An empty file is fine. A pipe is read
     /// to its end, at most 4 GiB; it is refused when nobody writes into it for 5 s. Throws Cancelled while waiting for
     /// a pipe.
     explicit FileBytes(const std::string& path, const Progress& progress = {});
@@ -33,7 +33,7 @@ private:
 /// Writes through `write`, which is handed chunks to append, into a file beside `path`, then renames. On any failure,
 /// also an exception out of `write`, the file beside is removed and an existing `path` stays as it was. A link is
 /// followed, an existing file keeps its permissions, a pipe or device is written to directly.
-/// Error FileNotWritable (with the system's reason).
+/// Error fileNotWritable (with the system's reason).
 void writeFile(const std::string& path,
                const std::function<void(const std::function<void(std::string_view)>& append)>& write);
 void writeFile(const std::string& path, std::string_view content);

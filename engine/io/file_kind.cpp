@@ -1,5 +1,6 @@
 #include "engine/io/file_kind.h"
 
+#include "engine/io/io_codes.h"
 #include "engine/io/text_lines.h"
 
 namespace lathelier {
@@ -47,7 +48,7 @@ const Magic foreign[] = {
 
 void throwUnknownFormat(Text found, Text expected)
 {
-    throw Error(ErrorCode::FormatUnknown, {{"byte", std::int64_t{0}}, {"found", found}, {"expected", expected}});
+    throw Error(errors::formatUnknown, {{"byte", std::int64_t{0}}, {"found", found}, {"expected", expected}});
 }
 
 void refuseForeign(std::string_view bytes, Text expected)
@@ -58,11 +59,11 @@ void refuseForeign(std::string_view bytes, Text expected)
 
 DecodedText readableText(std::string_view bytes, Encoding encoding, Text expected, const Progress& progress)
 {
-    if (bytes.empty()) throw Error(ErrorCode::FileEmpty, {});
+    if (bytes.empty()) throw Error(errors::fileEmpty, {});
     refuseForeign(bytes, expected);
     if (!looksLikeText(bytes)) throwUnknownFormat(LT_TEXT("Engine", "binary data"), expected);
     DecodedText text = decodeText(bytes, encoding, progress);
-    if (text.view().empty()) throw Error(ErrorCode::FileEmpty, {});
+    if (text.view().empty()) throw Error(errors::fileEmpty, {});
     refuseForeign(trimmed(text.view().substr(0, headBytes)), expected);
     return text;
 }

@@ -8,14 +8,14 @@
 
 namespace lathelier {
 
-/// Throws Error FormatUnknown for kinds of files that a person may well drop here and that hold none of our data
+/// Throws Error formatUnknown for kinds of files that a person may well drop here and that hold none of our data
 /// (pictures, archives, documents…). `expected` says what would be right.
 void refuseForeign(std::string_view bytes, Text expected);
 
-/// Throws Error FormatUnknown (`byte` 0, `found`, `expected`).
+/// Throws Error formatUnknown (`byte` 0, `found`, `expected`).
 [[noreturn]] void throwUnknownFormat(Text found, Text expected);
 
-/// The text of a file of numbers. Errors FileEmpty, FormatUnknown (foreign or binary), Malformed (encoding).
+/// The text of a file of numbers. Errors fileEmpty, formatUnknown (foreign or binary), malformed (encoding).
 DecodedText readableText(std::string_view bytes, Encoding encoding, Text expected, const Progress& progress);
 
 }  // namespace lathelier

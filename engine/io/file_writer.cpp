@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 #include "engine/io/file_system.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::size_t bufferSize = std::size_t{1} << 18;
 
 [[noreturn]] void throwNotWritable(const std::string& path, int error)
 {
-    throw Error(ErrorCode::FileNotWritable, {{"path", path}, {"reason", systemReason(error)}});
+    throw Error(errors::fileNotWritable, {{"path", path}, {"reason", systemReason(error)}});
 }
 
 /// Gathers small chunks and writes them out.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/lgraph_header.h"
 #include "engine/io/probe_reader.h"
 
@@ -40,12 +41,12 @@ std::optional<double> voltsPerCode(const LGraphHeader& header, const RecorderOpt
     std::optional<double> volts = options.full_scale_V;
     if (device && !code && device->isAssumed)
         notes.push_back(
-            {NoteCode::FullScaleAssumed,
+            {notes::fullScaleAssumed,
              {{"full_scale_code", device->code}, {"device", header.device}, {"volts", volts.value_or(device->volts)}}});
     if (device && !code) code = device->code;
     if (device && !volts) volts = device->volts;
     if (code && volts) return *volts / *code;
-    notes.push_back({NoteCode::FullScaleUnknown, {{"device", header.device}}});
+    notes.push_back({notes::fullScaleUnknown, {{"device", header.device}}});
     return std::nullopt;
 }
 
@@ -58,7 +59,7 @@ double skewOf(const LGraphHeader& header, Notes& notes)
     double converter_kHz = header.converter_kHz;
     if (!std::isfinite(converter_kHz) || converter_kHz < 0.99 * needed_kHz ||
         (header.version == LGraphVersion::Two && std::abs(converter_kHz - needed_kHz) > 0.01 * needed_kHz)) {
-        notes.push_back({NoteCode::ConverterRateWrong,
+        notes.push_back({notes::converterRateWrong,
                          {{"stated_kHz", converter_kHz},
                           {"channels", static_cast<std::int64_t>(header.channels.size())},
                           {"used_kHz", needed_kHz}}});
@@ -69,7 +70,7 @@ double skewOf(const LGraphHeader& header, Notes& notes)
     // Some recorders mean the pause between two frames by the delay.
     const bool isPause = isNear((channels - 1) / converter_kHz + header.delay_ms, 1 / header.channel_kHz);
     if (!isNear(header.delay_ms, skew_ms) && !isPause)
-        notes.push_back({NoteCode::ConverterDelayDiffers, {{"stated_ms", header.delay_ms}, {"used_ms", skew_ms}}});
+        notes.push_back({notes::converterDelayDiffers, {{"stated_ms", header.delay_ms}, {"used_ms", skew_ms}}});
     return skew_ms / 1000;
 }
 
@@ -80,11 +81,11 @@ void checkSize(const LGraphHeader& header, std::string_view dat, const std::stri
     const bool fits = dat.size() % 2 == 0 && found % channels == 0 && found / channels == header.frames;
     if (fits) return;
     if (found / channels < header.frames) {
-        Error error(ErrorCode::Truncated, {{"path", datName},
-                                           {"byte", static_cast<std::int64_t>(dat.size())},
-                                           {"found", found / channels},
-                                           {"expected", header.frames},
-                                           {"items", LT_TEXT("Engine", "frames")}});
+        Error error(errors::truncated, {{"path", datName},
+                                        {"byte", static_cast<std::int64_t>(dat.size())},
+                                        {"found", found / channels},
+                                        {"expected", header.frames},
+                                        {"items", LT_TEXT("Engine", "frames")}});
         throw error;
     }
     throw recordContradicts(LT_TEXT("Engine", "size of the .dat file"), header.frames * channels * 2,
@@ -130,7 +131,7 @@ ProbeFile readPair(const std::string& name, std::string_view par, std::string_vi
     record.rate_hz = header.channel_kHz * 1000;
     record.channel_skew_s = skewOf(header, file.notes);
     record.channels = takeChannels(header, dat, voltsPerCode(header, options, file.notes), progress);
-    if (header.segments > 1) file.notes.push_back({NoteCode::RecordInSegments, {{"count", header.segments}}});
+    if (header.segments > 1) file.notes.push_back({notes::recordInSegments, {{"count", header.segments}}});
 
     FileFacts& facts = file.facts;
     facts.path = name;

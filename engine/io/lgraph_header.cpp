@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "engine/io/encoding.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -181,23 +182,23 @@ std::string formatName(LGraphVersion version)
 
 Error recordContradicts(Text check, std::int64_t byte, Value found, Value expected)
 {
-    return Error(ErrorCode::RecordContradicts,
+    return Error(errors::recordContradicts,
                  {{"byte", byte}, {"check", check}, {"found", std::move(found)}, {"expected", std::move(expected)}});
 }
 
 LGraphHeader readLGraphHeader(std::string_view par)
 {
-    if (par.empty()) throw Error(ErrorCode::FileEmpty, {});
+    if (par.empty()) throw Error(errors::fileEmpty, {});
     const Signature* const signature = findSignature(par);
     if (!signature)
-        throw Error(ErrorCode::FormatUnknown, {{"byte", std::int64_t{0}},
-                                               {"found", LT_TEXT("Engine", "another signature")},
-                                               {"expected", LT_TEXT("Engine", "the .par file of an L-Graph record")}});
+        throw Error(errors::formatUnknown, {{"byte", std::int64_t{0}},
+                                            {"found", LT_TEXT("Engine", "another signature")},
+                                            {"expected", LT_TEXT("Engine", "the .par file of an L-Graph record")}});
     if (par.size() < signature->bytes)
-        throw Error(ErrorCode::Truncated, {{"byte", byteOf(par.size())},
-                                           {"found", byteOf(par.size())},
-                                           {"expected", byteOf(signature->bytes)},
-                                           {"items", LT_TEXT("Engine", "bytes")}});
+        throw Error(errors::truncated, {{"byte", byteOf(par.size())},
+                                        {"found", byteOf(par.size())},
+                                        {"expected", byteOf(signature->bytes)},
+                                        {"items", LT_TEXT("Engine", "bytes")}});
     if (signature->version != LGraphVersion::Two && par.size() > signature->bytes)
         throw recordContradicts(LT_TEXT("Engine", "size of the .par file"), byteOf(signature->bytes),
                                 byteOf(par.size()), byteOf(signature->bytes));

@@ -38,12 +38,12 @@ bool hasLGraphSignature(std::string_view par);
 /// "lgraph_1", "lgraph_2008", "lgraph_2".
 std::string formatName(LGraphVersion version);
 
-/// Takes the header apart. Errors, all with `byte`: FormatUnknown (signature), Truncated, RecordContradicts (`check`,
+/// Takes the header apart. Errors, all with `byte`: formatUnknown (signature), truncated, recordContradicts (`check`,
 /// `found`, `expected`): size of the .par, number of channels, active channels, frames, samples, gain, rate, total
 /// time.
 LGraphHeader readLGraphHeader(std::string_view par);
 
-/// Error RecordContradicts with the place.
+/// Error recordContradicts with the place.
 Error recordContradicts(Text check, std::int64_t byte, Value found, Value expected);
 
 }  // namespace lathelier

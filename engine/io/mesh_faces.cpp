@@ -1,5 +1,7 @@
 #include "engine/io/mesh_faces.h"
 
+#include "engine/io/io_codes.h"
+
 namespace lathelier {
 
 void addPolygon(Scan& scan, std::span<const std::int64_t> corners, const Values& place)
@@ -9,7 +11,7 @@ void addPolygon(Scan& scan, std::span<const std::int64_t> corners, const Values&
             Values values = place;
             set(values, "found", corner);
             set(values, "expected", LT_TEXT("Engine", "the index of a vertex"));
-            throw Error(ErrorCode::Malformed, values);
+            throw Error(errors::malformed, values);
         }
     const auto index = [&corners](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };
     for (std::size_t i = 2; i < corners.size(); ++i) scan.triangles.push_back({index(0), index(i - 1), index(i)});

@@ -13,7 +13,7 @@ class NumberCells {
 public:
     explicit NumberCells(const ScanSource& source);
 
-    /// The number, which may be NaN or infinite. Errors Malformed, NumberAmbiguous.
+    /// The number, which may be NaN or infinite. Errors malformed, numberAmbiguous.
     double read(std::int64_t lineNumber, std::string_view line, std::string_view word);
 
     char decimal() const { return decimal_; }

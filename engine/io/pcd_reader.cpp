@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/lzf.h"
 #include "engine/io/number.h"
 #include "engine/io/number_cell.h"
@@ -199,10 +200,10 @@ std::vector<const PcdField*> wantedFields(const PcdHeader& header, std::int64_t 
         fields.insert(fields.end(), normal.begin(), normal.end());
     for (const PcdField* field : fields)
         if (field->type == 'F' && field->size < 4)
-            throw Error(ErrorCode::Malformed, {{"line", line},
-                                               {"column", std::int64_t{1}},
-                                               {"found", field->size},
-                                               {"expected", LT_TEXT("Engine", "real numbers of 4 or 8 bytes")}});
+            throw Error(errors::malformed, {{"line", line},
+                                            {"column", std::int64_t{1}},
+                                            {"found", field->size},
+                                            {"expected", LT_TEXT("Engine", "real numbers of 4 or 8 bytes")}});
     return fields;
 }
 
@@ -211,7 +212,7 @@ Error truncated(Values place, std::int64_t found, std::int64_t expected)
     set(place, "found", found);
     set(place, "expected", expected);
     set(place, "items", LT_TEXT("Engine", "points"));
-    return Error(ErrorCode::Truncated, place);
+    return Error(errors::truncated, place);
 }
 
 /// Fills the scan; address(point, field) tells where a value stands.
@@ -255,17 +256,17 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
     std::memcpy(&compressed, body.data(), 4);
     std::memcpy(&size, body.data() + 4, 4);
     if (body.size() - 8 < compressed)
-        throw Error(ErrorCode::Truncated, {{"byte", static_cast<std::int64_t>(source.bytes.size())},
-                                           {"found", static_cast<std::int64_t>(body.size() - 8)},
-                                           {"expected", static_cast<std::int64_t>(compressed)},
-                                           {"items", LT_TEXT("Engine", "bytes")}});
+        throw Error(errors::truncated, {{"byte", static_cast<std::int64_t>(source.bytes.size())},
+                                        {"found", static_cast<std::int64_t>(body.size() - 8)},
+                                        {"expected", static_cast<std::int64_t>(compressed)},
+                                        {"items", LT_TEXT("Engine", "bytes")}});
     const auto available = static_cast<std::int64_t>(size / header.stride);
     if (available < header.points) throw truncated(place, available, header.points);
     const auto data = decompressLzf(body.substr(8, compressed), size);
     if (!data)
-        throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(header.bodyOffset + 8)},
-                                           {"found", LT_TEXT("Engine", "damaged compressed data")},
-                                           {"expected", LT_TEXT("Engine", "data in LZF compression")}});
+        throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(header.bodyOffset + 8)},
+                                        {"found", LT_TEXT("Engine", "damaged compressed data")},
+                                        {"expected", LT_TEXT("Engine", "data in LZF compression")}});
     raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), 0};
     const auto points = static_cast<std::size_t>(header.points);
     fill(raw.scan, points, wantedFields(header, header.bodyLine - 1), source.progress,

@@ -43,7 +43,7 @@ std::size_t sizeOf(PlyType type);
 
 bool startsLikePly(std::string_view bytes);
 
-/// Error Malformed (`line`, `column`).
+/// Error malformed (`line`, `column`).
 PlyHeader readPlyHeader(std::string_view bytes);
 
 }  // namespace lathelier

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/mesh_faces.h"
 #include "engine/io/number.h"
 #include "engine/io/number_cell.h"
@@ -65,7 +66,7 @@ VertexColumns findColumns(const PlyElement& vertex, const PlyHeader& header)
         columns.point[k] = find(pointNames[k]);
         columns.normal[k] = std::max(find(normalNames[k][0]), find(normalNames[k][1]));
         if (columns.point[k] < 0)
-            throw Error(ErrorCode::Malformed,
+            throw Error(errors::malformed,
                         {{"line", header.bodyLine - 1},
                          {"column", std::int64_t{1}},
                          {"found", std::string("end_header")},
@@ -79,7 +80,7 @@ Error truncated(Values place, std::uint64_t found, std::uint64_t expected, Text 
     set(place, "found", static_cast<std::int64_t>(found));
     set(place, "expected", static_cast<std::int64_t>(expected));
     set(place, "items", items);
-    return Error(ErrorCode::Truncated, place);
+    return Error(errors::truncated, place);
 }
 
 Text itemsOf(const PlyElement& element)
@@ -225,9 +226,9 @@ private:
                 if (bytes_.size() - at_ < size) throw tooShort(element, index);
                 const double length = loadNumber(bytes_.data() + at_, property.countType, swap_);
                 if (length < 0)
-                    throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(at_)},
-                                                       {"found", static_cast<std::int64_t>(length)},
-                                                       {"expected", LT_TEXT("Engine", "the length of a list")}});
+                    throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(at_)},
+                                                    {"found", static_cast<std::int64_t>(length)},
+                                                    {"expected", LT_TEXT("Engine", "the length of a list")}});
                 count = static_cast<std::uint64_t>(length);
                 at_ += size;
             }
@@ -367,13 +368,13 @@ RawScan readPly(const ScanSource& source)
     const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const PlyElement& e) { return e.name == "vertex"; });
     if (vertex == header.elements.end())
-        throw Error(ErrorCode::Malformed, {{"line", header.bodyLine - 1},
-                                           {"column", std::int64_t{1}},
-                                           {"found", std::string("end_header")},
-                                           {"expected", LT_TEXT("Engine", "an element vertex")}});
+        throw Error(errors::malformed, {{"line", header.bodyLine - 1},
+                                        {"column", std::int64_t{1}},
+                                        {"found", std::string("end_header")},
+                                        {"expected", LT_TEXT("Engine", "an element vertex")}});
     RawScan raw;
     raw.statedUnit = header.unit;
-    if (header.synthetic) raw.notes.push_back({NoteCode::SyntheticData, {}});
+    if (header.synthetic) raw.notes.push_back({notes::syntheticData, {}});
     raw.facts.columns = static_cast<std::int64_t>(vertex->properties.size());
     if (header.format == PlyFormat::Ascii) {
         AsciiBody body(source, header, raw);

@@ -6,6 +6,7 @@
 
 #include "engine/io/encoding.h"
 #include "engine/io/file.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/lgraph_header.h"
 #include "engine/io/units.h"
 
@@ -75,7 +76,7 @@ void requirePartner(const RecordFiles& files)
     if (files.kind != RecordFiles::Kind::LGraph || (!files.par.empty() && !files.dat.empty())) return;
     const std::string& given = files.par.empty() ? files.dat : files.par;
     const fs::path partner = fs::path(given).replace_extension(files.par.empty() ? ".par" : ".dat");
-    throw Error(ErrorCode::PartnerMissing,
+    throw Error(errors::partnerMissing,
                 {{"path", given}, {"byte", std::int64_t{0}}, {"partner", partner.filename().string()}});
 }
 

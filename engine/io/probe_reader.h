@@ -44,7 +44,7 @@ struct RecordFiles {
 /// Finds the partner of `path`, whose content is `bytes`: the same name with .par or .dat in any case.
 RecordFiles findRecordFiles(const std::string& path, std::string_view bytes);
 
-/// Error PartnerMissing (`path` of the file that is there, `partner`) when one of an L-Graph pair is not there.
+/// Error partnerMissing (`path` of the file that is there, `partner`) when one of an L-Graph pair is not there.
 void requirePartner(const RecordFiles& files);
 
 /// True for a table whose headings are those of a probe record.
@@ -53,9 +53,9 @@ bool isProbeTable(std::string_view bytes, const ImportOptions& options = {});
 /// Reads a record. CSV, raw: `t_s, marker_V (or angle_deg), X3_um, …`; averaged: `section, z_mm, i, angle_deg, X3_um…`;
 /// key=value remarks are kept. L-Graph: NAME.dat or NAME.par, either of the pair may be given.
 /// L-Graph is checked against itself (signature, counts, size of .dat, total time, rates, channel flags); what
-/// contradicts is an Error RecordContradicts with `check`, `found`, `expected`, or a note where one source is known to
+/// contradicts is an Error recordContradicts with `check`, `found`, `expected`, or a note where one source is known to
 /// be wrong (the converter rate of L-Graph II).
-/// Errors: those of readScan(); PartnerMissing (a .dat without .par or the reverse), RecordContradicts, Truncated.
+/// Errors: those of readScan(); partnerMissing (a .dat without .par or the reverse), recordContradicts, truncated.
 ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options = {},
                           const RecorderOptions& recorder = {}, const Progress& progress = {});
 

@@ -7,6 +7,7 @@
 #include "engine/core/texts.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/header_lines.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/table_facts.h"
 
 namespace lathelier {
@@ -43,7 +44,7 @@ bool isForeignTable(const std::vector<ProbeColumn>& columns)
 
 [[noreturn]] void throwNoRecord(const TableLayout& layout, Text found)
 {
-    throw Error(ErrorCode::FormatUnknown,
+    throw Error(errors::formatUnknown,
                 {{"line", layout.bodyLine}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedKind}});
 }
 
@@ -95,7 +96,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
     if (!hasProbeNames(table.layout) && isForeignTable(table.columns))
         throwNoRecord(table.layout, LT_TEXT("Engine", "coordinates"));
     readValues(text.view(), averaged, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), table);
-    if (table.rows.rows == 0) throw Error(ErrorCode::NoPoints, {});
+    if (table.rows.rows == 0) throw Error(errors::noPoints, {});
     describeTable(table.layout, table.rows, text.encoding(), file.facts, file.notes);
     const auto rows = static_cast<std::int64_t>(table.rows.rows);
     if (averaged) {
@@ -123,7 +124,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
         file.record = std::move(record);
     }
     if (const std::string* word = headerWord(table.header, "synthetic"); word && *word != "false")
-        file.notes.push_back({NoteCode::SyntheticData, {}});
+        file.notes.push_back({notes::syntheticData, {}});
     finishTableNotes(table.layout, table.rows, name, file.facts, file.notes);
     progress.report(1);
     return file;
@@ -151,10 +152,10 @@ std::optional<QuantityUnit> displacementUnit(const ProbeTable& table)
 
 Error malformedRow(const ProbeTable& table, std::size_t row, std::size_t k, Text expected)
 {
-    return Error(ErrorCode::Malformed, {{"line", lineOfRow(table.layout, table.rows, row)},
-                                        {"column", static_cast<std::int64_t>(table.read[k]) + 1},
-                                        {"found", text(Value(table.at(row, k)))},
-                                        {"expected", expected}});
+    return Error(errors::malformed, {{"line", lineOfRow(table.layout, table.rows, row)},
+                                     {"column", static_cast<std::int64_t>(table.read[k]) + 1},
+                                     {"found", text(Value(table.at(row, k)))},
+                                     {"expected", expected}});
 }
 
 ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options,

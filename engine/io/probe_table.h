@@ -24,10 +24,10 @@ struct ProbeTable {
     const ProbeColumn& column(std::size_t k) const { return columns[read[k]]; }
 };
 
-/// A continuous recording. Errors ColumnsUnknown, Malformed (times that go back).
+/// A continuous recording. Errors columnsUnknown, malformed (times that go back).
 ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& progress);
 
-/// Sections of averages. Errors ColumnsUnknown, Malformed, UnitUnknown.
+/// Sections of averages. Errors columnsUnknown, malformed, unitUnknown.
 AveragedRecord toAveragedRecord(const ProbeTable& table, const Progress& progress);
 
 /// The unit of displacements that the header states: `unit_disp`, `unit` or a remark.
@@ -36,7 +36,7 @@ std::optional<QuantityUnit> statedDisplacementUnit(const ProbeTable& table);
 /// The same, else the given one: for displacements whose headings state none.
 std::optional<QuantityUnit> displacementUnit(const ProbeTable& table);
 
-/// Error Malformed at a row, for a value that fits no record.
+/// Error malformed at a row, for a value that fits no record.
 Error malformedRow(const ProbeTable& table, std::size_t row, std::size_t k, Text expected);
 
 }  // namespace lathelier

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_table.h"
 #include "engine/io/profile_columns.h"
 
@@ -24,10 +25,10 @@ struct Curve {
 
 [[noreturn]] void throwColumns(const ProbeTable& table, Text expected)
 {
-    throw Error(ErrorCode::ColumnsUnknown, {{"line", table.layout.bodyLine},
-                                            {"column", std::int64_t{1}},
-                                            {"found", columnNames(table.layout)},
-                                            {"expected", expected}});
+    throw Error(errors::columnsUnknown, {{"line", table.layout.bodyLine},
+                                         {"column", std::int64_t{1}},
+                                         {"found", columnNames(table.layout)},
+                                         {"expected", expected}});
 }
 
 int columnOf(const ProbeTable& table, std::string_view plain)
@@ -54,7 +55,7 @@ double micrometresPer(const ProbeTable& table, int k)
         double largest = 0;
         for (std::size_t i = 0; i < table.rows.rows; ++i)
             largest = std::max(largest, std::abs(table.at(i, static_cast<std::size_t>(k))));
-        throw Error(ErrorCode::UnitUnknown, {{"extent", largest}});
+        throw Error(errors::unitUnknown, {{"extent", largest}});
     }
     return unit->key == "um" ? 1 : unit->scale * 1000;
 }

@@ -4,6 +4,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/io/header_lines.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_table.h"
 #include "engine/io/table_facts.h"
 
@@ -57,7 +58,7 @@ Taken startChannel(const ProbeTable& table, std::size_t k, Notes& notes)
     if (!unit && isDisplacement(column)) unit = displacementUnit(table);
     applyUnit(unit, channel, taken.scale);
     if (channel.unit == ProbeChannel::Unit::Unknown)
-        notes.push_back({NoteCode::ChannelUnitUnknown, {{"channel", channel.name}}});
+        notes.push_back({notes::channelUnitUnknown, {{"channel", channel.name}}});
     channel.values.resize(table.rows.rows);
     return taken;
 }
@@ -88,7 +89,7 @@ void fillChannels(const ProbeTable& table, std::vector<Taken>& channels, Notes& 
         });
     for (std::size_t k = 0; k < channels.size(); ++k)
         if (missing[k] > 0)
-            notes.push_back({NoteCode::SamplesMissing, {{"count", missing[k]}, {"channel", channels[k].channel.name}}});
+            notes.push_back({notes::samplesMissing, {{"count", missing[k]}, {"channel", channels[k].channel.name}}});
 }
 
 /// Seconds per unit of the column of times: its heading's, the header's `unit_time`, else 1 with a note.
@@ -97,7 +98,7 @@ double timeScale(const ProbeTable& table, std::size_t k, Notes& notes)
     if (const auto& unit = table.column(k).unit; unit && unit->kind == Kind::Time) return unit->scale;
     if (const std::string* word = headerWord(table.header, "unit_time"))
         if (const auto unit = quantityUnit(*word); unit && unit->kind == Kind::Time) return unit->scale;
-    notes.push_back({NoteCode::TimeUnitAssumed, {}});
+    notes.push_back({notes::timeUnitAssumed, {}});
     return 1;
 }
 
@@ -157,7 +158,7 @@ void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Note
     const bool isCoarse = !areExact && resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;
     if (isCoarse) {
         record.rate_hz = 1 / (mean * scale);
-        notes.push_back({NoteCode::TimeCoarse, {{"rate_hz", record.rate_hz}}});
+        notes.push_back({notes::timeCoarse, {{"rate_hz", record.rate_hz}}});
         return;
     }
     const double tolerance = irregularShare * period + (areExact ? 0 : resolution);
@@ -172,7 +173,7 @@ void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Note
     record.rate_hz = 1 / ((irregular == 0 ? mean : period) * scale);
     if (irregular > 0)
         notes.push_back(
-            {NoteCode::TimeIrregular,
+            {notes::timeIrregular,
              {{"count", irregular}, {"step_s", period * scale}, {"line", lineOfRow(table.layout, table.rows, first)}}});
     record.time_s = std::move(written);
     for (double& time : record.time_s) time *= scale;
@@ -191,7 +192,7 @@ void takeStatedRate(ProbeRecord& record, Notes& notes)
             record.rate_hz = *rate * known.hz;
             return;
         }
-    notes.push_back({NoteCode::RateUnknown, {}});
+    notes.push_back({notes::rateUnknown, {}});
 }
 
 }  // namespace
@@ -213,10 +214,10 @@ ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& p
         }
     }
     if (channels.empty())
-        throw Error(ErrorCode::ColumnsUnknown, {{"line", table.layout.bodyLine},
-                                                {"column", std::int64_t{1}},
-                                                {"found", LT_TEXT("Engine", "no column of signals")},
-                                                {"expected", LT_TEXT("Engine", "channels such as marker_V, X3_um")}});
+        throw Error(errors::columnsUnknown, {{"line", table.layout.bodyLine},
+                                             {"column", std::int64_t{1}},
+                                             {"found", LT_TEXT("Engine", "no column of signals")},
+                                             {"expected", LT_TEXT("Engine", "channels such as marker_V, X3_um")}});
     fillChannels(table, channels, notes, progress);
     for (Taken& taken : channels) record.channels.push_back(std::move(taken.channel));
     if (!hasTimes) takeStatedRate(record, notes);

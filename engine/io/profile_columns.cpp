@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/io/encoding.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_columns.h"
 #include "engine/io/quantity.h"
 
@@ -38,10 +39,10 @@ Role roleOf(const std::string& name)
 
 [[noreturn]] void throwColumns(const TableLayout& layout, Text expected)
 {
-    throw Error(ErrorCode::ColumnsUnknown, {{"line", layout.bodyLine},
-                                            {"column", std::int64_t{1}},
-                                            {"found", columnNames(layout)},
-                                            {"expected", expected}});
+    throw Error(errors::columnsUnknown, {{"line", layout.bodyLine},
+                                         {"column", std::int64_t{1}},
+                                         {"found", columnNames(layout)},
+                                         {"expected", expected}});
 }
 
 /// First column with each role; -1 without it.
@@ -174,10 +175,10 @@ std::string columnNames(const TableLayout& layout)
 ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColumns wanted)
 {
     if (hasProbeNames(layout))
-        throw Error(ErrorCode::FormatUnknown, {{"line", layout.bodyLine},
-                                               {"column", std::int64_t{1}},
-                                               {"found", LT_TEXT("Engine", "a probe record")},
-                                               {"expected", LT_TEXT("Engine", "a profile: x and y, or angle and r")}});
+        throw Error(errors::formatUnknown, {{"line", layout.bodyLine},
+                                            {"column", std::int64_t{1}},
+                                            {"found", LT_TEXT("Engine", "a probe record")},
+                                            {"expected", LT_TEXT("Engine", "a profile: x and y, or angle and r")}});
     const Named named = findNamed(layout);
     switch (wanted) {
         case ProfileColumns::Auto: break;

@@ -29,14 +29,14 @@ struct ProfileColumnChoice {
 /// What findLayout() should look for.
 TableExpectation profileExpectation();
 
-/// Chooses by the headings. Errors ColumnsUnknown; FormatUnknown when the headings are those of a probe record.
+/// Chooses by the headings. Errors columnsUnknown; formatUnknown when the headings are those of a probe record.
 ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColumns wanted);
 
 /// The names of the layout's columns in one line, for messages.
 std::string columnNames(const TableLayout& layout);
 
 /// True when the first of two columns without names holds angles: it rises (or falls) over one turn. Error
-/// ColumnsUnknown when its even steps could be those of an angle as well as of a coordinate.
+/// columnsUnknown when its even steps could be those of an angle as well as of a coordinate.
 bool holdsAngles(std::span<const double> rows, const TableLayout& layout);
 
 }  // namespace lathelier

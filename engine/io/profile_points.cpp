@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/io/header_lines.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/unit_choice.h"
 
 namespace lathelier {
@@ -42,13 +43,13 @@ void settlePlane(RawProfile& raw, double mm)
     const bool isNamed = raw.layout.hasNames;
     if (extents[across].span() > planeShare * largest) {
         if (!isNamed)
-            throw Error(ErrorCode::ColumnsUnknown,
+            throw Error(errors::columnsUnknown,
                         {{"line", raw.layout.bodyLine},
                          {"column", std::int64_t{1}},
                          {"found", columnNames(raw.layout)},
                          {"expected", LT_TEXT("Engine", "x and y, or x, y and z in a coordinate plane")}});
         across = 2;
-        raw.file.notes.push_back({NoteCode::CoordinateIgnored,
+        raw.file.notes.push_back({notes::coordinateIgnored,
                                   {{"coordinate", std::string("z")},
                                    {"from_mm", extents[2].smallest * mm},
                                    {"to_mm", extents[2].largest * mm}}});
@@ -56,7 +57,7 @@ void settlePlane(RawProfile& raw, double mm)
         // In the order that keeps the plane's handedness.
         const std::array<std::string, 3> planes = {"yz", "zx", "xy"};
         raw.file.notes.push_back(
-            {NoteCode::ProfilePlane,
+            {notes::profilePlane,
              {{"plane", planes[across]}, {"at_mm", (extents[across].smallest + extents[across].largest) / 2 * mm}}});
     }
     const std::size_t a = (across + 1) % 3;
@@ -82,7 +83,7 @@ void settleAngleUnit(RawProfile& raw)
     const double step = turn / static_cast<double>(raw.rows.rows);
     if (span < turn - 1.5 * step || span > turn * 1.001) return;
     raw.choice.degreesPerUnit = 180 / std::numbers::pi;
-    raw.file.notes.push_back({NoteCode::AngleUnitGuessed, {{"extent", span}}});
+    raw.file.notes.push_back({notes::angleUnitGuessed, {{"extent", span}}});
 }
 
 /// The nominal radius that the caller or the file's header states.
@@ -98,10 +99,10 @@ std::optional<double> nominalRadius(const RawProfile& raw, const ProfileOptions&
 
 [[noreturn]] void throwNominalMissing(const RawProfile& raw, const Extent& extent)
 {
-    throw Error(ErrorCode::NominalRadiusMissing, {{"line", raw.layout.bodyLine},
-                                                  {"column", std::int64_t{1}},
-                                                  {"minimum", extent.smallest},
-                                                  {"maximum", extent.largest}});
+    throw Error(errors::nominalRadiusMissing, {{"line", raw.layout.bodyLine},
+                                               {"column", std::int64_t{1}},
+                                               {"minimum", extent.smallest},
+                                               {"maximum", extent.largest}});
 }
 
 /// Settles whether the last column holds radii or deviations, and its unit. What is added to each value, in mm.
@@ -123,18 +124,17 @@ double settleRadii(RawProfile& raw, const ImportOptions& import, const ProfileOp
     } else {
         if (!nominal) throwNominalMissing(raw, extent);
         // A micrometre and a millimetre are equally likely here: no extent tells.
-        throw Error(ErrorCode::UnitUnknown, {{"extent", extent.span()}});
+        throw Error(errors::unitUnknown, {{"extent", extent.span()}});
     }
-    if (facts.unit_source == "guessed" && areDeviations)
-        throw Error(ErrorCode::UnitUnknown, {{"extent", extent.span()}});
+    if (facts.unit_source == "guessed" && areDeviations) throw Error(errors::unitUnknown, {{"extent", extent.span()}});
     if (!areDeviations) {
         if (options.nominal_radius_mm)
-            raw.file.notes.push_back({NoteCode::NominalNotUsed, {{"radius_mm", *options.nominal_radius_mm}}});
+            raw.file.notes.push_back({notes::nominalNotUsed, {{"radius_mm", *options.nominal_radius_mm}}});
         return 0;
     }
     if (!nominal) throwNominalMissing(raw, extent);
     raw.file.profile.size_is_nominal = true;
-    raw.file.notes.push_back({NoteCode::SizeFromNominal, {{"radius_mm", *nominal}}});
+    raw.file.notes.push_back({notes::sizeFromNominal, {{"radius_mm", *nominal}}});
     set(facts.details, "nominal_radius_mm", *nominal);
     return *nominal;
 }
@@ -147,10 +147,10 @@ std::optional<LengthScale> statedUnit(const RawProfile& raw)
     for (std::size_t i = raw.choice.shape == Shape::Polar ? 1 : 0; i < raw.width(); ++i) {
         const std::optional<LengthScale>& found = raw.layout.columns[raw.choice.columns[i]].unit;
         if (unit && found && found->key != unit->key)
-            throw Error(ErrorCode::Malformed, {{"line", raw.layout.bodyLine},
-                                               {"column", std::int64_t{1}},
-                                               {"found", found->key},
-                                               {"expected", LT_TEXT("Engine", "one unit for all coordinates")}});
+            throw Error(errors::malformed, {{"line", raw.layout.bodyLine},
+                                            {"column", std::int64_t{1}},
+                                            {"found", found->key},
+                                            {"expected", LT_TEXT("Engine", "one unit for all coordinates")}});
         if (found) unit = found;
     }
     return unit ? unit : raw.layout.unit;
@@ -162,7 +162,7 @@ void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions
     const double added_mm = settleRadii(raw, import, options, unit);
     const bool isTrace = raw.choice.shape == Shape::Trace;
     if (isTrace)
-        raw.file.notes.push_back({NoteCode::AnglesUniform, {{"count", static_cast<std::int64_t>(raw.rows.rows)}}});
+        raw.file.notes.push_back({notes::anglesUniform, {{"count", static_cast<std::int64_t>(raw.rows.rows)}}});
     else
         settleAngleUnit(raw);
     std::vector<Eigen::Vector2d>& points = raw.file.profile.points_mm;

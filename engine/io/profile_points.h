@@ -18,14 +18,14 @@ struct RawProfile {
     double at(std::size_t row, std::size_t column) const { return values[row * width() + column]; }
 };
 
-/// The unit that the headings of the chosen columns or the header state. Error Malformed for two of them.
+/// The unit that the headings of the chosen columns or the header state. Error malformed for two of them.
 std::optional<LengthScale> statedUnit(const RawProfile& raw);
 
-/// Angles and radii, or values at even angles: settles what they hold and lays the points. Errors UnitUnknown,
-/// NominalRadiusMissing.
+/// Angles and radii, or values at even angles: settles what they hold and lays the points. Errors unitUnknown,
+/// nominalRadiusMissing.
 void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, const Progress& progress);
 
-/// Two coordinates, or three of which one lies across the section. Errors UnitUnknown, ColumnsUnknown.
+/// Two coordinates, or three of which one lies across the section. Errors unitUnknown, columnsUnknown.
 void layXy(RawProfile& raw, const ImportOptions& import, const Progress& progress);
 
 }  // namespace lathelier

@@ -3,6 +3,7 @@
 #include "engine/io/file.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/header_lines.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"
 #include "engine/io/profile_points.h"
 #include "engine/io/scan_reader.h"
@@ -40,11 +41,11 @@ ProfileFile readTable(const std::string& name, const DecodedText& text, const Im
     raw.choice = chooseProfileColumns(raw.layout, options.columns);
     readValues(text.view(), import, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), raw);
     describeTable(raw.layout, raw.rows, text.encoding(), raw.file.facts, raw.file.notes);
-    if (raw.rows.rows == 0) throw Error(ErrorCode::NoPoints, {});
+    if (raw.rows.rows == 0) throw Error(errors::noPoints, {});
     if (raw.choice.shape == Shape::Undecided) {
         const bool angles = holdsAngles(raw.values, raw.layout);
         raw.choice.shape = angles ? Shape::Polar : Shape::Xy;
-        raw.file.notes.push_back({NoteCode::ColumnsGuessed, {{"columns", std::string(angles ? "angle,r" : "x,y")}}});
+        raw.file.notes.push_back({notes::columnsGuessed, {{"columns", std::string(angles ? "angle,r" : "x,y")}}});
     }
     if (raw.choice.shape == Shape::Polar || raw.choice.shape == Shape::Trace)
         layPolar(raw, import, options, progress);

@@ -35,10 +35,10 @@ struct ProfileFile {
 /// one deviation a line (uniform angles over one turn). Everything readScan() knows of encodings, delimiters, decimal
 /// marks, units and hostile files holds here too.
 /// Columns: by their names; without names x,y unless the first one runs over one turn. Three coordinates of which one
-/// is as good as constant lie in a coordinate plane (note ProfilePlane). Values at or below zero, or below 0.1 mm or 5
+/// is as good as constant lie in a coordinate plane (note profilePlane). Values at or below zero, or below 0.1 mm or 5
 /// % of the nominal radius, are deviations; the file's own `nominal_radius_mm`, `D_mm`… serves when no radius is given.
-/// Their unit is never guessed. Errors as readScan(), and NominalRadiusMissing (deviations only, no radius given),
-/// ColumnsUnknown.
+/// Their unit is never guessed. Errors as readScan(), and nominalRadiusMissing (deviations only, no radius given),
+/// columnsUnknown.
 ProfileFile readProfile(const std::string& path, const ImportOptions& options = {}, const ProfileOptions& profile = {},
                         const Progress& progress = {});
 

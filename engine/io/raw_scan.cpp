@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/unit_choice.h"
 
 namespace lathelier {
@@ -104,7 +106,7 @@ void normalise(RawScan& raw, const Progress& progress)
         [](std::int64_t a, std::int64_t b) { return a + b; });
     if (unusable == 0) return;
     normals.clear();
-    raw.notes.push_back({NoteCode::NormalsUnusable, {{"count", unusable}}});
+    raw.notes.push_back({notes::normalsUnusable, {{"count", unusable}}});
 }
 
 void checkSize(const RawScan& raw, const Box& box, double largest)
@@ -116,7 +118,7 @@ void checkSize(const RawScan& raw, const Box& box, double largest)
     Values values = placeOf(raw.places, static_cast<std::size_t>(far - points.begin()));
     set(values, "found", far->cwiseAbs().maxCoeff());
     set(values, "maximum", largest);
-    throw Error(ErrorCode::CoordinateTooLarge, values);
+    throw Error(errors::coordinateTooLarge, values);
 }
 
 std::array<double, 3> toArray(const Eigen::Array3d& a)
@@ -133,7 +135,7 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
         dropNotFinite(raw);
         box = boxOf(raw.scan.points_mm, progress);
     }
-    if (raw.scan.points_mm.empty()) throw Error(ErrorCode::NoPoints, {{"path", path}});
+    if (raw.scan.points_mm.empty()) throw Error(errors::noPoints, {{"path", path}});
     dropDegenerate(raw);
     normalise(raw, progress);
 
@@ -157,7 +159,7 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
     set(facts.details, "normals", raw.scan.hasNormals());
     if (raw.skippedCount > static_cast<std::int64_t>(facts.skipped.size()))
         set(facts.details, "skipped_rows", raw.skippedCount);
-    if (raw.notFinite > 0) raw.notes.push_back({NoteCode::PointsNotFinite, {{"count", raw.notFinite}}});
+    if (raw.notFinite > 0) raw.notes.push_back({notes::pointsNotFinite, {{"count", raw.notFinite}}});
     for (Note& note : raw.notes)
         if (!find(note.values, "path")) set(note.values, "path", path);
     progress.report(1);

@@ -39,7 +39,7 @@ struct RawScan {
 };
 
 /// Leaves out points that are not finite and triangles without area, settles the unit, scales to mm, fills in what the
-/// facts of all formats share. Errors: NoPoints, CoordinateTooLarge, UnitUnknown.
+/// facts of all formats share. Errors: noPoints, coordinateTooLarge, unitUnknown.
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress);
 
 RawScan readTextScan(const ScanSource& source);

@@ -8,6 +8,7 @@
 
 #include "engine/io/file.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/ply_header.h"
 #include "engine/io/raw_scan.h"
@@ -117,7 +118,7 @@ Reader textReader(std::string_view text)
 
 RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Progress& progress)
 {
-    if (bytes.empty()) throw Error(ErrorCode::FileEmpty, {});
+    if (bytes.empty()) throw Error(errors::fileEmpty, {});
     refuseForeign(bytes, expectedKinds);
     if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
     if (isDamagedBinaryStl(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});

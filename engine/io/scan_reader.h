@@ -20,9 +20,9 @@ struct ScanFile {
 /// several solids) and OBJ; the content decides, not the file's extension. Full double precision is kept, the result
 /// does not depend on the locale, and equal STL corners become one vertex.
 /// Unit: a stated one rules, else `options.unit`, else a largest extent of 1 to 10 000 is read as mm with the note
-/// UnitGuessed, else Error UnitUnknown.
-/// Errors (all with `path`, and `line` + `column` or `byte`): FileNotFound, FileNotReadable, NotAFile, FileEmpty,
-/// FormatUnknown, Malformed, Truncated, NumberAmbiguous, UnitUnknown, NoPoints, CoordinateTooLarge. Throws Cancelled.
+/// unitGuessed, else Error unitUnknown.
+/// Errors (all with `path`, and `line` + `column` or `byte`): fileNotFound, fileNotReadable, notAFile, fileEmpty,
+/// formatUnknown, malformed, truncated, numberAmbiguous, unitUnknown, noPoints, coordinateTooLarge. Throws Cancelled.
 /// Memory is taken as data are found, never because a header promises them.
 ScanFile readScan(const std::string& path, const ImportOptions& options = {}, const Progress& progress = {});
 

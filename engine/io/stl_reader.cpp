@@ -2,6 +2,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/io/io_codes.h"
 #include "engine/io/number_cell.h"
 #include "engine/io/raw_scan.h"
 #include "engine/io/text_lines.h"
@@ -142,10 +143,10 @@ RawScan readBinaryStl(const ScanSource& source)
     std::memcpy(&announced, bytes.data() + headerBytes - 4, 4);
     const std::size_t available = (bytes.size() - headerBytes) / facetBytes;
     if (available < announced)
-        throw Error(ErrorCode::Truncated, {{"byte", static_cast<std::int64_t>(bytes.size())},
-                                           {"found", static_cast<std::int64_t>(available)},
-                                           {"expected", static_cast<std::int64_t>(announced)},
-                                           {"items", LT_TEXT("Engine", "triangles")}});
+        throw Error(errors::truncated, {{"byte", static_cast<std::int64_t>(bytes.size())},
+                                        {"found", static_cast<std::int64_t>(available)},
+                                        {"expected", static_cast<std::int64_t>(announced)},
+                                        {"items", LT_TEXT("Engine", "triangles")}});
     raw.statedUnit = statedUnit(bytes.substr(0, 80));
     raw.places = {0, static_cast<std::int64_t>(headerBytes), 0};
     TriangleSink sink(raw);

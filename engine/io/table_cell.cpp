@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/text_lines.h"
 #include "engine/io/units.h"
@@ -263,11 +264,11 @@ Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell)
     const Value two = second.valid
                           ? Value(second.value)
                           : Value(std::string(cell.substr(0, mark)) + " | " + std::string(cell.substr(mark + 1)));
-    return Error(ErrorCode::NumberAmbiguous, {{"line", number},
-                                              {"column", *find(place.values(), "column")},
-                                              {"found", std::string(cell)},
-                                              {"first", first.value},
-                                              {"second", two}});
+    return Error(errors::numberAmbiguous, {{"line", number},
+                                           {"column", *find(place.values(), "column")},
+                                           {"found", std::string(cell)},
+                                           {"first", first.value},
+                                           {"second", two}});
 }
 
 bool isRemark(std::string_view line, char delimiter)

@@ -60,7 +60,7 @@ CellEvidence evidenceOf(Cell cell);
 /// True when the cell is a number in some style, or stands for one that failed.
 bool looksLikeNumber(Cell cell);
 
-/// Error NumberAmbiguous for a cell such as "1,234" within its line.
+/// Error numberAmbiguous for a cell such as "1,234" within its line.
 Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell);
 
 /// True when the line is a remark: it starts with #, //, %, !, * or, unless that separates cells, a semicolon.

@@ -1,5 +1,7 @@
 #include "engine/io/table_facts.h"
 
+#include "engine/io/io_codes.h"
+
 namespace lathelier {
 namespace {
 
@@ -18,10 +20,10 @@ void describeTable(const TableLayout& layout, const TableRows& rows, const std::
     facts.skipped = layout.skipped;
     facts.skipped.insert(facts.skipped.end(), rows.skipped.begin(), rows.skipped.end());
     if (facts.skipped.size() > listedRows) facts.skipped.resize(listedRows);
-    if (rows.footers > 0) notes.push_back({NoteCode::RowsSkipped, {{"count", rows.footers}}});
+    if (rows.footers > 0) notes.push_back({notes::rowsSkipped, {{"count", rows.footers}}});
     const std::int64_t read = static_cast<std::int64_t>(rows.rows) + rows.notFinite;
     if (layout.announcedRows && *layout.announcedRows < read)
-        notes.push_back({NoteCode::CountDiffers, {{"announced", *layout.announcedRows}, {"found", read}}});
+        notes.push_back({notes::countDiffers, {{"announced", *layout.announcedRows}, {"found", read}}});
 }
 
 std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows)
@@ -43,7 +45,7 @@ void finishTableNotes(const TableLayout& layout, const TableRows& rows, const st
     facts.path = path;
     const std::int64_t skipped = countSkipped(layout, rows);
     if (skipped > static_cast<std::int64_t>(facts.skipped.size())) set(facts.details, "skipped_rows", skipped);
-    if (rows.notFinite > 0) notes.push_back({NoteCode::PointsNotFinite, {{"count", rows.notFinite}}});
+    if (rows.notFinite > 0) notes.push_back({notes::pointsNotFinite, {{"count", rows.notFinite}}});
     for (Note& note : notes)
         if (!find(note.values, "path")) set(note.values, "path", path);
 }

@@ -7,7 +7,7 @@
 namespace lathelier {
 
 /// Enters encoding, delimiter, decimal mark, rows, columns and skipped lines into the facts, and what is to be said of
-/// rows into the notes (RowsSkipped, CountDiffers).
+/// rows into the notes (rowsSkipped, countDiffers).
 void describeTable(const TableLayout& layout, const TableRows& rows, const std::string& encoding, FileFacts& facts,
                    Notes& notes);
 
@@ -17,7 +17,7 @@ std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows);
 /// The line of row `index` (from 0) of those that were read.
 std::int64_t lineOfRow(const TableLayout& layout, const TableRows& rows, std::size_t index);
 
-/// What the notes of a table without a reader of its own still need: PointsNotFinite, "skipped_rows", and the path.
+/// What the notes of a table without a reader of its own still need: pointsNotFinite, "skipped_rows", and the path.
 void finishTableNotes(const TableLayout& layout, const TableRows& rows, const std::string& path, FileFacts& facts,
                       Notes& notes);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/io/encoding.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/table_headings.h"
 #include "engine/io/text_lines.h"
@@ -184,10 +185,10 @@ std::string_view withoutMark(std::string_view line)
         if (first && rows * 2 >= sample.size())
             throw columnsDiffer(first->number, first->text, firstCells, expectation.minimumColumns);
     }
-    throw Error(ErrorCode::FormatUnknown, {{"line", sample.empty() ? std::int64_t{1} : sample.front().number},
-                                           {"column", std::int64_t{1}},
-                                           {"found", LT_TEXT("Engine", "text without rows of numbers")},
-                                           {"expected", LT_TEXT("Engine", "rows of numbers")}});
+    throw Error(errors::formatUnknown, {{"line", sample.empty() ? std::int64_t{1} : sample.front().number},
+                                        {"column", std::int64_t{1}},
+                                        {"found", LT_TEXT("Engine", "text without rows of numbers")},
+                                        {"expected", LT_TEXT("Engine", "rows of numbers")}});
 }
 
 /// Fewer columns of numbers than needed: the given decimal mark does not fit.
@@ -283,7 +284,7 @@ Error columnsDiffer(std::int64_t number, std::string_view line, const std::vecto
     const std::string_view row = trimmed(line);
     const std::string_view end = row.substr(row.size());
     const Error place = malformed(number, line, cells.size() > expected ? cells[expected] : end, {});
-    return Error(ErrorCode::Malformed,
+    return Error(errors::malformed,
                  {{"line", number},
                   {"column", *find(place.values(), "column")},
                   {"found", excerpt(row)},

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/text_lines.h"
 #include "engine/io/text_table.h"
@@ -199,10 +201,10 @@ private:
     static Error tooLarge(const Lines& lines, Cell cell, const WantedColumn& wanted)
     {
         const Error place = malformed(lines.number(), lines.line(), cell, {});
-        return Error(ErrorCode::CoordinateTooLarge, {{"line", lines.number()},
-                                                     {"column", *find(place.values(), "column")},
-                                                     {"found", std::string(cell)},
-                                                     {"maximum", wanted.largest}});
+        return Error(errors::coordinateTooLarge, {{"line", lines.number()},
+                                                  {"column", *find(place.values(), "column")},
+                                                  {"found", std::string(cell)},
+                                                  {"maximum", wanted.largest}});
     }
 
     /// A line that was not written as a row: its first cell, or most of its cells, are no numbers.
@@ -341,11 +343,11 @@ TableRows readRows(std::string_view text, const TableLayout& layout, const std::
             return sum + static_cast<std::int64_t>(chunk.lines);
         });
     if (layout.announcedRows && *layout.announcedRows > found)
-        throw Error(ErrorCode::Truncated, {{"line", lastLine},
-                                           {"column", std::int64_t{1}},
-                                           {"found", found},
-                                           {"expected", *layout.announcedRows},
-                                           {"items", LT_TEXT("Engine", "rows")}});
+        throw Error(errors::truncated, {{"line", lastLine},
+                                        {"column", std::int64_t{1}},
+                                        {"found", found},
+                                        {"expected", *layout.announcedRows},
+                                        {"items", LT_TEXT("Engine", "rows")}});
     return result;
 }
 

@@ -19,7 +19,7 @@ struct SampleLine {
 
 /// Finds separator and decimal mark from a sample. `whole` is searched for a decision when the sample's decimal marks
 /// could all group thousands. The rows of the table are the sample's lines with `columns` cells; 0 when there are none.
-/// Error NumberAmbiguous (`line`, `column`, `found`, `first`, `second`).
+/// Error numberAmbiguous (`line`, `column`, `found`, `first`, `second`).
 struct StyleFound {
     TableStyle style;
     std::size_t columns = 0;

@@ -1,6 +1,7 @@
 #include "engine/io/text_lines.h"
 
 #include "engine/io/encoding.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -58,16 +59,16 @@ Error malformed(std::int64_t number, std::string_view line, std::string_view par
     const auto offset = static_cast<std::size_t>(part.data() - line.data());
     Value found = LT_TEXT("Engine", "the end of the line");
     if (!trimmed(part).empty() || offset + part.size() < line.size()) found = excerpt(part);
-    return Error(ErrorCode::Malformed,
+    return Error(errors::malformed,
                  {{"line", number}, {"column", columnAt(line, offset)}, {"found", found}, {"expected", expected}});
 }
 
 Error malformedEnd(const Lines& lines, Text expected)
 {
-    return Error(ErrorCode::Malformed, {{"line", std::max<std::int64_t>(lines.number(), 1)},
-                                        {"column", columnAt(lines.line(), lines.line().size())},
-                                        {"found", LT_TEXT("Engine", "the end of the file")},
-                                        {"expected", expected}});
+    return Error(errors::malformed, {{"line", std::max<std::int64_t>(lines.number(), 1)},
+                                     {"column", columnAt(lines.line(), lines.line().size())},
+                                     {"found", LT_TEXT("Engine", "the end of the file")},
+                                     {"expected", expected}});
 }
 
 }  // namespace lathelier

@@ -9,7 +9,7 @@
 namespace lathelier {
 
 /// The lines of a text, one after the other. LF, CRLF and a lone CR end a line.
-/// Error Malformed for a line of more than 1 MiB: splitting it would take many times its size.
+/// Error malformed for a line of more than 1 MiB: splitting it would take many times its size.
 class Lines {
 public:
     explicit Lines(std::string_view text, std::size_t offset = 0, std::int64_t firstNumber = 1)
@@ -39,11 +39,11 @@ std::string_view trimmed(std::string_view text);
 /// Splits at blanks; `words` is emptied first.
 void splitWords(std::string_view line, std::vector<std::string_view>& words);
 
-/// Error Malformed at `part`, which has to lie within `line`. `found` is an excerpt of `part`; an empty part at the end
+/// Error malformed at `part`, which has to lie within `line`. `found` is an excerpt of `part`; an empty part at the end
 /// of the line is "the end of the line".
 Error malformed(std::int64_t number, std::string_view line, std::string_view part, Text expected);
 
-/// Error Malformed because the text ends where `expected` was due; the place is its last line.
+/// Error malformed because the text ends where `expected` was due; the place is its last line.
 Error malformedEnd(const Lines& lines, Text expected);
 
 bool isBlank(char c);

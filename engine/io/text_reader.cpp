@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/raw_scan.h"
 #include "engine/io/table_facts.h"
 #include "engine/io/text_table.h"
@@ -58,10 +59,10 @@ struct Columns {
 {
     std::string names;
     for (const TableColumn& column : layout.columns) names += (names.empty() ? "" : " ") + column.name;
-    throw Error(ErrorCode::Malformed, {{"line", layout.bodyLine},
-                                       {"column", std::int64_t{1}},
-                                       {"found", excerpt(names)},
-                                       {"expected", LT_TEXT("Engine", "columns named x, y and z")}});
+    throw Error(errors::malformed, {{"line", layout.bodyLine},
+                                    {"column", std::int64_t{1}},
+                                    {"found", excerpt(names)},
+                                    {"expected", LT_TEXT("Engine", "columns named x, y and z")}});
 }
 
 Columns findColumns(const TableLayout& layout)
@@ -108,10 +109,10 @@ std::optional<LengthScale> unitOf(const TableLayout& layout, const Columns& colu
     for (const int k : columns.point) {
         const std::optional<LengthScale>& found = layout.columns[static_cast<std::size_t>(k)].unit;
         if (unit && found && found->key != unit->key)
-            throw Error(ErrorCode::Malformed, {{"line", layout.bodyLine},
-                                               {"column", std::int64_t{1}},
-                                               {"found", found->key},
-                                               {"expected", LT_TEXT("Engine", "one unit for x, y and z")}});
+            throw Error(errors::malformed, {{"line", layout.bodyLine},
+                                            {"column", std::int64_t{1}},
+                                            {"found", found->key},
+                                            {"expected", LT_TEXT("Engine", "one unit for x, y and z")}});
         if (found) unit = found;
     }
     return unit ? unit : layout.unit;

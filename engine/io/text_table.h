@@ -49,14 +49,14 @@ struct TableLayout {
     std::vector<std::string> headings;  ///< their texts: they may come again between rows
 };
 
-/// Errors NumberAmbiguous, Malformed (a row with too few columns, a broken row above the table), FormatUnknown (no rows
+/// Errors numberAmbiguous, malformed (a row with too few columns, a broken row above the table), formatUnknown (no rows
 /// of numbers at all). All with `line` and `column`.
 TableLayout findLayout(std::string_view text, const TableExpectation& expectation, const ImportOptions& options);
 
 /// A column to be read. A value that is not finite passes the row over, unless it may be missing (then it is NaN).
 struct WantedColumn {
     std::size_t column = 0;
-    double largest = std::numeric_limits<double>::infinity();  ///< larger ones are an Error CoordinateTooLarge
+    double largest = std::numeric_limits<double>::infinity();  ///< larger ones are an Error coordinateTooLarge
     bool mayBeMissing = false;
 };
 
@@ -71,12 +71,12 @@ struct TableRows {
 
 /// Reads the wanted columns of all rows, row by row, into the place that `allocate(rows)` gives for `rows` rows at
 /// most. The rows have to be as regular as the first ones: anything else but remarks, blank lines, repeated headings
-/// and text below the last row is an Error Malformed; fewer rows than announced is an Error Truncated. The result does
+/// and text below the last row is an Error malformed; fewer rows than announced is an Error truncated. The result does
 /// not depend on the number of cores. Throws Cancelled.
 TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
                    const std::function<double*(std::size_t rows)>& allocate, const Progress& progress);
 
-/// Error Malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`), at its end or at
+/// Error malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`), at its end or at
 /// the first cell too many.
 Error columnsDiffer(std::int64_t number, std::string_view line, const std::vector<Cell>& cells, std::size_t expected);
 

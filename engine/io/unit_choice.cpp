@@ -1,5 +1,7 @@
 #include "engine/io/unit_choice.h"
 
+#include "engine/io/io_codes.h"
+
 namespace lathelier {
 namespace {
 
@@ -23,15 +25,15 @@ LengthScale settleUnit(const std::optional<LengthScale>& stated, const ImportOpt
         unit = *stated;
         facts.unit_source = "stated";
         if (given && given->key != stated->key)
-            notes.push_back({NoteCode::UnitNotUsed, {{"unit", stated->key}, {"given", given->key}}});
+            notes.push_back({notes::unitNotUsed, {{"unit", stated->key}, {"given", given->key}}});
     } else if (given) {
         unit = *given;
         facts.unit_source = "given";
     } else {
         if (!(extent >= smallestGuess && extent <= largestGuess))
-            throw Error(ErrorCode::UnitUnknown, {{"extent", extent}});
+            throw Error(errors::unitUnknown, {{"extent", extent}});
         facts.unit_source = "guessed";
-        notes.push_back({NoteCode::UnitGuessed, {{"unit", unit.key}, {"extent", extent}}});
+        notes.push_back({notes::unitGuessed, {{"unit", unit.key}, {"extent", extent}}});
     }
     facts.unit = unit.key;
     return unit;

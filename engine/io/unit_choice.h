@@ -14,8 +14,8 @@ inline constexpr double largestCoordinate_mm = 1e9;
 /// largestCoordinate_mm in the unit of the file, mm when that is still to be guessed.
 double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options);
 
-/// A stated unit rules (note UnitNotUsed when another is given), else the given one, else an extent of 1 to 10 000 is
-/// read as mm (note UnitGuessed), else Error UnitUnknown. Enters `unit` and `unit_source` into the facts.
+/// A stated unit rules (note unitNotUsed when another is given), else the given one, else an extent of 1 to 10 000 is
+/// read as mm (note unitGuessed), else Error unitUnknown. Enters `unit` and `unit_source` into the facts.
 LengthScale settleUnit(const std::optional<LengthScale>& stated, const ImportOptions& options, double extent,
                        FileFacts& facts, Notes& notes);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/io/io_codes.h"
+
 namespace lathelier {
 namespace {
 
@@ -25,10 +27,10 @@ Error malformed(std::string_view text, std::size_t byte, Value expected)
     std::size_t end = std::min(text.find_first_of("\r\n", byte), text.size());
     end = std::min(end, byte + longestQuote);
     while (end > byte && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    return Error(ErrorCode::Malformed, {{"line", line},
-                                        {"column", column},
-                                        {"found", std::string(text.substr(byte, end - byte))},
-                                        {"expected", std::move(expected)}});
+    return Error(errors::malformed, {{"line", line},
+                                     {"column", column},
+                                     {"found", std::string(text.substr(byte, end - byte))},
+                                     {"expected", std::move(expected)}});
 }
 
 /// Walks over JSON that is known to be valid.

@@ -13,10 +13,10 @@ namespace lathelier {
 /// The keys (or array indices in decimal) that lead from the root to a value.
 using JsonPath = std::vector<std::string>;
 
-/// Parses `text`. Error Malformed with `line` and `column` where it is no JSON, or nests deeper than 32.
+/// Parses `text`. Error malformed with `line` and `column` where it is no JSON, or nests deeper than 32.
 Json parseJson(std::string_view text);
 
-/// Error Malformed for the value at `path` in `text`, which is JSON: it is not what is expected there.
+/// Error malformed for the value at `path` in `text`, which is JSON: it is not what is expected there.
 Error misfit(std::string_view text, const JsonPath& path, Value expected);
 
 }  // namespace lathelier

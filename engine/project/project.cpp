@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/project/project_codes.h"
 #include "engine/project/project_json.h"
 
 namespace lathelier {
@@ -26,15 +28,15 @@ Notes checkSources(const Project& project)
             if (source.path.empty()) continue;
             std::error_code ignored;
             if (!fs::is_regular_file(source.path, ignored)) {
-                notes.push_back({NoteCode::SourceMissing, {{"path", source.path}}});
+                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
                 continue;
             }
             if (source.sha256.empty()) continue;
             try {
                 if (sha256(FileBytes(source.path).view()) != source.sha256)
-                    notes.push_back({NoteCode::SourceChanged, {{"path", source.path}}});
+                    notes.push_back({notes::sourceChanged, {{"path", source.path}}});
             } catch (const Error&) {  // gone or locked in this moment; opening it will say why
-                notes.push_back({NoteCode::SourceMissing, {{"path", source.path}}});
+                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
             }
         }
     return notes;
@@ -46,11 +48,11 @@ ProjectFile readProject(const std::string& path)
 {
     try {
         const FileBytes bytes(path);
-        if (bytes.view().empty()) throw Error(ErrorCode::FileEmpty, {});
+        if (bytes.view().empty()) throw Error(errors::fileEmpty, {});
         if (bytes.view().size() > largestProject)
-            throw Error(ErrorCode::Malformed, {{"byte", static_cast<std::int64_t>(largestProject)},
-                                               {"found", LT_TEXT("Engine", "more")},
-                                               {"expected", LT_TEXT("Engine", "a project of at most 64 MB")}});
+            throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(largestProject)},
+                                            {"found", LT_TEXT("Engine", "more")},
+                                            {"expected", LT_TEXT("Engine", "a project of at most 64 MB")}});
         ProjectFile result{parseProject(bytes.view(), folderOf(path)), {}};
         result.notes = checkSources(result.project);
         return result;

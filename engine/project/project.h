@@ -36,15 +36,15 @@ struct Project {
 
 /// Reads a project file (JSON, format version 1; see project_json.h). Older versions are migrated, newer ones refused.
 /// Source paths come out absolute. A source whose content no longer has the stored SHA-256 gives the note
-/// SourceChanged, a missing one SourceMissing; the project opens all the same. Errors: those of FileBytes, FileEmpty,
-/// Malformed (line, column), VersionTooNew.
+/// sourceChanged, a missing one sourceMissing; the project opens all the same. Errors: those of FileBytes, fileEmpty,
+/// malformed (line, column), versionTooNew.
 struct ProjectFile {
     Project project;
     Notes notes;
 };
 ProjectFile readProject(const std::string& path);
 
-/// Writes beside and renames: the old file stays whole if anything fails. Error FileNotWritable.
+/// Writes beside and renames: the old file stays whole if anything fails. Error fileNotWritable.
 void writeProject(const std::string& path, const Project& project);
 
 }  // namespace lathelier

@@ -5,6 +5,7 @@
 
 #include "engine/project/json_text.h"
 #include "engine/project/migration.h"
+#include "engine/project/project_codes.h"
 
 namespace lathelier {
 namespace {
@@ -162,7 +163,7 @@ int readVersion(const Json& json)
     if (!version.is_number_integer() || version < 1)
         throw Misfit{{"version"}, LT_TEXT("Engine", "a format version from 1")};
     if (version > projectVersion)
-        throw Error(ErrorCode::VersionTooNew, {{"found", version.dump()}, {"maximum", std::int64_t{projectVersion}}});
+        throw Error(errors::versionTooNew, {{"found", version.dump()}, {"maximum", std::int64_t{projectVersion}}});
     return version.get<int>();
 }
 

@@ -14,7 +14,7 @@
 
 namespace lathelier {
 
-/// Reads a project whose relative paths start at `folder`. Errors: Malformed (line, column), VersionTooNew.
+/// Reads a project whose relative paths start at `folder`. Errors: malformed (line, column), versionTooNew.
 Project parseProject(std::string_view text, const std::filesystem::path& folder);
 
 /// Writes a project whose paths are to be relative to `folder`.

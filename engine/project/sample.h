@@ -65,7 +65,7 @@ Scan scanBracket(std::size_t count, double sigma_mm, const Eigen::Isometry3d& fr
 
 /// Writes the sample project into the folder `directory` (made when missing): original.ply, copy.ply, truth.json,
 /// probe_record.csv (one continuous recording of 20 sections), averaged.csv (their averages) and sample.lathelier, all
-/// marked synthetic. Gives the paths in that order. Error FileNotWritable.
+/// marked synthetic. Gives the paths in that order. Error fileNotWritable.
 std::vector<std::string> writeSample(const std::string& directory, std::uint64_t seed = 1,
                                      const Progress& progress = {});
 

@@ -7,6 +7,7 @@
 #include "engine/core/json.h"
 #include "engine/form/circles_json.h"
 #include "engine/io/file.h"
+#include "engine/io/io_codes.h"
 #include "engine/project/project.h"
 #include "engine/project/sample.h"
 #include "engine/project/sample_record.h"
@@ -96,7 +97,7 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     namespace fs = std::filesystem;
     std::error_code failure;
     fs::create_directories(directory, failure);
-    if (failure) throw Error(ErrorCode::FileNotWritable, {{"path", directory}, {"reason", failure.message()}});
+    if (failure) throw Error(errors::fileNotWritable, {{"path", directory}, {"reason", failure.message()}});
     const auto path = [&](const char* name) { return (fs::absolute(directory) / name).lexically_normal().string(); };
 
     // Both parts stand a little askew on the turntable, the copy also turned.

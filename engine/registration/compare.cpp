@@ -4,10 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/cloud_distance.h"
 #include "engine/registration/general.h"
 #include "engine/registration/point_checks.h"
+#include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_deviation.h"
 #include "engine/registration/sampling.h"
 #include "engine/registration/statistics.h"
@@ -62,7 +64,7 @@ struct Plan {
 
 Note methodNote(const char* method, Text reason, const Plan& plan)
 {
-    Note note{NoteCode::MethodChosen, {{"method", std::string(method)}, {"reason", reason}}};
+    Note note{notes::methodChosen, {{"method", std::string(method)}, {"reason", reason}}};
     const auto add = [&](const char* name, const RevolutionFit& fit) {
         if (fit.iterations > 0) note.values.emplace_back(name, 100 * fit.consistent_share);
     };
@@ -71,7 +73,7 @@ Note methodNote(const char* method, Text reason, const Plan& plan)
     return note;
 }
 
-/// Fits axes where they matter and decides. Error NotABodyOfRevolution when one was asked for.
+/// Fits axes where they matter and decides. Error notABodyOfRevolution when one was asked for.
 Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy, const CompareParameters& asked,
               Notes& notes, const Progress& progress)
 {
@@ -97,9 +99,8 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     if (copy_turned) faceForward(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
     if (forced && !(plan.reference_turned && copy_turned)) {
         const RevolutionFit& fit = plan.reference_turned ? plan.copy.fit : plan.reference.fit;
-        throw Error(
-            ErrorCode::NotABodyOfRevolution,
-            {{"role", std::string(plan.reference_turned ? "copy" : "reference")}, {"residual_mm", fit.sigma_mm}});
+        throw Error(errors::notABodyOfRevolution, {{"role", std::string(plan.reference_turned ? "copy" : "reference")},
+                                                   {"residual_mm", fit.sigma_mm}});
     }
     plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;
     if (is_auto)
@@ -167,7 +168,7 @@ struct LeftOut {
     std::int64_t zones = 0;
 };
 
-/// Statistics, verdict and histogram. Error PartsDoNotMatch when too little of the copy lies near the reference.
+/// Statistics, verdict and histogram. Error partsDoNotMatch when too little of the copy lies near the reference.
 void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm,
                          const Progress& progress)
 {
@@ -175,15 +176,14 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     const auto count = static_cast<double>(result.used.size());
     const auto in_question = count - static_cast<double>(left_out.zones);
     const double near_percent = in_question > 0 ? 100 * static_cast<double>(deviations.size()) / in_question : 0;
-    if (near_percent < kLeastOverlap) throw Error(ErrorCode::PartsDoNotMatch, {{"overlap_percent", near_percent}});
+    if (near_percent < kLeastOverlap) throw Error(errors::partsDoNotMatch, {{"overlap_percent", near_percent}});
     result.statistics = summarise(deviations, progress);
     result.statistics.points_excluded = static_cast<std::int64_t>(result.used.size() - deviations.size());
     result.statistics.overlap_percent = 100 * static_cast<double>(deviations.size()) / count;
     result.histogram = histogramOf(deviations, progress);
     if (left_out.far > 0)
-        result.notes.push_back(
-            {NoteCode::OutliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
-    if (left_out.zones > 0) result.notes.push_back({NoteCode::ZonesExcluded, {{"count", left_out.zones}}});
+        result.notes.push_back({notes::outliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
+    if (left_out.zones > 0) result.notes.push_back({notes::zonesExcluded, {{"count", left_out.zones}}});
     judge(result, result.parameters, progress);
 }
 
@@ -229,7 +229,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         plan.copy.shoulders = std::move(shoulders.copy);
         result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
         if (!result.alignment.converged)
-            throw Error(ErrorCode::NotConverged, {{"iterations", std::int64_t{result.alignment.iterations}}});
+            throw Error(errors::notConverged, {{"iterations", std::int64_t{result.alignment.iterations}}});
     } else {
         prepared = prepareReference(reference_scan, aligning.part(0, 0.4));
         result.alignment = alignGeneral(*prepared, copy_scan, plan.method, parameters.initial, aligning.part(0.4, 1));
@@ -243,7 +243,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     result.notes.insert(result.notes.end(), result.alignment.notes.begin(), result.alignment.notes.end());
     const std::size_t notes_before = result.notes.size();
     if (!plan.reference_turned && !parameters.exclude_z_mm.empty())
-        throw Error(ErrorCode::ValueNotUnderstood,
+        throw Error(errors::valueNotUnderstood,
                     {{"parameter", std::string("exclude_z_mm")},
                      {"found", parameters.exclude_z_mm},
                      {"expected", LT_TEXT("Engine", "a body of revolution, which has an axis")}});

@@ -86,31 +86,31 @@ struct UnrolledMap {
 enum class Verdict { Pass, Fail };
 
 struct CompareResult {
-    CompareParameters parameters;          ///< as asked
+    CompareParameters parameters;  ///< as asked
     CompareMethod method_used = CompareMethod::Plane;
     Alignment alignment;
-    bool has_sign = true;                  ///< false: the deviation is unsigned and min/mean/… are null in JSON
-    std::vector<float> deviation_mm;       ///< one per point (vertex) of the copy, in input order; NaN where none
-    std::vector<std::uint8_t> used;        ///< 1 where the point counts
+    bool has_sign = true;             ///< false: the deviation is unsigned and min/mean/… are null in JSON
+    std::vector<float> deviation_mm;  ///< one per point (vertex) of the copy, in input order; NaN where none
+    std::vector<std::uint8_t> used;   ///< 1 where the point counts
     DeviationStatistics statistics;
     Histogram histogram;
     /// The frame in which zones, meridian and map are given: its z is their z (0 at the first data), its x axis lies at
     /// angle 0. Body of revolution only.
     std::optional<Eigen::Isometry3d> axis_T_reference;
-    std::vector<Zone> zones;               ///< body of revolution only
-    std::optional<Meridian> meridian;      ///< body of revolution only
-    std::optional<UnrolledMap> unrolled;   ///< body of revolution only
+    std::vector<Zone> zones;                                                   ///< body of revolution only
+    std::optional<Meridian> meridian;                                          ///< body of revolution only
+    std::optional<UnrolledMap> unrolled;                                       ///< body of revolution only
     double cloud_to_cloud_rmse_mm = std::numeric_limits<double>::quiet_NaN();  ///< the paper's figure
-    double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();       ///< what that figure is for identical parts
+    double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();  ///< what that figure is for identical parts
     std::optional<double> within_tolerance_percent;
     std::optional<Verdict> verdict;
     std::optional<bool> distinguishable_from_scanner;
-    Notes notes;                           ///< those of the alignment included
+    Notes notes;  ///< those of the alignment included
 };
 
 /// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.
-/// Errors: TooFewPoints, PointsDegenerate, PartsDoNotMatch (with overlap_percent), NotConverged,
-/// NotABodyOfRevolution (when asked for method revolution). Throws Cancelled.
+/// Errors: tooFewPoints, pointsDegenerate, partsDoNotMatch (with overlap_percent), notConverged,
+/// notABodyOfRevolution (when asked for method revolution). Throws Cancelled.
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
                       const Progress& progress = {});
 

@@ -8,6 +8,7 @@
 #include "engine/registration/coarse_alignment.h"
 #include "engine/registration/general_solver.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/registration_codes.h"
 
 namespace lathelier {
 namespace {
@@ -203,12 +204,12 @@ private:
         for (FreeMotion m : fine.observability.free_motions) {
             m.point_mm += reference_.middle_mm;
             alignment.free_motions.push_back(m);
-            alignment.notes.push_back({NoteCode::MotionNotDetermined, {{"kind", kindText(m)}}});
+            alignment.notes.push_back({notes::motionNotDetermined, {{"kind", kindText(m)}}});
         }
         for (const FreeMotion& m : fine.observability.weak_motions)
-            alignment.notes.push_back({NoteCode::MotionWeak, {{"kind", kindText(m)}}});
+            alignment.notes.push_back({notes::motionWeak, {{"kind", kindText(m)}}});
         if (equal_poses_ > 1 && alignment.free_motions.empty())
-            alignment.notes.push_back({NoteCode::SeveralPosesFit, {{"count", std::int64_t{equal_poses_}}}});
+            alignment.notes.push_back({notes::severalPosesFit, {{"count", std::int64_t{equal_poses_}}}});
         alignment.reference_T_copy =
             Eigen::Translation3d(reference_.middle_mm) * fine.reference_T_copy * Eigen::Translation3d(-copy_.middle_mm);
     }

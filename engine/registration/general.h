@@ -16,11 +16,11 @@ namespace lathelier {
 /// overlap.
 ///
 /// Result: `converged` false when the steps did not settle. Motions the geometry leaves open are listed in
-/// `free_motions` with the note MotionNotDetermined, weak ones noted as MotionWeak; along free ones the copy stays as
-/// near to where it was as it can. Several poses that fit equally well: the smallest rotation, note SeveralPosesFit.
+/// `free_motions` with the note motionNotDetermined, weak ones noted as motionWeak; along free ones the copy stays as
+/// near to where it was as it can. Several poses that fit equally well: the smallest rotation, note severalPosesFit.
 /// Uncertainty (k = 2): residual scatter over the normal equations, for independent noise of the points used and of the
 /// reference's; `axial_um` the largest translation of the part's centre, `radial_um` the largest across it.
-/// Errors: TooFewPoints (fewer than 4), PointsDegenerate (on one point or line). Throws Cancelled.
+/// Errors: tooFewPoints (fewer than 4), pointsDegenerate (on one point or line). Throws Cancelled.
 Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/registration/surface_samples.h"
 
@@ -23,9 +24,9 @@ void refuseDegenerate(const Points& points)
     for (const auto& p : points) spread += (p - mean) * (p - mean).transpose() / count;
     const Eigen::Vector3d sizes =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-    if (!(sizes[2] > 1e-24)) throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
+    if (!(sizes[2] > 1e-24)) throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
     if (!(sizes[1] > 1e-12 * sizes[2]))
-        throw Error(ErrorCode::PointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
 }
 
 double upperPart(std::vector<double> values, std::size_t numerator, std::size_t denominator)
@@ -51,7 +52,7 @@ CentredPoints centrePoints(const Scan& scan, const Progress& progress)
     CentredPoints result;
     result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
     if (result.points_mm.size() < 4)
-        throw Error(ErrorCode::TooFewPoints,
+        throw Error(errors::tooFewPoints,
                     {{"found", static_cast<std::int64_t>(result.points_mm.size())}, {"minimum", std::int64_t{4}}});
     const Points some = everyNth(result.points_mm, enough_for_median);
     std::vector<double> values(some.size());

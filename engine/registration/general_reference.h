@@ -18,7 +18,7 @@ struct CentredPoints {
     double size_mm = 0;                                   ///< nine tenths of the points are nearer to the middle
 };
 
-/// The points of a cloud, or samples of a mesh by area. Errors: TooFewPoints (fewer than 4), PointsDegenerate.
+/// The points of a cloud, or samples of a mesh by area. Errors: tooFewPoints (fewer than 4), pointsDegenerate.
 CentredPoints centrePoints(const Scan& scan, const Progress& progress);
 
 /// Up to `count` of the points, spread evenly over the list.
@@ -29,7 +29,7 @@ struct GeneralReference {
     std::shared_ptr<Surface> surface;  ///< about points.middle_mm
 };
 
-/// Errors: TooFewPoints (fewer than 4), PointsDegenerate (in one place or on a line). Throws Cancelled.
+/// Errors: tooFewPoints (fewer than 4), pointsDegenerate (in one place or on a line). Throws Cancelled.
 GeneralReference prepareReference(const Scan& reference, const Progress& progress = {});
 
 }  // namespace lathelier

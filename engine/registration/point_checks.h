@@ -8,8 +8,8 @@
 
 namespace lathelier {
 
-/// Errors, with `role` ("reference", "copy"): TooFewPoints (fewer than 50), CoordinateTooLarge (beyond 10 km or not
-/// finite), PointsDegenerate (all in one place, on a line or in a plane).
+/// Errors, with `role` ("reference", "copy"): tooFewPoints (fewer than 50), coordinateTooLarge (beyond 10 km or not
+/// finite), pointsDegenerate (all in one place, on a line or in a plane).
 void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, const Progress& progress = {});
 
 }  // namespace lathelier

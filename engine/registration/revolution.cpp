@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_shift.h"
 #include "engine/registration/revolution_witnesses.h"
 
@@ -82,7 +83,7 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
         const bool as_good = best && std::abs(way.match.cost - best->match.cost) < 0.005 * cap;
         if (!best || (as_good ? way.angle < best->angle : way.match.cost < best->match.cost)) best = way;
     }
-    if (!best || !std::isfinite(best->match.cost)) throw Error(ErrorCode::PartsDoNotMatch, {{"overlap_percent", 0.0}});
+    if (!best || !std::isfinite(best->match.cost)) throw Error(errors::partsDoNotMatch, {{"overlap_percent", 0.0}});
 
     Alignment result;
     result.iterations = reference.fit.iterations + copy.fit.iterations;
@@ -114,14 +115,14 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
         motion.direction = axis.direction;
         motion.point_mm = axis.point_mm;
         result.notes.push_back(
-            {NoteCode::MotionNotDetermined, {{"kind", LT_TEXT("Engine", "translation along the axis")}}});
+            {notes::motionNotDetermined, {{"kind", LT_TEXT("Engine", "translation along the axis")}}});
     }
     result.free_motions.insert(result.free_motions.begin(),
                                {FreeMotion::Kind::Rotation, axis.direction, axis.point_mm});
-    result.notes.insert(result.notes.begin(), {NoteCode::RollNotDetermined, {}});
+    result.notes.insert(result.notes.begin(), {notes::rollNotDetermined, {}});
     if ((result.reference_T_copy.linear() * (copy.fit.axis_T_scan.linear().row(2).transpose()))
             .dot(copy.fit.axis_T_scan.linear().row(2)) < 0)
-        result.notes.push_back({NoteCode::EndForEnd, {}});
+        result.notes.push_back({notes::endForEnd, {}});
 
     const Eigen::Matrix4d covariance = reference.fit.covariance + copy.fit.covariance;
     result.uncertainty.axial_um = 2 * kToUm * std::sqrt(variance);

@@ -24,7 +24,7 @@ Axis axisOf(const RevolutionFit& fit);
 /// tenth of the length, with InitialPose::Identity). The shift comes from shoulders and slopes, never from where the
 /// data end; each shoulder or slope counts by its own uncertainty, and slopes that contradict the shoulders (their
 /// radius differs) count less. Free motions keep the smallest rotation and no shift from the initial pose.
-/// Error PartsDoNotMatch when the two profiles have nothing in common.
+/// Error partsDoNotMatch when the two profiles have nothing in common.
 Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial);
 
 }  // namespace lathelier

@@ -54,7 +54,7 @@ public:
     static constexpr std::size_t bundle = 8;
 };
 
-/// Of a mesh the triangles, of a cloud the patches through its points. Throws Cancelled, and TooFewPoints for a cloud
+/// Of a mesh the triangles, of a cloud the patches through its points. Throws Cancelled, and tooFewPoints for a cloud
 /// of fewer than 4 points.
 std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/surface_orientation.h"
@@ -63,7 +64,7 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     : points_(cloud.points_mm, progress.part(0, 0.15)), given_normals_(cloud.normals)
 {
     if (points_.size() < 4)
-        throw Error(ErrorCode::TooFewPoints,
+        throw Error(errors::tooFewPoints,
                     {{"found", static_cast<std::int64_t>(points_.size())}, {"minimum", std::int64_t{4}}});
     progress.report(0.15);
     std::vector<Member> members = fitAll(progress);

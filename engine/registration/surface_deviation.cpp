@@ -5,6 +5,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/registration_codes.h"
 #include "engine/registration/surface.h"
 
 namespace lathelier {
@@ -17,7 +18,7 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
     SurfaceDeviation result;
     const bool is_cloud = surface.points() != nullptr;
     result.has_sign = surface.orient(progress.part(0, 0.3));
-    if (!result.has_sign) result.notes.push_back({NoteCode::SignUndetermined, {}});
+    if (!result.has_sign) result.notes.push_back({notes::signUndetermined, {}});
     progress.report(0.3);
     const std::vector<std::uint32_t> order = hilbertOrder(points, progress);
     progress.report(0.4);

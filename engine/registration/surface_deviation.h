@@ -14,14 +14,14 @@ namespace lathelier {
 
 struct SurfaceDeviation {
     std::vector<float> deviation_mm;  ///< one per point; NaN further than asked, and where the reference has no surface
-    bool has_sign = true;             ///< false: unsigned distances, with the note SignUndetermined
+    bool has_sign = true;             ///< false: unsigned distances, with the note signUndetermined
     Notes notes;
 };
 
 /// Deviation along the surface normal, + where the copy has material in excess. Mesh reference: exact distance to its
 /// triangles, signed when it is closed (or carries normals). Cloud reference: distance to a quadric through about 48
 /// neighbours, split at sharp edges, signed when it carries normals or is evidently closed. Points that are not finite
-/// get NaN. Errors: TooFewPoints, for a reference cloud of fewer than 4 points. Throws Cancelled.
+/// get NaN. Errors: tooFewPoints, for a reference cloud of fewer than 4 points. Throws Cancelled.
 SurfaceDeviation surfaceDeviation(const Scan& reference,
                                   const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
                                   double max_distance_mm, const Progress& progress = {});

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/registration_codes.h"
 
 namespace lathelier {
 namespace {
@@ -38,7 +39,7 @@ void judge(CompareResult& result, const CompareParameters& parameters, const Pro
     result.within_tolerance_percent.reset();
     result.verdict.reset();
     result.distinguishable_from_scanner.reset();
-    std::erase_if(result.notes, [](const Note& note) { return note.code == NoteCode::NotDistinguishable; });
+    std::erase_if(result.notes, [](const Note& note) { return note.code == notes::notDistinguishable; });
 
     if (parameters.tolerance_mm && result.statistics.points_used > 0) {
         const std::int64_t within = countWithin(result, *parameters.tolerance_mm, progress);
@@ -51,7 +52,7 @@ void judge(CompareResult& result, const CompareParameters& parameters, const Pro
             result.statistics.rmse_mm > clearlyAbove * *parameters.scanner_accuracy_mm;
         if (!*result.distinguishable_from_scanner)
             result.notes.push_back(
-                {NoteCode::NotDistinguishable, {{"scanner_accuracy_mm", *parameters.scanner_accuracy_mm}}});
+                {notes::notDistinguishable, {{"scanner_accuracy_mm", *parameters.scanner_accuracy_mm}}});
     }
 }
 

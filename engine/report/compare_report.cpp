@@ -1,5 +1,6 @@
 #include "engine/report/compare_report.h"
 
+#include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/compare_plots.h"
 #include "engine/report/parameters_table.h"
@@ -225,7 +226,7 @@ Document compareReport(const CompareResult& result, const std::vector<InputFile>
     Document document;
     document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
     document.inputs = inputs;
-    document.synthetic = contains(result.notes, NoteCode::SyntheticData);
+    document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections = {compareSummary(result, language),
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),

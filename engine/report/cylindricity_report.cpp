@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/roundness_report.h"
@@ -88,7 +89,7 @@ Document cylindricityReport(const CylindricityResult& result, const std::vector<
     Document document;
     document.title = LT_TEXT("Engine", "Cylindricity");
     document.inputs = inputs;
-    document.synthetic = contains(result.notes, NoteCode::SyntheticData);
+    document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections = {
         cylindricitySummary(result, language),
         {LT_TEXT("Engine", "Method and parameters"),

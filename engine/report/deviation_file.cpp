@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/io/file.h"
@@ -80,7 +81,7 @@ void writeDeviations(const std::string& path, const Scan& copy, const CompareRes
 {
     if (!isDeviationFile(path))
         throw Error(
-            ErrorCode::ValueNotUnderstood,
+            errors::valueNotUnderstood,
             {{"parameter", "deviations"}, {"found", path}, {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
     const bool binary = endsWith(path, ".ply");
     const std::size_t rows = copy.points_mm.size();

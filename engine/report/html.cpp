@@ -94,7 +94,7 @@ public:
     {
         std::string items;
         for (const Note& note : notes)
-            items += severity(note.code) == Severity::Warning
+            items += note.code.severity == Severity::Warning
                          ? "<li class=\"warning\"><b>!</b> " + escaped(text(note, language_)) + "</li>\n"
                          : "<li>" + escaped(text(note, language_)) + "</li>\n";
         return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
@@ -221,7 +222,7 @@ Document roundnessReport(const std::vector<RoundnessResult>& results, const std:
     const bool several = results.size() > 1;
     if (several) document.sections.push_back({LT_TEXT("Engine", "Overview"), {overviewTable(results, language)}});
     for (const RoundnessResult& result : results) {
-        document.synthetic |= contains(result.notes, NoteCode::SyntheticData);
+        document.synthetic |= contains(result.notes, notes::syntheticData);
         addSections(result, several, language, document);
     }
     if (!results.empty())

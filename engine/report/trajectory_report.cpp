@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/roundness_report.h"
@@ -210,7 +211,7 @@ Document trajectoryReport(const TrajectoryResult& result, const std::vector<Inpu
     Document document;
     document.title = LT_TEXT("Engine", "Trajectories and the machined surface");
     document.inputs = inputs;
-    document.synthetic = contains(result.notes, NoteCode::SyntheticData);
+    document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections.push_back(trajectorySummary(result, language));
     if (const auto worst = result.worstSection()) {
         const TrajectorySection& section = result.sections[*worst];

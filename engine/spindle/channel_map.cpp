@@ -5,7 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "engine/core/core_codes.h"
 #include "engine/io/number.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -40,10 +42,10 @@ std::string_view trimmed(std::string_view text)
 
 [[noreturn]] void reject(std::string_view found, std::size_t column, Value expected)
 {
-    throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", "channels"},
-                                                {"found", std::string(found)},
-                                                {"expected", std::move(expected)},
-                                                {"column", static_cast<std::int64_t>(column)}});
+    throw Error(errors::valueNotUnderstood, {{"parameter", "channels"},
+                                             {"found", std::string(found)},
+                                             {"expected", std::move(expected)},
+                                             {"column", static_cast<std::int64_t>(column)}});
 }
 
 Entries parse(std::string_view map)
@@ -97,10 +99,10 @@ std::optional<Entries> byHeadings(const ProbeRecord& record)
 std::size_t placeOf(const ProbeRecord& record, const Entry& entry, const char* signal)
 {
     const auto unknown = [&](Text reason) -> Error {
-        return Error(ErrorCode::ChannelsUnknown, {{"signal", signal},
-                                                  {"found", entry.channel},
-                                                  {"reason", reason},
-                                                  {"channels", static_cast<std::int64_t>(record.channels.size())}});
+        return Error(errors::channelsUnknown, {{"signal", signal},
+                                               {"found", entry.channel},
+                                               {"reason", reason},
+                                               {"channels", static_cast<std::int64_t>(record.channels.size())}});
     };
     if (const auto place = wholeInteger(entry.channel)) {
         if (*place < 0 || *place >= static_cast<std::int64_t>(record.channels.size()))
@@ -119,15 +121,15 @@ double toMicrometres(const ProbeRecord& record, std::size_t channel, const char*
         case ProbeChannel::Unit::Millimetre: return 1000;
         case ProbeChannel::Unit::Volt: return sensitivity_um_per_V;
         case ProbeChannel::Unit::Unknown:
-            throw Error(ErrorCode::ChannelUnitMissing, {{"signal", signal},
-                                                        {"found", static_cast<std::int64_t>(channel)},
-                                                        {"channel", record.channels[channel].name}});
+            throw Error(errors::channelUnitMissing, {{"signal", signal},
+                                                     {"found", static_cast<std::int64_t>(channel)},
+                                                     {"channel", record.channels[channel].name}});
         case ProbeChannel::Unit::Degree: break;
     }
-    throw Error(ErrorCode::ChannelsUnknown, {{"signal", signal},
-                                             {"found", static_cast<std::int64_t>(channel)},
-                                             {"reason", LT_TEXT("Engine", "it holds angles, not displacements")},
-                                             {"channels", static_cast<std::int64_t>(record.channels.size())}});
+    throw Error(errors::channelsUnknown, {{"signal", signal},
+                                          {"found", static_cast<std::int64_t>(channel)},
+                                          {"reason", LT_TEXT("Engine", "it holds angles, not displacements")},
+                                          {"channels", static_cast<std::int64_t>(record.channels.size())}});
 }
 
 /// A probe that is not connected gives one value only; one out of range gives its end value again and again. A
@@ -138,14 +140,14 @@ void noteStandstill(const ProbeChannel& channel, const char* signal, Notes& note
     if (channel.values.empty()) return;
     const auto [low, high] = std::minmax_element(channel.values.begin(), channel.values.end());
     if (*low == *high) {
-        notes.push_back({NoteCode::ChannelStandsStill, {{"signal", signal}, {"channel", channel.name}}});
+        notes.push_back({notes::channelStandsStill, {{"signal", signal}, {"channel", channel.name}}});
         return;
     }
     const auto count = static_cast<double>(channel.values.size());
     for (const double end : {*low, *high}) {
         const double share = static_cast<double>(std::count(channel.values.begin(), channel.values.end(), end)) / count;
         if (share > clippedShare)
-            notes.push_back({NoteCode::ChannelCutOff,
+            notes.push_back({notes::channelCutOff,
                              {{"signal", signal}, {"channel", channel.name}, {"share_percent", 100 * share}}});
     }
 }
@@ -168,10 +170,10 @@ ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& pa
     const ProbeChannel::Unit unit = record.channels[map.reference].unit;
     map.is_angle = reference == angleSignal || unit == ProbeChannel::Unit::Degree;
     if (map.is_angle && unit != ProbeChannel::Unit::Degree && unit != ProbeChannel::Unit::Unknown)
-        throw Error(ErrorCode::ChannelsUnknown, {{"signal", signalNames[reference]},
-                                                 {"found", static_cast<std::int64_t>(map.reference)},
-                                                 {"reason", LT_TEXT("Engine", "it holds no angles")},
-                                                 {"channels", static_cast<std::int64_t>(record.channels.size())}});
+        throw Error(errors::channelsUnknown, {{"signal", signalNames[reference]},
+                                              {"found", static_cast<std::int64_t>(map.reference)},
+                                              {"reason", LT_TEXT("Engine", "it holds no angles")},
+                                              {"channels", static_cast<std::int64_t>(record.channels.size())}});
     for (std::size_t probe = 0; probe < map.probes.size(); ++probe) {
         const Entry& entry = entries[probe];
         ProbePlace& place = map.probes[probe];

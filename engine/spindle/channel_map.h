@@ -25,8 +25,8 @@ struct ChannelMap {
 /// and a channel in degrees in the marker's place is an encoder's angle.
 /// Values in volts are multiplied by the sensitivity, those in µm and mm only brought to µm; without any unit they are
 /// refused. Signals that stand still or are cut off at the ends of their range are noted.
-/// Errors: ValueNotUnderstood (`parameter` channels, `column` in it), ChannelsUnknown (`signal`, `found`, `reason`),
-/// ChannelUnitMissing.
+/// Errors: valueNotUnderstood (`parameter` channels, `column` in it), channelsUnknown (`signal`, `found`, `reason`),
+/// channelUnitMissing.
 ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
 
 /// "X3", "Y3", "Xp", "Yp".

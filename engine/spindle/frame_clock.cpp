@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -25,14 +26,14 @@ FrameClock::FrameClock(const ProbeRecord& record) : times_(record.time_s), frame
     }
     start_s_ = times_.front();
     step_s_ = (times_.back() - start_s_) / static_cast<double>(frames_ - 1);
-    if (!(step_s_ > 0)) throw Error(ErrorCode::TimeNotIncreasing, {{"row", std::int64_t{1}}});
+    if (!(step_s_ > 0)) throw Error(errors::timeNotIncreasing, {{"row", std::int64_t{1}}});
     even_ = true;
     for (std::size_t i = 0; i < frames_ && even_; ++i)
         even_ = std::abs(times_[i] - (start_s_ + step_s_ * static_cast<double>(i))) <= evenShare * step_s_;
     if (even_) return;
     for (std::size_t i = 1; i < frames_; ++i)
         if (!(times_[i] > times_[i - 1]))
-            throw Error(ErrorCode::TimeNotIncreasing, {{"row", static_cast<std::int64_t>(i + 1)}});
+            throw Error(errors::timeNotIncreasing, {{"row", static_cast<std::int64_t>(i + 1)}});
 }
 
 double FrameClock::longestStep_s(double from_s, double to_s) const

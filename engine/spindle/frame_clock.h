@@ -11,7 +11,7 @@ namespace lathelier {
 /// Without times and rate the frame is the unit of time. Refers to the record: it must outlive the clock.
 class FrameClock {
 public:
-    /// Error TimeNotIncreasing (`row`, from 1) when the times of the record do not go forward.
+    /// Error timeNotIncreasing (`row`, from 1) when the times of the record do not go forward.
     explicit FrameClock(const ProbeRecord& record);
 
     std::size_t frames() const { return frames_; }

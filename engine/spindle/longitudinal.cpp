@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/core_codes.h"
 #include "engine/form/cylindricity.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -64,11 +66,11 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     places.erase(std::unique(places.begin(), places.end()), places.end());
     if (result.z_mm.size() < sections.size()) {
         notes.push_back(
-            {NoteCode::ZUnknown, {{"count", static_cast<std::int64_t>(sections.size() - result.z_mm.size())}}});
+            {notes::zUnknown, {{"count", static_cast<std::int64_t>(sections.size() - result.z_mm.size())}}});
         return std::nullopt;
     }
     if (places.size() < fewestSections) {
-        notes.push_back({NoteCode::TooFewSections,
+        notes.push_back({notes::tooFewSections,
                          {{"found", static_cast<std::int64_t>(places.size())},
                           {"minimum", static_cast<std::int64_t>(fewestSections)}}});
         return std::nullopt;
@@ -89,7 +91,10 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
         result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;
         result.CYLt_MZCY_um = cylinder.MZCY.CYLt_um;
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::NotConverged && error.code() != ErrorCode::PointsDegenerate) throw;
+        if (error.code() != errors::notConverged && error.code() != errors::pointsDegenerate) throw;
+        notes.push_back(
+            {notes::noCylindricity,
+             {{"length_mm", places.back() - places.front()}, {"diameter_mm", 2 * result.radius_mm.front()}}});
     }
     return result;
 }

@@ -9,7 +9,7 @@
 namespace lathelier {
 
 /// Longitudinal section of at least three sections at three different known z; else nothing, with the note ZUnknown or
-/// TooFewSections.
+/// tooFewSections. A stack too short for an axis has no cylindricity, with the note noCylindricity.
 std::optional<LongitudinalSection> longitudinalSection(const std::vector<TrajectorySection>& sections, Notes& notes,
                                                        const Progress& progress = {});
 

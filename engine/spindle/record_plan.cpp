@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/io/header_lines.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -19,7 +20,7 @@ void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& n
     if (!speed || !prepared.clock.isKnown()) return;
     const double found_rpm = 60 / prepared.revolutions.period_s;
     if (std::abs(found_rpm - *speed) > tolerance * *speed)
-        notes.push_back({NoteCode::SpeedDiffers, {{"path", path}, {"found_rpm", found_rpm}, {"stated_rpm", *speed}}});
+        notes.push_back({notes::speedDiffers, {{"path", path}, {"found_rpm", found_rpm}, {"stated_rpm", *speed}}});
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const
         if (skew && prepared.clock.isKnown())
             prepared.channel_skew_s = *skew;
         else
-            found.push_back({NoteCode::SkewUnknown, {}});
+            found.push_back({notes::skewUnknown, {}});
         prepared.revolutions =
             findRevolutions(record, prepared.clock, prepared.map, parameters, prepared.channel_skew_s);
         for (Note& note : found) {
@@ -43,7 +44,7 @@ PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const
             notes.push_back(std::move(note));
         }
         if (prepared.revolutions.irregular > 0)
-            notes.push_back({NoteCode::RevolutionsRejected,
+            notes.push_back({notes::revolutionsRejected,
                              {{"path", path}, {"count", std::int64_t{prepared.revolutions.irregular}}}});
         noteSpeed(prepared, path, notes);
         return prepared;
@@ -57,7 +58,7 @@ void noteAssumed(const std::string& key, double value, Notes& notes)
 {
     for (const FieldInfo& info : infos<TrajectoryParameters>())
         if (info.key == key)
-            notes.push_back({NoteCode::ValueAssumed,
+            notes.push_back({notes::valueAssumed,
                              {{"parameter", key},
                               {"label", info.label},
                               {"value", value},
@@ -95,10 +96,10 @@ std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryP
     const std::int64_t turns = all.back().number + 1;
     const std::int64_t each = std::min<std::int64_t>(parameters.revolutions, turns / cutting.sections);
     if (each < fewestRevolutions)
-        throw Error(ErrorCode::RecordTooShort, {{"path", prepared.path},
-                                                {"found", turns},
-                                                {"sections", std::int64_t{cutting.sections}},
-                                                {"minimum", fewestRevolutions * cutting.sections}});
+        throw Error(errors::recordTooShort, {{"path", prepared.path},
+                                             {"found", turns},
+                                             {"sections", std::int64_t{cutting.sections}},
+                                             {"minimum", fewestRevolutions * cutting.sections}});
     std::vector<Stretch> stretches(static_cast<std::size_t>(cutting.sections));
     for (std::int64_t i = 0; i < cutting.sections; ++i) {
         Stretch& stretch = stretches[static_cast<std::size_t>(i)];

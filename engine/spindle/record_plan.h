@@ -43,7 +43,7 @@ std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryPara
 /// One stretch: the first `revolutions` regular ones of the record.
 Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters);
 
-/// Stretches of equal length over all turns of the record. Error RecordTooShort.
+/// Stretches of equal length over all turns of the record. Error recordTooShort.
 std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
                                const Cutting& cutting);
 

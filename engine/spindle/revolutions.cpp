@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/core_codes.h"
 #include "engine/signal/hampel.h"
 #include "engine/spindle/marker.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -16,7 +18,7 @@ constexpr double longestPause = 3.5;           ///< steps between frames that do
 
 Error tooFew(std::size_t found)
 {
-    return Error(ErrorCode::TooFewRevolutions,
+    return Error(errors::tooFewRevolutions,
                  {{"found", static_cast<std::int64_t>(found)}, {"minimum", fewestRevolutions}});
 }
 
@@ -59,9 +61,9 @@ Error elsewhere(const ProbeRecord& record, const FrameClock& clock, std::size_t 
         if (!levels.isMarker() || findMarks(record.channels[other].values, clock, levels).size() < 3) continue;
         set(values, "candidate", static_cast<std::int64_t>(other));
         set(values, "candidate_channel", record.channels[other].name);
-        return Error(ErrorCode::MarkerElsewhere, values);
+        return Error(errors::markerElsewhere, values);
     }
-    return Error(ErrorCode::MarkerNotFound, values);
+    return Error(errors::markerNotFound, values);
 }
 
 Revolutions fromMarker(const ProbeRecord& record, const FrameClock& clock, std::size_t marker,
@@ -73,11 +75,11 @@ Revolutions fromMarker(const ProbeRecord& record, const FrameClock& clock, std::
     if (parameters.marker_threshold_V) {
         levels.threshold = *parameters.marker_threshold_V;
         if (!(levels.threshold > levels.low && levels.threshold < levels.high))
-            throw Error(ErrorCode::ValueOutOfRange, {{"parameter", "marker_threshold_V"},
-                                                     {"found", levels.threshold},
-                                                     {"expected", LT_TEXT("Engine", "a threshold between the levels")},
-                                                     {"minimum", levels.low},
-                                                     {"maximum", levels.high}});
+            throw Error(errors::valueOutOfRange, {{"parameter", "marker_threshold_V"},
+                                                  {"found", levels.threshold},
+                                                  {"expected", LT_TEXT("Engine", "a threshold between the levels")},
+                                                  {"minimum", levels.low},
+                                                  {"maximum", levels.high}});
     }
     std::vector<double> marks_s = findMarks(values, clock, levels);
     for (double& mark : marks_s) mark += static_cast<double>(marker) * skew_s;
@@ -104,9 +106,9 @@ Revolutions fromAngle(const ProbeRecord& record, const FrameClock& clock, std::s
 {
     const std::vector<double>& angle_deg = record.channels[channel].values;
     const auto still = [&](Text reason) {
-        return Error(ErrorCode::AngleNotTurning, {{"channel", record.channels[channel].name},
-                                                  {"place", static_cast<std::int64_t>(channel)},
-                                                  {"reason", reason}});
+        return Error(errors::angleNotTurning, {{"channel", record.channels[channel].name},
+                                               {"place", static_cast<std::int64_t>(channel)},
+                                               {"reason", reason}});
     };
     // Turns by the shorter way from frame to frame; a missing angle waits for the next one.
     const auto known = std::find_if(angle_deg.begin(), angle_deg.end(), [](double v) { return std::isfinite(v); });

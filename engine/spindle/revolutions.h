@@ -35,8 +35,8 @@ struct Revolutions {
 
 /// Marks are the leading edges of the pulses: crossings of the threshold into the rarer of the marker's two levels,
 /// interpolated between frames; the signal has to come back over half of the way before the next one counts.
-/// Errors: MarkerNotFound (`channel`, `reason`) where the signal is no row of pulses, MarkerElsewhere (`candidate`)
-/// when another channel is; AngleNotTurning; TooFewRevolutions (`found`, `minimum` 2).
+/// Errors: markerNotFound (`channel`, `reason`) where the signal is no row of pulses, markerElsewhere (`candidate`)
+/// when another channel is; angleNotTurning; tooFewRevolutions (`found`, `minimum` 2).
 Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                             const TrajectoryParameters& parameters, double channel_skew_s);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/spindle/error_motion.h"
+#include "engine/spindle/spindle_codes.h"
 #include "engine/spindle/surface_image.h"
 
 namespace lathelier {
@@ -103,7 +104,7 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretc
     section.revolutions_used = static_cast<int>(signals.revolutions());
     constexpr int fewest = 2;
     if (section.revolutions_used < fewest)
-        throw Error(ErrorCode::TooFewRevolutions,
+        throw Error(errors::tooFewRevolutions,
                     {{"found", std::int64_t{section.revolutions_used}}, {"minimum", std::int64_t{fewest}}});
 
     for (const Probe probe : allProbes) {

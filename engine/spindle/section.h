@@ -6,7 +6,7 @@
 
 namespace lathelier {
 
-/// Everything of a section but its number, place and names. Errors TooFewRevolutions, those of roundness().
+/// Everything of a section but its number, place and names. Errors tooFewRevolutions, those of roundness().
 TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretch,
                            const TrajectoryParameters& parameters, double workpiece_diameter_mm,
                            const Progress& progress);

@@ -4,12 +4,15 @@
 #include <atomic>
 #include <cmath>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/form/form_codes.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/number.h"
 #include "engine/spindle/longitudinal.h"
 #include "engine/spindle/record_plan.h"
 #include "engine/spindle/section.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -44,12 +47,12 @@ double diameterOf(const std::vector<ProbeFile>& records, const TrajectoryParamet
     for (const ProbeFile& file : records) {
         auto stated = headerNumber(headerOf(file), "D_mm");
         if (!stated) stated = headerNumber(headerOf(file), "workpiece_diameter_mm");
-        if (!stated || !(*stated > 0)) throw Error(ErrorCode::DiameterMissing, {{"path", pathOf(file)}});
+        if (!stated || !(*stated > 0)) throw Error(errors::diameterMissing, {{"path", pathOf(file)}});
         if (first && *first != *stated)
-            throw Error(ErrorCode::RecordsDiffer, {{"path", pathOf(file)},
-                                                   {"parameter", LT_TEXT("Engine", "the workpiece's diameter")},
-                                                   {"first", *first},
-                                                   {"found", *stated}});
+            throw Error(errors::recordsDiffer, {{"path", pathOf(file)},
+                                                {"parameter", LT_TEXT("Engine", "the workpiece's diameter")},
+                                                {"first", *first},
+                                                {"found", *stated}});
         first = stated;
     }
     return first.value();
@@ -67,7 +70,7 @@ std::vector<double> parsePlaces(const std::string& typed)
         if (semicolons) std::replace(part.begin(), part.end(), ',', '.');
         const auto number = wholeNumber(part, '.');
         if (!number || !std::isfinite(*number))
-            throw Error(ErrorCode::ValueNotUnderstood,
+            throw Error(errors::valueNotUnderstood,
                         {{"parameter", "z_mm"},
                          {"found", part},
                          {"expected", LT_TEXT("Engine", "numbers such as 5,10,15 or 5,5;10;15")},
@@ -83,7 +86,7 @@ std::vector<double> parsePlaces(const std::string& typed)
 void addOnce(Notes& notes, const TrajectorySection& section)
 {
     for (const Note& note : section.roundness.notes) {
-        if (note.code == NoteCode::SizeNominal || contains(notes, note.code)) continue;
+        if (note.code == notes::sizeNominal || contains(notes, note.code)) continue;
         notes.push_back(note);
         set(notes.back().values, "section", std::int64_t{section.section});
     }
@@ -99,7 +102,7 @@ void noteLargeDisplacements(const TrajectoryResult& result, const std::vector<Ta
                 largest_um = std::fmax(largest_um, std::abs(value));
             if (largest_um <= largestShare * 1e3 * result.workpiece_diameter_mm) continue;
             notes.push_back(
-                {NoteCode::DisplacementsLarge,
+                {notes::displacementsLarge,
                  {{"path", tasks[i].path}, {"signal", name(static_cast<Probe>(probe))}, {"largest_um", largest_um}}});
             break;
         }
@@ -109,7 +112,7 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
                        const TrajectoryParameters& parameters, Notes& notes, const Progress& progress)
 {
     if (parameters.feed_mm_rev && (records.size() != 1 || !parameters.z_mm.empty()))
-        throw Error(ErrorCode::ValueNotUnderstood,
+        throw Error(errors::valueNotUnderstood,
                     {{"parameter", "feed_mm_rev"},
                      {"found", *parameters.feed_mm_rev},
                      {"expected", LT_TEXT("Engine", "one continuous record, and no places of its sections")}});
@@ -126,7 +129,7 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
                 task.stretch.z_mm = section.z_mm;
                 tasks.push_back(std::move(task));
             }
-            notes.push_back({NoteCode::AveragesOnly, {{"path", path}}});
+            notes.push_back({notes::averagesOnly, {{"path", path}}});
             continue;
         }
         const auto& record = std::get<ProbeRecord>(records[i].record);
@@ -148,19 +151,19 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
             tasks.push_back({&ready, std::move(stretch), nullptr, 0, 0, record.name, path});
         }
         if (used < found)
-            notes.push_back({NoteCode::RevolutionsUnused, {{"path", path}, {"found", found}, {"used", used}}});
+            notes.push_back({notes::revolutionsUnused, {{"path", path}, {"found", found}, {"used", used}}});
         if (fewest < static_cast<std::size_t>(parameters.revolutions))
-            notes.push_back({NoteCode::FewerRevolutions,
+            notes.push_back({notes::fewerRevolutions,
                              {{"path", path},
                               {"found", static_cast<std::int64_t>(fewest)},
                               {"asked", std::int64_t{parameters.revolutions}}}});
     }
     const std::vector<double> places = parsePlaces(parameters.z_mm);
     if (!places.empty() && places.size() != tasks.size())
-        throw Error(ErrorCode::ValueNotUnderstood, {{"parameter", "z_mm"},
-                                                    {"found", parameters.z_mm},
-                                                    {"expected", LT_TEXT("Engine", "one place for each section")},
-                                                    {"sections", static_cast<std::int64_t>(tasks.size())}});
+        throw Error(errors::valueNotUnderstood, {{"parameter", "z_mm"},
+                                                 {"found", parameters.z_mm},
+                                                 {"expected", LT_TEXT("Engine", "one place for each section")},
+                                                 {"sections", static_cast<std::int64_t>(tasks.size())}});
     const bool numbered = std::all_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.averages; });
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         if (!places.empty()) tasks[i].stretch.z_mm = places[i];
@@ -199,15 +202,15 @@ void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
         addOnce(result.notes, section);
     }
     if (samples + revolutions > 0)
-        result.notes.push_back({result.parameters.outliers == OutlierRule::Hampel ? NoteCode::MotionOutliers
-                                                                                  : NoteCode::RevolutionsIncomplete,
-                                {{"path", tasks.front().path},
-                                 {"count", revolutions},
-                                 {"revolutions", revolutions},
-                                 {"samples", samples}}});
+        result.notes.push_back(
+            {result.parameters.outliers == OutlierRule::Hampel ? notes::motionOutliers : notes::revolutionsIncomplete,
+             {{"path", tasks.front().path},
+              {"count", revolutions},
+              {"revolutions", revolutions},
+              {"samples", samples}}});
     noteLargeDisplacements(result, tasks, result.notes);
-    result.notes.push_back({NoteCode::SizeReferenced, {{"diameter_mm", result.workpiece_diameter_mm}}});
-    result.notes.push_back({NoteCode::MandrelFloor, {{"form_um", result.mandrel_form_um}}});
+    result.notes.push_back({notes::sizeReferenced, {{"diameter_mm", result.workpiece_diameter_mm}}});
+    result.notes.push_back({notes::mandrelFloor, {{"form_um", result.mandrel_form_um}}});
 }
 
 std::optional<FormVerdict> worstVerdict(const std::vector<TrajectorySection>& sections)

@@ -95,7 +95,7 @@ struct LongitudinalSection {
     double half_diameter_range_um = 0;
     double axis_straightness_um = 0;     ///< of the LSC centres
     double profile_straightness_um = 0;  ///< residual of R(z) about its line
-    double CYLt_LSCY_um = 0;
+    double CYLt_LSCY_um = 0;  ///< NaN, as the next one, when the stack is too short for an axis (noCylindricity)
     double CYLt_MZCY_um = 0;
     std::array<double, 3> fit_mm{};  ///< c0, c1, c2
 };
@@ -118,11 +118,11 @@ struct TrajectoryResult {
 /// `feed_mm_rev` is cut into `sections` stretches of equal length from its first mark on, z = 0 at that mark; the first
 /// `revolutions` of each stretch make the section, whose z_mm is the middle of them. The same bits for any number of
 /// threads.
-/// Errors (with `path`): DiameterMissing, ChannelsUnknown (the map does not fit the record), MarkerNotFound,
-/// MarkerElsewhere, AngleNotTurning, TimeNotIncreasing, TooFewRevolutions (`section`), RecordTooShort, RecordsDiffer;
-/// ValueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: SkewUnknown, RevolutionsRejected,
-/// FewerRevolutions, RevolutionsIncomplete, SpeedDiffers, Channel…, DisplacementsLarge, MotionOutliers, AveragesOnly,
-/// ZUnknown or TooFewSections (no longitudinal section), ValueAssumed, SizeReferenced, MandrelFloor; those of
+/// Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
+/// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;
+/// valueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown, revolutionsRejected,
+/// fewerRevolutions, revolutionsIncomplete, speedDiffers, Channel…, displacementsLarge, motionOutliers, averagesOnly,
+/// zUnknown or tooFewSections (no longitudinal section), valueAssumed, sizeReferenced, mandrelFloor; those of
 /// roundness() once each. Throws Cancelled.
 TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});

@@ -8,6 +8,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/io/facts_json.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/raw_scan.h"
 
 namespace lathelier::fuzz {
@@ -42,8 +43,8 @@ void check(Read read)
         require(!toJson(error).dump().empty());
         const Values& values = error.values();
         const bool placed = find(values, "line") || find(values, "byte");
-        const bool wholeFile = error.code() == ErrorCode::FileEmpty || error.code() == ErrorCode::NoPoints ||
-                               error.code() == ErrorCode::UnitUnknown;
+        const bool wholeFile = error.code() == errors::fileEmpty || error.code() == errors::noPoints ||
+                               error.code() == errors::unitUnknown;
         require(placed || wholeFile);
     }
 }

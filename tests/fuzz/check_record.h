@@ -1,6 +1,7 @@
 // What the fuzzers of profiles and probe records check.
 #pragma once
 
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"
 #include "tests/fuzz/check_reader.h"
 
@@ -41,8 +42,8 @@ void checkAnswer(Read read)
         require(!toJson(error).dump().empty() && !text(error).empty());
         const Values& values = error.values();
         const bool placed = find(values, "line") || find(values, "byte");
-        const bool wholeFile = error.code() == ErrorCode::FileEmpty || error.code() == ErrorCode::NoPoints ||
-                               error.code() == ErrorCode::UnitUnknown;
+        const bool wholeFile = error.code() == errors::fileEmpty || error.code() == errors::noPoints ||
+                               error.code() == errors::unitUnknown;
         require(placed || wholeFile);
         require(find(values, "path"));
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/io/io_codes.h"
 #include "engine/registration/compare_json.h"
 #include "engine/report/compare_report.h"
 #include "engine/report/deviation_file.h"
@@ -71,7 +72,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
         drags_ += dropped;
     });
     connect(views_, &CompareViews::notWritten, this, [this](const QString& path) {
-        const Error error(ErrorCode::FileNotWritable,
+        const Error error(errors::fileNotWritable,
                           {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
         emit messageRaised({error, this->facts().title});
     });

@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "engine/io/io_codes.h"
 #include "widgets/core/form.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
@@ -14,9 +15,9 @@
 namespace lathelier {
 namespace {
 
-bool settledByImport(ErrorCode code)
+bool settledByImport(const ErrorCode& code)
 {
-    return code == ErrorCode::UnitUnknown || code == ErrorCode::NumberAmbiguous || code == ErrorCode::Malformed;
+    return code == errors::unitUnknown || code == errors::numberAmbiguous || code == errors::malformed;
 }
 
 std::vector<FieldInfo> readingOf(const InputRole& role)

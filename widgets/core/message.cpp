@@ -8,7 +8,7 @@ MessageKind kindOf(const Message& message)
 {
     if (std::holds_alternative<Error>(message.content)) return MessageKind::Error;
     const auto* note = std::get_if<Note>(&message.content);
-    return note && severity(note->code) == Severity::Warning ? MessageKind::Warning : MessageKind::Info;
+    return note && note->code.severity == Severity::Warning ? MessageKind::Warning : MessageKind::Info;
 }
 
 QString screenText(const Message& message)

@@ -5,6 +5,8 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "engine/io/io_codes.h"
+#include "engine/registration/registration_codes.h"
 #include "widgets/core/answer_parts.h"
 #include "widgets/core/language.h"
 
@@ -17,13 +19,13 @@ constexpr int lowPanel_lines = 42;
 
 bool isWarning(const Note& note)
 {
-    return severity(note.code) == Severity::Warning;
+    return note.code.severity == Severity::Warning;
 }
 
 /// Says where the data come from or what was done, not how good the answer is.
-bool isAside(NoteCode code)
+bool isAside(const NoteCode& code)
 {
-    return code == NoteCode::SyntheticData || code == NoteCode::MethodChosen || code == NoteCode::RowsSkipped;
+    return code == notes::syntheticData || code == notes::methodChosen || code == notes::rowsSkipped;
 }
 
 int rank(const Note& note)

@@ -8,7 +8,7 @@
 namespace lathelier {
 
 /// Writes `document` with the date and what "Verify installation" says now, as HTML or PDF, by the suffix of `path`,
-/// and its results beside it as JSON. Each file is written whole or not at all. Error FileNotWritable.
+/// and its results beside it as JSON. Each file is written whole or not at all. Error fileNotWritable.
 void writeReport(const QString& path, Document document);
 
 /// The JSON file beside a report: "shaft.html" → "shaft_result.json".

@@ -96,7 +96,7 @@ public:
     {
         QString lines;
         for (const Note& note : notes)
-            lines += (severity(note.code) == Severity::Warning ? "<b>⚠</b> " : "– ") +
+            lines += (note.code.severity == Severity::Warning ? "<b>⚠</b> " : "– ") +
                      escaped(lathelier::text(note, language_)) + "<br>";
         return text("<p>" + lines + "</p>");
     }

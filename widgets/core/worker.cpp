@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "engine/core/core_codes.h"
+
 namespace lathelier {
 namespace {
 
@@ -16,9 +18,9 @@ Worker::Outcome compute(const Worker::Job& job, const Progress& progress)
     } catch (const Error& error) {
         return error;
     } catch (const std::bad_alloc&) {
-        return Error(ErrorCode::OutOfMemory, {});
+        return Error(errors::outOfMemory, {});
     } catch (const std::exception& problem) {
-        return Error(ErrorCode::Internal, {{"reason", std::string(problem.what())}});
+        return Error(errors::internal, {{"reason", std::string(problem.what())}});
     }
 }
 

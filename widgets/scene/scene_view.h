@@ -47,7 +47,7 @@ public:
     /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn.
     QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true);
 
-    /// Writes picture() as PNG, whole or not at all. Error FileNotWritable.
+    /// Writes picture() as PNG, whole or not at all. Error fileNotWritable.
     void savePicture(const QString& path);
 
     /// Seconds of the last frames drawn while moving and at rest, and the points drawn while moving.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"
 #include "engine/io/profile_reader.h"
 #include "widgets/core/input_box.h"
@@ -158,7 +159,7 @@ void SpindlePanel::setParameter(const std::string& key, const Value& value, cons
 
 void SpindlePanel::sayNotWritten(const QString& path)
 {
-    const Error error(ErrorCode::FileNotWritable,
+    const Error error(errors::fileNotWritable,
                       {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
     emit messageRaised({error, facts().title});
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 
 namespace lathelier {
@@ -16,7 +17,7 @@ ErrorCode codeOfError(const Run& run)
         return error.code();
     }
     ADD_FAILURE() << "no error";
-    return ErrorCode::Internal;
+    return errors::internal;
 }
 
 }  // namespace lathelier

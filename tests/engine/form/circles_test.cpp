@@ -1,5 +1,6 @@
 // Closed forms, traps and degenerate input of the four reference circles.
 #include "engine/form/circles.h"
+#include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -144,14 +145,14 @@ TEST(Circles, DuplicatesAndGapsDoNotChangeTheZones)
 
 TEST(Circles, SayWhyTheyHaveNoAnswer)
 {
-    EXPECT_EQ(refusal({}), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}}), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}, {1, 0}, {0, 1}}), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal({{3, 4}, {3, 4}, {3, 4}, {3, 4}}), ErrorCode::PointsDegenerate);
-    EXPECT_EQ(refusal({{0, 0}, {1, 1}, {2, 2}, {5, 5}, {7, 7}}), ErrorCode::PointsDegenerate);
-    EXPECT_EQ(refusal({{1e4, 0.1}, {1e4 + 1, 0.4}, {1e4 + 2, 0.7}, {1e4 + 3, 1.0}}), ErrorCode::PointsDegenerate);
-    EXPECT_EQ(refusal({{0, 0}, {1, std::nan("")}, {2, 2}, {5, 1}, {7, 3}}), ErrorCode::CoordinateTooLarge);
-    EXPECT_EQ(refusal({{0, 0}, {1, INFINITY}, {2, 2}, {5, 1}, {7, 3}}), ErrorCode::CoordinateTooLarge);
+    EXPECT_EQ(refusal({}), errors::tooFewPoints);
+    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}}), errors::tooFewPoints);
+    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}, {1, 0}, {0, 1}}), errors::tooFewPoints);
+    EXPECT_EQ(refusal({{3, 4}, {3, 4}, {3, 4}, {3, 4}}), errors::pointsDegenerate);
+    EXPECT_EQ(refusal({{0, 0}, {1, 1}, {2, 2}, {5, 5}, {7, 7}}), errors::pointsDegenerate);
+    EXPECT_EQ(refusal({{1e4, 0.1}, {1e4 + 1, 0.4}, {1e4 + 2, 0.7}, {1e4 + 3, 1.0}}), errors::pointsDegenerate);
+    EXPECT_EQ(refusal({{0, 0}, {1, std::nan("")}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
+    EXPECT_EQ(refusal({{0, 0}, {1, INFINITY}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
     EXPECT_NO_THROW(fitCircles(Points{{0, 0}, {1, 1}, {2, 2}, {5, 5.001}}));
 }
 

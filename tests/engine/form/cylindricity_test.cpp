@@ -1,4 +1,5 @@
 #include "engine/form/cylindricity.h"
+#include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -193,18 +194,18 @@ ErrorCode refusal(const std::vector<Vector3d>& points)
 
 TEST(Cylindricity, SaysWhyItHasNoAnswer)
 {
-    EXPECT_EQ(refusal({}), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal(std::vector<Vector3d>(5, Vector3d(1, 2, 3))), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal(std::vector<Vector3d>(50, Vector3d(1, 2, 3))), ErrorCode::PointsDegenerate);
+    EXPECT_EQ(refusal({}), errors::tooFewPoints);
+    EXPECT_EQ(refusal(std::vector<Vector3d>(5, Vector3d(1, 2, 3))), errors::tooFewPoints);
+    EXPECT_EQ(refusal(std::vector<Vector3d>(50, Vector3d(1, 2, 3))), errors::pointsDegenerate);
     std::vector<Vector3d> line, ring;
     for (int i = 0; i < 30; ++i) {
         line.emplace_back(i, 2.0 * i, 3.0 * i);
         ring.emplace_back(std::cos(0.2 * i), std::sin(0.2 * i), 5);
     }
-    EXPECT_EQ(refusal(line), ErrorCode::PointsDegenerate);
-    EXPECT_EQ(refusal(ring), ErrorCode::PointsDegenerate);
+    EXPECT_EQ(refusal(line), errors::pointsDegenerate);
+    EXPECT_EQ(refusal(ring), errors::pointsDegenerate);
     ring[3].x() = std::nan("");
-    EXPECT_EQ(refusal(ring), ErrorCode::CoordinateTooLarge);
+    EXPECT_EQ(refusal(ring), errors::coordinateTooLarge);
 }
 
 TEST(Cylindricity, StopsWhenCancelled)

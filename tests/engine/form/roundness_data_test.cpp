@@ -1,6 +1,7 @@
 // The practice data with certified answers (../shared/data/form), through the whole evaluation.
 #include <gtest/gtest.h>
 
+#include "engine/form/form_codes.h"
 #include "engine/form/roundness.h"
 #include "tests/engine/form/form_data.h"
 
@@ -28,8 +29,8 @@ TEST_P(PracticeEvaluation, HasTheCertifiedDeviations)
     }
     EXPECT_EQ(result.evaluated_mm.size(), profile.points_mm.size());
     EXPECT_EQ(result.harmonics.size(), std::min<std::size_t>(profile.points_mm.size() / 2, 500));
-    EXPECT_EQ(contains(result.notes, NoteCode::GapsInProfile), name == "p19_keyway_n3600");
-    EXPECT_EQ(contains(result.notes, NoteCode::InscribedNotUnique), name == "p07_ellipse_n200");
+    EXPECT_EQ(contains(result.notes, notes::gapsInProfile), name == "p19_keyway_n3600");
+    EXPECT_EQ(contains(result.notes, notes::inscribedNotUnique), name == "p07_ellipse_n200");
 }
 
 INSTANTIATE_TEST_SUITE_P(Form, PracticeEvaluation,

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "engine/core/parallel.h"
+#include "engine/form/form_codes.h"
 #include "engine/form/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
@@ -116,7 +117,7 @@ TEST(RoundnessUncertainty, IsNotClaimedForAHandfulOfPoints)
 {
     const RoundnessResult few = roundness(lobedProfile(evenAngles(12), {{2, .005, 0}}));
     EXPECT_TRUE(std::isnan(few.RONt_expanded_uncertainty_um));
-    EXPECT_TRUE(contains(few.notes, NoteCode::NoiseNotKnown));
+    EXPECT_TRUE(contains(few.notes, notes::noiseNotKnown));
     RoundnessParameters parameters;
     parameters.probe_uncertainty_um = .2;
     const RoundnessResult stated = roundness(lobedProfile(evenAngles(12), {{2, .005, 0}}), parameters);

@@ -1,4 +1,6 @@
 #include "engine/form/roundness.h"
+#include "engine/core/core_codes.h"
+#include "engine/form/form_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/io/io_codes.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier {
@@ -174,8 +177,8 @@ TEST(Roundness, ContactsAndExclusionsCountGivenPoints)
     parameters.exclude_deg = {{356, 4}};
     const RoundnessResult result = roundness(profile, parameters);
     EXPECT_NEAR(result.circles.MZCI.RONt_um, 10, .05);
-    EXPECT_TRUE(contains(result.notes, NoteCode::SectorsExcluded));
-    EXPECT_TRUE(contains(result.notes, NoteCode::GapsInProfile));
+    EXPECT_TRUE(contains(result.notes, notes::sectorsExcluded));
+    EXPECT_TRUE(contains(result.notes, notes::gapsInProfile));
     EXPECT_FALSE(result.used[0]);
     EXPECT_FALSE(result.used[716]);
     EXPECT_TRUE(result.used[360]);
@@ -222,7 +225,7 @@ TEST(Roundness, OutliersAreLeftOutWhenAsked)
     EXPECT_FALSE(result.used[37]);
     EXPECT_FALSE(result.used[151]);
     EXPECT_EQ(std::count(result.used.begin(), result.used.end(), 0), 2);
-    EXPECT_TRUE(contains(result.notes, NoteCode::OutliersRemoved));
+    EXPECT_TRUE(contains(result.notes, notes::outliersRemoved));
 }
 
 TEST(Roundness, SaysWhatThePointsAreLike)
@@ -231,22 +234,22 @@ TEST(Roundness, SaysWhatThePointsAreLike)
     parameters.cutoff_upr = 50;
     Profile profile = lobedProfile(evenAngles(200), {{2, .004, 1}});
     const RoundnessResult result = roundness(profile, parameters);
-    ASSERT_TRUE(contains(result.notes, NoteCode::Undersampled));
+    ASSERT_TRUE(contains(result.notes, notes::undersampled));
     for (const Note& note : result.notes)
-        if (note.code == NoteCode::Undersampled) {
+        if (note.code == notes::undersampled) {
             EXPECT_EQ(std::get<double>(*find(note.values, "supported_upr")), 15);
             EXPECT_EQ(std::get<std::int64_t>(*find(note.values, "points")), 200);
         }
     parameters.cutoff_upr = 15;
-    EXPECT_FALSE(contains(roundness(profile, parameters).notes, NoteCode::Undersampled));
+    EXPECT_FALSE(contains(roundness(profile, parameters).notes, notes::undersampled));
     profile.points_mm.push_back(profile.points_mm.front());
-    EXPECT_TRUE(contains(roundness(profile, parameters).notes, NoteCode::DuplicatePoints));
+    EXPECT_TRUE(contains(roundness(profile, parameters).notes, notes::duplicatePoints));
     profile.size_is_nominal = true;
-    EXPECT_TRUE(contains(roundness(profile, parameters).notes, NoteCode::SizeNominal));
+    EXPECT_TRUE(contains(roundness(profile, parameters).notes, notes::sizeNominal));
     std::vector<double> arc = evenAngles(400);
     arc.resize(150);
     const RoundnessResult part = roundness(lobedProfile(arc, {}), parameters);
-    EXPECT_TRUE(contains(part.notes, NoteCode::PartialArc));
+    EXPECT_TRUE(contains(part.notes, notes::partialArc));
     EXPECT_TRUE(part.harmonics.empty());
     EXPECT_TRUE(std::isnan(part.two_point.range_um));
 }
@@ -295,31 +298,31 @@ TEST(Roundness, RefusesWhatHasNoAnswer)
         } catch (const Error& error) {
             return error.code();
         }
-        return ErrorCode::Internal;
+        return errors::internal;
     };
     Profile profile;
-    EXPECT_EQ(code(profile), ErrorCode::TooFewPoints);
+    EXPECT_EQ(code(profile), errors::tooFewPoints);
     profile.points_mm = {{1, 0}, {0, 1}, {-1, 0}};
-    EXPECT_EQ(code(profile), ErrorCode::TooFewPoints);
+    EXPECT_EQ(code(profile), errors::tooFewPoints);
     const double missing = std::numeric_limits<double>::quiet_NaN();
     profile.points_mm.emplace_back(missing, 0);
-    EXPECT_EQ(code(profile), ErrorCode::TooFewPoints);
+    EXPECT_EQ(code(profile), errors::tooFewPoints);
     profile.points_mm.assign(10, {1, 1});
-    EXPECT_NE(code(profile), ErrorCode::Internal);
+    EXPECT_NE(code(profile), errors::internal);
     profile.points_mm.clear();
     for (int i = 0; i < 10; ++i) profile.points_mm.emplace_back(i, 2 * i);
-    EXPECT_EQ(code(profile), ErrorCode::PointsDegenerate);
+    EXPECT_EQ(code(profile), errors::pointsDegenerate);
     RoundnessParameters parameters;
     parameters.exclude_deg = {{0, 360}};
-    EXPECT_EQ(code(lobedProfile(evenAngles(100), {}), parameters), ErrorCode::TooFewPoints);
+    EXPECT_EQ(code(lobedProfile(evenAngles(100), {}), parameters), errors::tooFewPoints);
     parameters = {};
     parameters.cutoff_upr = 50;
     parameters.band_upr = {{15, 500}};
-    EXPECT_EQ(code(lobedProfile(evenAngles(100), {}), parameters), ErrorCode::ValueNotUnderstood);
+    EXPECT_EQ(code(lobedProfile(evenAngles(100), {}), parameters), errors::valueNotUnderstood);
     Profile holed = lobedProfile(evenAngles(100), {});
     holed.points_mm[7] = {missing, 1};
     const RoundnessResult result = roundness(holed);
-    EXPECT_TRUE(contains(result.notes, NoteCode::PointsNotFinite));
+    EXPECT_TRUE(contains(result.notes, notes::pointsNotFinite));
     EXPECT_FALSE(result.used[7]);
     std::stop_source stop;
     stop.request_stop();

@@ -1,4 +1,5 @@
 #include "engine/form/superimpose.h"
+#include "engine/form/form_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -109,10 +110,10 @@ TEST(Superimpose, BesideAKeyway)
 TEST(Superimpose, SaysWhenTheFormDoesNotTellTheAngle)
 {
     const Profile lobes = lobedProfile(evenAngles(360), {{3, .005, 0}});
-    EXPECT_TRUE(contains(superimpose(lobes, lobes).notes, NoteCode::RotationNotDetermined));
+    EXPECT_TRUE(contains(superimpose(lobes, lobes).notes, notes::rotationNotDetermined));
     EXPECT_NEAR(superimpose(lobes, lobes).rotation_deg, 0, 1e-3);
     const Profile round = lobedProfile(evenAngles(360), {});
-    EXPECT_TRUE(contains(superimpose(round, round).notes, NoteCode::RotationNotDetermined));
+    EXPECT_TRUE(contains(superimpose(round, round).notes, notes::rotationNotDetermined));
 }
 
 }  // namespace

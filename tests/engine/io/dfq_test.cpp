@@ -1,4 +1,5 @@
 // Q-DAS files: what is written comes back, bit for bit.
+#include "engine/core/core_codes.h"
 #include "engine/io/dfq_writer.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/windows1252.h"
 
 namespace lathelier {
@@ -132,17 +134,17 @@ TEST(Dfq, whatIsNoneIsRefusedAtItsLine)
         } catch (const Error& error) {
             return error.code();
         }
-        return ErrorCode::Internal;
+        return errors::internal;
     };
-    EXPECT_EQ(refused(""), ErrorCode::FileEmpty);
-    EXPECT_EQ(refused("\r\n\r\n"), ErrorCode::FileEmpty);
-    EXPECT_EQ(refused("K0100 1\r\nx,y\r\n"), ErrorCode::Malformed);
-    EXPECT_EQ(refused("K0100 1\r\nK0001/1 abc\r\n"), ErrorCode::Malformed);
-    EXPECT_EQ(refused("K0100 1\r\nK0001/2 5\r\n"), ErrorCode::Malformed);
-    EXPECT_EQ(refused("K0100 3\r\nK0001/1 5\r\n"), ErrorCode::Truncated);
-    EXPECT_EQ(refused("K0100 1\r\nK0002/1 255\r\n"), ErrorCode::Malformed);
-    EXPECT_EQ(refused("K0001/99999999999 5\r\n"), ErrorCode::Malformed);
-    EXPECT_EQ(refused(std::string("\x89PNG\r\n\x1a\n", 8)), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refused(""), errors::fileEmpty);
+    EXPECT_EQ(refused("\r\n\r\n"), errors::fileEmpty);
+    EXPECT_EQ(refused("K0100 1\r\nx,y\r\n"), errors::malformed);
+    EXPECT_EQ(refused("K0100 1\r\nK0001/1 abc\r\n"), errors::malformed);
+    EXPECT_EQ(refused("K0100 1\r\nK0001/2 5\r\n"), errors::malformed);
+    EXPECT_EQ(refused("K0100 3\r\nK0001/1 5\r\n"), errors::truncated);
+    EXPECT_EQ(refused("K0100 1\r\nK0002/1 255\r\n"), errors::malformed);
+    EXPECT_EQ(refused("K0001/99999999999 5\r\n"), errors::malformed);
+    EXPECT_EQ(refused(std::string("\x89PNG\r\n\x1a\n", 8)), errors::formatUnknown);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "engine/io/io_codes.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -221,7 +222,7 @@ TEST(Disguise, normalsAreFoundByNameOrByTheirLength)
     EXPECT_FALSE(readText("1 2 3 255 128 0\n4 5 6 0 0 1\n7 8 9 1 0 0\n").scan.hasNormals());
     const ScanFile unusable = readText("x y z nx ny nz\n1 2 3 0 0 0\n4 5 6 0 0 2\n");
     EXPECT_FALSE(unusable.scan.hasNormals());
-    EXPECT_TRUE(contains(unusable.notes, NoteCode::NormalsUnusable));
+    EXPECT_TRUE(contains(unusable.notes, notes::normalsUnusable));
 }
 
 TEST(Disguise, rowsWithoutFiniteCoordinatesAreCounted)
@@ -231,7 +232,7 @@ TEST(Disguise, rowsWithoutFiniteCoordinatesAreCounted)
         SCOPED_TRACE(word);
         const ScanFile file = readText("1 2 3\n4 5 " + std::string(word) + "\n7 8 9\n");
         EXPECT_EQ(file.scan.points_mm.size(), 2u);
-        ASSERT_TRUE(contains(file.notes, NoteCode::PointsNotFinite));
+        ASSERT_TRUE(contains(file.notes, notes::pointsNotFinite));
         ASSERT_EQ(file.facts.skipped.size(), 1u);
         EXPECT_EQ(file.facts.skipped[0].line, 2);
     }

@@ -1,4 +1,5 @@
 #include "engine/io/file.h"
+#include "engine/core/core_codes.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <thread>
 
 #include "engine/core/error.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -46,7 +48,7 @@ Error errorOf(F&& f)
         return error;
     }
     ADD_FAILURE() << "no error thrown";
-    return Error(ErrorCode::UnknownOption, {});
+    return Error(errors::unknownOption, {});
 }
 
 std::string wordOf(const Error& error, const char* name)
@@ -78,17 +80,17 @@ TEST_F(FileTest, anEmptyFileIsFine)
 TEST_F(FileTest, saysWhyAFileCannotBeRead)
 {
     const Error missing = errorOf([&] { FileBytes file(path("missing")); });
-    EXPECT_EQ(missing.code(), ErrorCode::FileNotFound);
+    EXPECT_EQ(missing.code(), errors::fileNotFound);
     EXPECT_EQ(wordOf(missing, "path"), path("missing"));
-    EXPECT_EQ(errorOf([&] { FileBytes file(""); }).code(), ErrorCode::FileNotFound);
+    EXPECT_EQ(errorOf([&] { FileBytes file(""); }).code(), errors::fileNotFound);
     const Error folder = errorOf([&] { FileBytes file(folder_.string()); });
-    EXPECT_EQ(folder.code(), ErrorCode::NotAFile);
+    EXPECT_EQ(folder.code(), errors::notAFile);
     EXPECT_EQ(wordOf(folder, "found"), "a folder");
     EXPECT_EQ(wordOf(errorOf([&] { FileBytes file("/dev/zero"); }), "found"), "a device");
     writeFile(path("secret"), "x");
     ::chmod(path("secret").c_str(), 0);
     if (::geteuid() != 0) {
-        EXPECT_EQ(errorOf([&] { FileBytes file(path("secret")); }).code(), ErrorCode::FileNotReadable);
+        EXPECT_EQ(errorOf([&] { FileBytes file(path("secret")); }).code(), errors::fileNotReadable);
     }
 }
 
@@ -136,7 +138,7 @@ TEST_F(FileTest, aDiskThatTakesNoMoreLeavesNothing)
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     const Error error = errorOf([&] { writeFile(path("big"), std::string(1 << 20, 'x')); });
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
-    EXPECT_EQ(error.code(), ErrorCode::FileNotWritable);
+    EXPECT_EQ(error.code(), errors::fileNotWritable);
     EXPECT_EQ(wordOf(error, "reason"), "the file would be too large");
     EXPECT_EQ(filesInFolder(), 0u);
 }
@@ -153,7 +155,7 @@ TEST_F(FileTest, writesThroughLinksAndDevicesAndKeepsPermissions)
     writeFile("/dev/null", "gone");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     const Error full = errorOf([] { writeFile("/dev/full", "x"); });
-    EXPECT_EQ(full.code(), ErrorCode::FileNotWritable);
+    EXPECT_EQ(full.code(), errors::fileNotWritable);
     EXPECT_EQ(wordOf(full, "reason"), "the disk is full");
 }
 

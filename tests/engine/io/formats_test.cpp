@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/facts_json.h"
+#include "engine/io/io_codes.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -62,7 +63,7 @@ TEST(Ply, binaryInBothByteOrdersKeepsDoubles)
         EXPECT_EQ(file.facts.unit_source, "stated");
         EXPECT_EQ(file.facts.format, big ? "ply_binary_big_endian" : "ply_binary_little_endian");
         for (std::size_t cut = text.size() - 1; cut > text.find("end_header") + 11; cut -= 5)
-            EXPECT_EQ(errorOf(text.substr(0, cut)).code(), ErrorCode::Truncated) << cut;
+            EXPECT_EQ(errorOf(text.substr(0, cut)).code(), errors::truncated) << cut;
     }
 }
 
@@ -114,16 +115,15 @@ TEST(Ply, listsBeforeAndWithinTheVertices)
 TEST(Ply, brokenHeadersAndBodiesAreLocated)
 {
     const Error type = errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n");
-    EXPECT_EQ(type.code(), ErrorCode::Malformed);
+    EXPECT_EQ(type.code(), errors::malformed);
     EXPECT_EQ(integerOf(type, "line"), 4);
     EXPECT_EQ(integerOf(type, "column"), 10);
     const Error body = errorOf(plyHeader("ascii", doubles) + "0 0 0\n1 1\n2 2 2\n3 3 3\n");
     EXPECT_EQ(integerOf(body, "line"), 10);
-    EXPECT_EQ(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n").code(), ErrorCode::Malformed);
-    EXPECT_EQ(errorOf(plyHeader("ascii", "property float x\nproperty float y\n") + "1 2\n").code(),
-              ErrorCode::Malformed);
+    EXPECT_EQ(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n").code(), errors::malformed);
+    EXPECT_EQ(errorOf(plyHeader("ascii", "property float x\nproperty float y\n") + "1 2\n").code(), errors::malformed);
     const Error index = errorOf(plyHeader("ascii", doubles, faces) + "0 0 0\n1 1 1\n2 2 2\n3 3 3\n3 0 1 2\n3 0 1 4\n");
-    EXPECT_EQ(index.code(), ErrorCode::Malformed);
+    EXPECT_EQ(index.code(), errors::malformed);
     EXPECT_EQ(integerOf(index, "line"), 16);
 }
 
@@ -136,7 +136,7 @@ TEST(Ply, pointsThatAreNotFiniteAreLeftOutWithTheirFaces)
     EXPECT_EQ(file.scan.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
     ASSERT_EQ(file.facts.skipped.size(), 1u);
     EXPECT_EQ(file.facts.skipped[0].line, 12);
-    EXPECT_TRUE(contains(file.notes, NoteCode::PointsNotFinite));
+    EXPECT_TRUE(contains(file.notes, notes::pointsNotFinite));
 }
 
 std::string pcdHeader(const std::string& data, const std::string& size = "8", const std::string& type = "F")
@@ -156,7 +156,7 @@ TEST(Pcd, asciiBinaryAndCompressed)
         for (int k = 0; k < 3; ++k) put(binary, p[k]);
     }
     expectCorners(readText(binary));
-    EXPECT_EQ(errorOf(binary.substr(0, binary.size() - 1)).code(), ErrorCode::Truncated);
+    EXPECT_EQ(errorOf(binary.substr(0, binary.size() - 1)).code(), errors::truncated);
 
     std::string columns(32, '\0');  // all rgb, then all x, all y, all z
     for (int k = 0; k < 3; ++k)
@@ -172,7 +172,7 @@ TEST(Pcd, asciiBinaryAndCompressed)
     expectCorners(file);
     EXPECT_EQ(file.facts.format, "pcd_binary_compressed");
     packed[3] = '\x15';
-    EXPECT_EQ(errorOf(compressed + packed).code(), ErrorCode::Malformed);
+    EXPECT_EQ(errorOf(compressed + packed).code(), errors::malformed);
 }
 
 std::string asciiStl(const std::string& name)
@@ -195,7 +195,7 @@ TEST(Stl, asciiSolidsShareEqualCorners)
     EXPECT_EQ(std::get<std::int64_t>(*find(file.facts.details, "solids")), 2);
     const std::string text = asciiStl("a");
     for (std::size_t cut = text.size() - 12; cut > 60; cut -= 7)
-        EXPECT_EQ(errorOf(text.substr(0, cut)).code(), ErrorCode::Malformed) << cut;
+        EXPECT_EQ(errorOf(text.substr(0, cut)).code(), errors::malformed) << cut;
 }
 
 TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
@@ -213,7 +213,7 @@ TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
         expectCorners(file, 1e-6);
         EXPECT_EQ(file.scan.triangles.size(), 2u);
         EXPECT_EQ(file.facts.format, "stl_binary");
-        EXPECT_EQ(errorOf(text.substr(0, text.size() - 1)).code(), ErrorCode::Truncated);
+        EXPECT_EQ(errorOf(text.substr(0, text.size() - 1)).code(), errors::truncated);
         EXPECT_EQ(readText(text + "more").scan.triangles.size(), 2u);
     }
 }
@@ -232,15 +232,15 @@ TEST(Obj, polygonsNormalsAndIndicesFromBothEnds)
     const Error error = errorOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n");
     EXPECT_EQ(integerOf(error, "line"), 4);
     EXPECT_EQ(integerOf(error, "column"), 7);
-    EXPECT_EQ(errorOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n").code(), ErrorCode::Malformed);
-    EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nv 0 1 0\n").code(), ErrorCode::Malformed);
+    EXPECT_EQ(errorOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n").code(), errors::malformed);
+    EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nv 0 1 0\n").code(), errors::malformed);
 }
 
 TEST(Formats, decimalCommasOfCarelessPrograms)
 {
     expectCorners(readText("v 0,1 0 0\nv 10,1 0 0\nv 0,1 10 0\nv 0,1 0 10\n"));
     expectCorners(readText(plyHeader("ascii", doubles) + "0,1 0 0\n10,1 0 0\n0,1 10 0\n0,1 0 10\n"));
-    EXPECT_EQ(errorOf("v 1,234 0 0\nv 5,678 0 0\n").code(), ErrorCode::NumberAmbiguous);
+    EXPECT_EQ(errorOf("v 1,234 0 0\nv 5,678 0 0\n").code(), errors::numberAmbiguous);
 }
 
 TEST(Facts, haveTheKeysOfTheCommandLine)

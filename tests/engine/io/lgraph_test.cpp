@@ -1,4 +1,6 @@
 // L-Graph pairs: all versions, volts by device, and every contradiction named.
+#include "engine/core/core_codes.h"
+#include "engine/io/io_codes.h"
 #include "tests/engine/io/lgraph_files.h"
 
 #include <gtest/gtest.h>
@@ -43,14 +45,14 @@ Error refusal(const std::string& par, const std::string& dat)
         return error;
     }
     ADD_FAILURE() << "no error";
-    return Error(ErrorCode::UnknownOption, {});
+    return Error(errors::unknownOption, {});
 }
 
-/// The check that an Error RecordContradicts names.
+/// The check that an Error recordContradicts names.
 std::string failedCheck(const std::string& par, const std::string& dat)
 {
     const Error error = refusal(par, dat);
-    EXPECT_EQ(error.code(), ErrorCode::RecordContradicts);
+    EXPECT_EQ(error.code(), errors::recordContradicts);
     return testing::wordOf(error, "check");
 }
 
@@ -114,13 +116,13 @@ TEST_P(LGraphVersions, contradictionsAreNamed)
     EXPECT_EQ(failedCheck(par, dat + "more"), "size of the .dat file");
     EXPECT_EQ(failedCheck(par, dat + "m"), "size of the .dat file");
     const Error cut = refusal(par, dat.substr(0, 301));
-    EXPECT_EQ(cut.code(), ErrorCode::Truncated);
+    EXPECT_EQ(cut.code(), errors::truncated);
     EXPECT_EQ(testing::wordOf(cut, "path"), "made.dat");
     EXPECT_EQ(testing::integerOf(cut, "found"), 50);
     EXPECT_EQ(testing::integerOf(cut, "expected"), 100);
-    EXPECT_EQ(refusal(par, "").code(), ErrorCode::Truncated);
-    EXPECT_EQ(refusal(par.substr(0, 200), dat).code(), ErrorCode::Truncated);
-    EXPECT_EQ(refusal(changed([](auto& p) { p[0] = '9'; }), dat).code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal(par, "").code(), errors::truncated);
+    EXPECT_EQ(refusal(par.substr(0, 200), dat).code(), errors::truncated);
+    EXPECT_EQ(refusal(changed([](auto& p) { p[0] = '9'; }), dat).code(), errors::formatUnknown);
     if (GetParam() == Made::Two) {
         EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int64_t>(p, 227, 99); }), dat), "frames, stated twice");
     } else {
@@ -142,7 +144,7 @@ TEST(LGraph, hostileCountsCostNothing)
     put<std::int64_t>(par, 67, std::int64_t{1} << 60);  // three channels of 2^60 frames: nothing is allocated
     put<std::int64_t>(par, 75, 3 * (std::int64_t{1} << 60));
     testing::putExtended(par, 83, static_cast<long double>(std::int64_t{1} << 60) / 10000);
-    EXPECT_EQ(refusal(par, dat).code(), ErrorCode::Truncated);
+    EXPECT_EQ(refusal(par, dat).code(), errors::truncated);
     put<std::int64_t>(par, 67, -100);
     EXPECT_EQ(failedCheck(par, dat), "frames");
 }
@@ -153,7 +155,7 @@ TEST(LGraph, fullScaleByDeviceAndByOption)
     setup.device = "L-761";
     ProbeFile file = readMade(setup);
     EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 5 / 8000);
-    EXPECT_TRUE(contains(file.notes, NoteCode::FullScaleAssumed));
+    EXPECT_TRUE(contains(file.notes, notes::fullScaleAssumed));
     file = readMade(setup, {4000, 10});
     EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 10 / 4000);
     EXPECT_TRUE(file.notes.empty());
@@ -161,7 +163,7 @@ TEST(LGraph, fullScaleByDeviceAndByOption)
     file = readMade(setup);
     EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Unknown);
     EXPECT_EQ(record(file).channels[0].values[2], 200);
-    EXPECT_TRUE(contains(file.notes, NoteCode::FullScaleUnknown));
+    EXPECT_TRUE(contains(file.notes, notes::fullScaleUnknown));
     file = readMade(setup, {8000, 10});
     EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Volt);
     EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 10 / 8000);
@@ -176,11 +178,11 @@ TEST(LGraph, aFasterConverterPausesBetweenFrames)
     EXPECT_NEAR(*record(file).channel_skew_s, 1 / 300e3, 1e-10);
     EXPECT_TRUE(file.notes.empty());
     setup.delay_ms = 0.02;
-    EXPECT_TRUE(contains(readMade(setup).notes, NoteCode::ConverterDelayDiffers));
+    EXPECT_TRUE(contains(readMade(setup).notes, notes::converterDelayDiffers));
     setup.version = Made::Two;
     file = readMade(setup);
     EXPECT_NEAR(*record(file).channel_skew_s, 1 / 30e3, 1e-9);
-    EXPECT_TRUE(contains(file.notes, NoteCode::ConverterRateWrong));
+    EXPECT_TRUE(contains(file.notes, notes::converterRateWrong));
 }
 
 TEST(LGraph, severalSegmentsAreNoted)
@@ -189,7 +191,7 @@ TEST(LGraph, severalSegmentsAreNoted)
     setup.version = Made::Two;
     std::string par = makePar(setup);
     put<std::int32_t>(par, 17131, 3);
-    EXPECT_TRUE(contains(readLGraph("made.par", par, makeDat(100, 3)).notes, NoteCode::RecordInSegments));
+    EXPECT_TRUE(contains(readLGraph("made.par", par, makeDat(100, 3)).notes, notes::recordInSegments));
 }
 
 class LGraphFiles : public ::testing::Test {
@@ -230,7 +232,7 @@ TEST_F(LGraphFiles, aMissingPartnerIsNamed)
             readProbeRecord(path);
             ADD_FAILURE();
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ErrorCode::PartnerMissing);
+            EXPECT_EQ(error.code(), errors::partnerMissing);
             EXPECT_EQ(testing::wordOf(error, "path"), path);
             EXPECT_EQ(testing::wordOf(error, "partner"), path == dat ? "a.par" : "b.dat");
         }
@@ -261,7 +263,7 @@ TEST(LGraph, realRecordingOfLGraphTwo)
     EXPECT_DOUBLE_EQ(real.channels[0].values[0], 294 * 5.0 / 2000);
     EXPECT_DOUBLE_EQ(real.channels[1].values[2], 290 * 5.0 / 2000);
     EXPECT_NEAR(*real.channel_skew_s, 0.5e-6, 1e-12);  // two channels at 1 MHz, whatever the header says
-    EXPECT_TRUE(contains(file.notes, NoteCode::ConverterRateWrong));
+    EXPECT_TRUE(contains(file.notes, notes::converterRateWrong));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The same cloud in many disguises: a cylinder through it has the certified diameter (NIST, cylinder 1).
 #include <filesystem>
 
+#include "engine/io/io_codes.h"
 #include "tests/engine/io/cylinder_fit.h"
 #include "tests/engine/io/reading.h"
 
@@ -37,7 +38,7 @@ TEST(OddEncodings, anEmptyFileIsRefused)
         readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::FileEmpty);
+        EXPECT_EQ(error.code(), errors::fileEmpty);
     }
 }
 
@@ -49,7 +50,7 @@ TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
         readScan(path);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::NumberAmbiguous);
+        EXPECT_EQ(error.code(), errors::numberAmbiguous);
         EXPECT_EQ(testing::integerOf(error, "line"), 1);
         EXPECT_EQ(testing::integerOf(error, "column"), 1);
     }
@@ -65,7 +66,7 @@ TEST(OddEncodings, aPartInMetresNeedsItsUnit)
         readScan(path);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::UnitUnknown);
+        EXPECT_EQ(error.code(), errors::unitUnknown);
     }
     ImportOptions options;
     options.unit = LengthUnit::Metre;

@@ -1,5 +1,7 @@
 // Probe records from tables: raw and averaged, as the practice data write them and as others may.
 #include "engine/io/probe_reader.h"
+#include "engine/core/core_codes.h"
+#include "engine/io/io_codes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -95,7 +97,7 @@ Error refusal(const std::string& text, const ImportOptions& options = {})
         return error;
     }
     ADD_FAILURE() << "no error for " << text.substr(0, 200);
-    return Error(ErrorCode::UnknownOption, {});
+    return Error(errors::unknownOption, {});
 }
 
 TEST(ProbeReader, headingsInManyDisguises)
@@ -138,7 +140,7 @@ TEST(ProbeReader, unitsOfChannels)
     ImportOptions mm;
     mm.unit = LengthUnit::Millimetre;
     EXPECT_EQ(raw("t_s,X3,Y3\n0,1,2\n1,2,3\n", mm).channels[0].unit, ProbeChannel::Unit::Millimetre);
-    EXPECT_TRUE(contains(read("t_s,X3,Y3\n0,1,2\n1,2,3\n").notes, NoteCode::ChannelUnitUnknown));
+    EXPECT_TRUE(contains(read("t_s,X3,Y3\n0,1,2\n1,2,3\n").notes, notes::channelUnitUnknown));
 }
 
 TEST(ProbeReader, whatTheHeaderSays)
@@ -175,27 +177,27 @@ TEST(ProbeReader, times)
     EXPECT_EQ(std::get<ProbeRecord>(file.record).time_s.size(), 2000U);
     // Rounded to 0.1 ms, the single times say less than all of them together.
     file = read(timed(2000, even, 4));
-    EXPECT_TRUE(contains(file.notes, NoteCode::TimeCoarse));
+    EXPECT_TRUE(contains(file.notes, notes::timeCoarse));
     EXPECT_NEAR(std::get<ProbeRecord>(file.record).rate_hz, 6500, 2);
     EXPECT_TRUE(std::get<ProbeRecord>(file.record).time_s.empty());
     // A gap.
     file = read(timed(
         2000, [&](int i) { return even(i < 1000 ? i : i + 5); }, 7));
-    ASSERT_TRUE(contains(file.notes, NoteCode::TimeIrregular));
+    ASSERT_TRUE(contains(file.notes, notes::timeIrregular));
     EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "count")), 1);
     EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "line")), 1002);
     EXPECT_NEAR(std::get<ProbeRecord>(file.record).rate_hz, 6500, 5);
     // Times that go back, or stand still.
     const Error back = refusal(timed(
         2000, [&](int i) { return even(i < 1000 ? i : i - 100); }, 7));
-    EXPECT_EQ(back.code(), ErrorCode::Malformed);
+    EXPECT_EQ(back.code(), errors::malformed);
     EXPECT_EQ(testing::integerOf(back, "line"), 1002);
     EXPECT_EQ(refusal(timed(
                           2000, [&](int i) { return even(i == 1000 ? 999 : i); }, 7))
                   .code(),
-              ErrorCode::Malformed);
-    EXPECT_TRUE(contains(read("time,X3_um,Y3_um\n0,1,2\n1,1,2\n2,1,2\n").notes, NoteCode::TimeUnitAssumed));
-    EXPECT_TRUE(contains(read("X3_um,Y3_um\n0.5,1\n1,1\n2,1\n").notes, NoteCode::RateUnknown));
+              errors::malformed);
+    EXPECT_TRUE(contains(read("time,X3_um,Y3_um\n0,1,2\n1,1,2\n2,1,2\n").notes, notes::timeUnitAssumed));
+    EXPECT_TRUE(contains(read("X3_um,Y3_um\n0.5,1\n1,1\n2,1\n").notes, notes::rateUnknown));
     EXPECT_EQ(raw("# rate_kHz=6.5\nX3_um,Y3_um\n0.5,1\n1,1\n2,1\n").rate_hz, 6500);
 }
 
@@ -206,14 +208,14 @@ TEST(ProbeReader, lostSamplesStayAsHoles)
     ASSERT_EQ(record.frames(), 4U);
     EXPECT_TRUE(std::isnan(record.channels[0].values[1]));
     EXPECT_TRUE(std::isnan(record.channels[1].values[2]));
-    EXPECT_TRUE(contains(file.notes, NoteCode::SamplesMissing));
+    EXPECT_TRUE(contains(file.notes, notes::samplesMissing));
     // A frame without its time has no place.
     std::string rows = "t_s,X3_um,Y3_um\n0,1,2\nnan,2,3\n";
     for (int i = 2; i < 20; ++i) rows += fmt::format("{},1,2\n", i);
     const ProbeFile timeless = read(rows);
     EXPECT_EQ(std::get<ProbeRecord>(timeless.record).frames(), 19U);
     EXPECT_EQ(std::get<ProbeRecord>(timeless.record).rate_hz, 1);
-    EXPECT_TRUE(contains(timeless.notes, NoteCode::TimeIrregular));
+    EXPECT_TRUE(contains(timeless.notes, notes::timeIrregular));
 }
 
 TEST(ProbeReader, averages)
@@ -226,10 +228,10 @@ TEST(ProbeReader, averages)
     EXPECT_EQ(record.sections[0].Yp_um, (std::vector<double>{4, 8}));
     EXPECT_EQ(record.sections[1].z_mm, 5);
     EXPECT_TRUE(record.sections[0].sX3_um.empty());
-    EXPECT_EQ(refusal(head + "1,5,0,0,1,2,3,4\n1,6,1,180,5,6,7,8\n").code(), ErrorCode::Malformed);
-    EXPECT_EQ(refusal(head + "1.5,5,0,0,1,2,3,4\n2,6,1,180,5,6,7,8\n").code(), ErrorCode::Malformed);
-    EXPECT_EQ(refusal("section,angle_deg,X3_um,Y3_um\n1,0,1,2\n1,1,5,6\n").code(), ErrorCode::ColumnsUnknown);
-    EXPECT_EQ(refusal("section,angle_deg,X3,Y3,Xp,Yp\n1,0,1,2,3,4\n1,1,5,6,7,8\n").code(), ErrorCode::UnitUnknown);
+    EXPECT_EQ(refusal(head + "1,5,0,0,1,2,3,4\n1,6,1,180,5,6,7,8\n").code(), errors::malformed);
+    EXPECT_EQ(refusal(head + "1.5,5,0,0,1,2,3,4\n2,6,1,180,5,6,7,8\n").code(), errors::malformed);
+    EXPECT_EQ(refusal("section,angle_deg,X3_um,Y3_um\n1,0,1,2\n1,1,5,6\n").code(), errors::columnsUnknown);
+    EXPECT_EQ(refusal("section,angle_deg,X3,Y3,Xp,Yp\n1,0,1,2,3,4\n1,1,5,6,7,8\n").code(), errors::unitUnknown);
     const auto mm =
         std::get<AveragedRecord>(read("section,angle_rad,X3_mm,Y3_mm,Xp_mm,Yp_mm\n1,0,1,2,3,4\n1,1,5,6,7,8\n").record);
     EXPECT_DOUBLE_EQ(mm.sections[0].X3_um[1], 5000);
@@ -239,12 +241,12 @@ TEST(ProbeReader, averages)
 
 TEST(ProbeReader, whatIsNoRecord)
 {
-    EXPECT_EQ(refusal("").code(), ErrorCode::FileEmpty);
-    EXPECT_EQ(refusal("x,y,z\n1,2,3\n4,5,6\n").code(), ErrorCode::FormatUnknown);
-    EXPECT_EQ(refusal("angle_deg,r\n1,2\n4,5\n").code(), ErrorCode::FormatUnknown);
-    EXPECT_EQ(refusal("t_s,n\n0,1\n1,2\n").code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal("").code(), errors::fileEmpty);
+    EXPECT_EQ(refusal("x,y,z\n1,2,3\n4,5,6\n").code(), errors::formatUnknown);
+    EXPECT_EQ(refusal("angle_deg,r\n1,2\n4,5\n").code(), errors::formatUnknown);
+    EXPECT_EQ(refusal("t_s,n\n0,1\n1,2\n").code(), errors::columnsUnknown);
     const Error broken = refusal("t_s,X3_um\n0,1\n1,two\n2,3\n");
-    EXPECT_EQ(broken.code(), ErrorCode::Malformed);
+    EXPECT_EQ(broken.code(), errors::malformed);
     EXPECT_EQ(testing::integerOf(broken, "line"), 3);
     EXPECT_FALSE(isProbeTable("x,y,z\n1,2,3\n4,5,6\n"));
     EXPECT_FALSE(isProbeTable("t,x,y,z\n1,2,3,4\n4,5,6,7\n"));

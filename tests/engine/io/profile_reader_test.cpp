@@ -1,5 +1,7 @@
 // Measured profiles: what the columns mean, in which unit, and what is refused.
 #include "engine/io/profile_reader.h"
+#include "engine/core/core_codes.h"
+#include "engine/io/io_codes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,7 +35,7 @@ Error refusal(const std::string& text, const ProfileOptions& profile = {}, const
         return error;
     }
     ADD_FAILURE() << "no error for " << text.substr(0, 200);
-    return Error(ErrorCode::UnknownOption, {});
+    return Error(errors::unknownOption, {});
 }
 
 constexpr int count = 72;
@@ -99,7 +101,7 @@ TEST(ProfileReader, circlesInCoordinatePlanes)
     const ProfileFile yz = readProfile(practice + "nist_circles/cir2d1.ds");
     ASSERT_EQ(yz.profile.points_mm.size(), 38U);
     EXPECT_EQ(yz.profile.points_mm[0], Eigen::Vector2d(-555.1677, 21.97622));
-    EXPECT_TRUE(contains(yz.notes, NoteCode::ProfilePlane));
+    EXPECT_TRUE(contains(yz.notes, notes::profilePlane));
     const ProfileFile zx = readProfile(practice + "nist_circles/cir2d2.ds");
     EXPECT_EQ(zx.profile.points_mm[0], Eigen::Vector2d(423.62282, -823.57962));
     const ProfileFile xy = readProfile(practice + "nist_circles/cir2d9.ds");
@@ -140,11 +142,11 @@ TEST(ProfileReader, otherColumnsAreLeftOutByName)
     expectLobes(read(rows([&](int i, double a, double r) { return std::to_string(i + 1) + "," + point(a, r); })));
     const ProfileFile file = read("x,y,z\n" + rows([&](int, double a, double r) { return point(a, r) + ",12.5"; }));
     expectLobes(file);
-    EXPECT_FALSE(contains(file.notes, NoteCode::CoordinateIgnored));
+    EXPECT_FALSE(contains(file.notes, notes::coordinateIgnored));
     const ProfileFile stack =
         read("x,y,z\n" + rows([&](int i, double a, double r) { return point(a, r) + "," + std::to_string(i); }));
     expectLobes(stack);
-    EXPECT_TRUE(contains(stack.notes, NoteCode::CoordinateIgnored));
+    EXPECT_TRUE(contains(stack.notes, notes::coordinateIgnored));
     expectLobes(read("y,x\n" + rows([](int, double a, double r) {
                          return fmt::format("{:.9f},{:.9f}", r * std::sin(a * turn / 360),
                                             r * std::cos(a * turn / 360));
@@ -166,10 +168,10 @@ TEST(ProfileReader, anglesAndRadii)
     // A whole turn of 6.28 can only be radians.
     const ProfileFile guessed = read("angle,r\n" + polar(turn / 360));
     expectLobes(guessed);
-    EXPECT_TRUE(contains(guessed.notes, NoteCode::AngleUnitGuessed));
+    EXPECT_TRUE(contains(guessed.notes, notes::angleUnitGuessed));
     // Half a turn without names: angles or coordinates?
     const std::string half = rows([](int, double a, double r) { return fmt::format("{},{:.9f}", a / 2, r); });
-    EXPECT_EQ(refusal(half).code(), ErrorCode::ColumnsUnknown);
+    EXPECT_EQ(refusal(half).code(), errors::columnsUnknown);
     ProfileOptions options;
     options.columns = ProfileColumns::AngleRadius;
     EXPECT_EQ(read(half, options).facts.format, "profile_polar");
@@ -183,17 +185,17 @@ TEST(ProfileReader, units)
     expectLobes(read("x_um,y_um\n" + xyRows(",", 1000)), 1e-6);
     expectLobes(read("x (inch),y (inch)\n" + xyRows(",", 1 / 25.4)), 1e-6);
     // 25 000 fits no guess.
-    EXPECT_EQ(refusal(xyRows(",", 1000)).code(), ErrorCode::UnitUnknown);
+    EXPECT_EQ(refusal(xyRows(",", 1000)).code(), errors::unitUnknown);
     ImportOptions um;
     um.unit = LengthUnit::Micrometre;
     expectLobes(read(xyRows(",", 1000), {}, um), 1e-6);
     const ProfileFile guessed = read(xyRows());
     EXPECT_EQ(guessed.facts.unit_source, "guessed");
-    EXPECT_TRUE(contains(guessed.notes, NoteCode::UnitGuessed));
+    EXPECT_TRUE(contains(guessed.notes, notes::unitGuessed));
     const ProfileFile stated = read("# unit=mm\nx,y\n" + xyRows(), {}, um);
-    EXPECT_TRUE(contains(stated.notes, NoteCode::UnitNotUsed));
+    EXPECT_TRUE(contains(stated.notes, notes::unitNotUsed));
     expectLobes(stated);
-    EXPECT_EQ(refusal("x_mm,y_um\n" + xyRows()).code(), ErrorCode::Malformed);
+    EXPECT_EQ(refusal("x_mm,y_um\n" + xyRows()).code(), errors::malformed);
 }
 
 TEST(ProfileReader, deviationsNeedARadius)
@@ -204,14 +206,14 @@ TEST(ProfileReader, deviationsNeedARadius)
     const std::string named = "angle_deg,deviation_um\n" + rows([](int, double a, double r) {
                                   return fmt::format("{},{:.6f}", a, (r - 25) * 1000 + 20);
                               });
-    EXPECT_EQ(refusal(table).code(), ErrorCode::NominalRadiusMissing);
-    EXPECT_EQ(refusal(named).code(), ErrorCode::NominalRadiusMissing);
+    EXPECT_EQ(refusal(table).code(), errors::nominalRadiusMissing);
+    EXPECT_EQ(refusal(named).code(), errors::nominalRadiusMissing);
     ProfileOptions options;
     options.nominal_radius_mm = 25;
     const ProfileFile file = read(table, options);
     expectLobes(file);
     EXPECT_TRUE(file.profile.size_is_nominal);
-    EXPECT_TRUE(contains(file.notes, NoteCode::SizeFromNominal));
+    EXPECT_TRUE(contains(file.notes, notes::sizeFromNominal));
     options.nominal_radius_mm = 24.98;
     expectLobes(read(named, options));
     // The file itself may state the radius.
@@ -219,13 +221,13 @@ TEST(ProfileReader, deviationsNeedARadius)
     // Without a unit neither µm nor mm is likelier.
     const std::string bare = table.substr(table.find('\n') + 1);
     options.nominal_radius_mm = 25;
-    EXPECT_EQ(refusal(bare, options).code(), ErrorCode::UnitUnknown);
+    EXPECT_EQ(refusal(bare, options).code(), errors::unitUnknown);
     // Radii need no nominal, and do not become deviations by one.
     const ProfileFile radii =
         read("angle_deg,r_mm\n" + rows([](int, double a, double r) { return fmt::format("{},{}", a, r); }), options);
     expectLobes(radii);
     EXPECT_FALSE(radii.profile.size_is_nominal);
-    EXPECT_TRUE(contains(radii.notes, NoteCode::NominalNotUsed));
+    EXPECT_TRUE(contains(radii.notes, notes::nominalNotUsed));
 }
 
 TEST(ProfileReader, tracesOfRoundnessInstruments)
@@ -240,11 +242,11 @@ TEST(ProfileReader, tracesOfRoundnessInstruments)
     EXPECT_EQ(file.facts.format, "roundness_trace");
     EXPECT_EQ(file.facts.delimiter, "");
     expectLobes(file);
-    EXPECT_TRUE(contains(file.notes, NoteCode::AnglesUniform));
+    EXPECT_TRUE(contains(file.notes, notes::anglesUniform));
     EXPECT_EQ(*headerWord(file.header, "filter"), "1-50 UPR");
-    EXPECT_EQ(refusal(head + values(0)).code(), ErrorCode::NominalRadiusMissing);
+    EXPECT_EQ(refusal(head + values(0)).code(), errors::nominalRadiusMissing);
     expectLobes(read(head + commas(values(0)), options));
-    EXPECT_EQ(refusal(values(10)).code(), ErrorCode::NominalRadiusMissing);
+    EXPECT_EQ(refusal(values(10)).code(), errors::nominalRadiusMissing);
     options.nominal_radius_mm = 24.99;
     expectLobes(read(head + values(10), options));
 }
@@ -258,8 +260,8 @@ TEST(ProfileReader, oneColumnOrTwo)
     // "0,250" may be a quarter, or a point; leading zeros behind the comma tell.
     EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).profile.points_mm.size(), 4U);
     EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).facts.format, "roundness_trace");
-    EXPECT_EQ(refusal("1,250\n2,251\n3,250\n4,249\n").code(), ErrorCode::NumberAmbiguous);
-    EXPECT_EQ(refusal("10,25\n20,251\n30,5\n40,249\n").code(), ErrorCode::NumberAmbiguous);
+    EXPECT_EQ(refusal("1,250\n2,251\n3,250\n4,249\n").code(), errors::numberAmbiguous);
+    EXPECT_EQ(refusal("10,25\n20,251\n30,5\n40,249\n").code(), errors::numberAmbiguous);
     EXPECT_EQ(read("x,y\n10,25\n20,25\n30,5\n10,2\n").profile.points_mm[0], Eigen::Vector2d(10, 25));
     um.delimiter = Delimiter::Comma;
     EXPECT_EQ(read("10,25\n20,25\n30,5\n10,2\n", {}, um).profile.points_mm.size(), 4U);
@@ -271,21 +273,21 @@ TEST(ProfileReader, oneColumnOrTwo)
 
 TEST(ProfileReader, whatIsNoProfile)
 {
-    EXPECT_EQ(refusal("").code(), ErrorCode::FileEmpty);
-    EXPECT_EQ(refusal("# nothing\n").code(), ErrorCode::FormatUnknown);
-    EXPECT_EQ(refusal("nan,nan\nnan,nan\nnan,nan\n").code(), ErrorCode::NoPoints);
-    EXPECT_EQ(refusal("x,y\n1,2\n3,four\n5,6\n").code(), ErrorCode::Malformed);
+    EXPECT_EQ(refusal("").code(), errors::fileEmpty);
+    EXPECT_EQ(refusal("# nothing\n").code(), errors::formatUnknown);
+    EXPECT_EQ(refusal("nan,nan\nnan,nan\nnan,nan\n").code(), errors::noPoints);
+    EXPECT_EQ(refusal("x,y\n1,2\n3,four\n5,6\n").code(), errors::malformed);
     EXPECT_EQ(testing::integerOf(refusal("x,y\n1,2\n3,four\n5,6\n"), "line"), 3);
-    EXPECT_EQ(refusal("t_s,X3_um,Y3_um\n0,1,2\n1,2,3\n2,3,4\n").code(), ErrorCode::FormatUnknown);
-    EXPECT_EQ(refusal("a,b,c,d\n1.5,2,3,4\n5,6,7,8\n").code(), ErrorCode::ColumnsUnknown);
-    EXPECT_EQ(refusal("x,w\n1.5,2\n5,6\n").code(), ErrorCode::ColumnsUnknown);
-    EXPECT_EQ(refusal("1.5 2 3\n5 6.5 7\n5 1 9.5\n").code(), ErrorCode::ColumnsUnknown);
-    EXPECT_EQ(refusal("x_mm,y_mm\n1e30,0\n0,1e30\n-1e30,0\n").code(), ErrorCode::CoordinateTooLarge);
-    EXPECT_EQ(refusal("5\n1,2,3\n4,5,3\n7,8,3\n").code(), ErrorCode::Truncated);
-    EXPECT_EQ(refusal(std::string("\x89PNG\r\n\x1a\n\0\0", 10)).code(), ErrorCode::FormatUnknown);
+    EXPECT_EQ(refusal("t_s,X3_um,Y3_um\n0,1,2\n1,2,3\n2,3,4\n").code(), errors::formatUnknown);
+    EXPECT_EQ(refusal("a,b,c,d\n1.5,2,3,4\n5,6,7,8\n").code(), errors::columnsUnknown);
+    EXPECT_EQ(refusal("x,w\n1.5,2\n5,6\n").code(), errors::columnsUnknown);
+    EXPECT_EQ(refusal("1.5 2 3\n5 6.5 7\n5 1 9.5\n").code(), errors::columnsUnknown);
+    EXPECT_EQ(refusal("x_mm,y_mm\n1e30,0\n0,1e30\n-1e30,0\n").code(), errors::coordinateTooLarge);
+    EXPECT_EQ(refusal("5\n1,2,3\n4,5,3\n7,8,3\n").code(), errors::truncated);
+    EXPECT_EQ(refusal(std::string("\x89PNG\r\n\x1a\n\0\0", 10)).code(), errors::formatUnknown);
     const ProfileFile holes = read("x_mm,y_mm\n1,2\nnan,3\n3,4\n");
     EXPECT_EQ(holes.profile.points_mm.size(), 2U);
-    EXPECT_TRUE(contains(holes.notes, NoteCode::PointsNotFinite));
+    EXPECT_TRUE(contains(holes.notes, notes::pointsNotFinite));
 }
 
 TEST(ProfileReader, cloudsAreNotTakenForProfiles)

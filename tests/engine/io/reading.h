@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/texts.h"
 #include "engine/io/scan_reader.h"
 
@@ -27,7 +28,7 @@ inline Error errorOf(const std::string& content, const ImportOptions& options = 
         return error;
     }
     ADD_FAILURE() << "no error for: " << content.substr(0, 200);
-    return Error(ErrorCode::UnknownOption, {});
+    return Error(errors::unknownOption, {});
 }
 
 inline std::int64_t integerOf(const Error& error, const char* name)

@@ -1,4 +1,5 @@
 #include "engine/project/project.h"
+#include "engine/io/io_codes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,6 +11,7 @@
 
 #include "engine/io/file.h"
 #include "engine/project/migration.h"
+#include "engine/project/project_codes.h"
 #include "engine/project/project_json.h"
 
 namespace lathelier {
@@ -82,13 +84,13 @@ TEST_F(ProjectFiles, SaysWhichSourcesChangedOrAreMissing)
     write("data/original.ply", "abc");
     Notes notes = readProject(path).notes;
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_EQ(notes[0].code, NoteCode::SourceMissing);
+    EXPECT_EQ(notes[0].code, notes::sourceMissing);
     EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "path")),
               (folder.parent_path() / "elsewhere/copy.ply").string());
 
     write("data/original.ply", "abcd");
     notes = readProject(path).notes;
-    EXPECT_TRUE(contains(notes, NoteCode::SourceChanged));
+    EXPECT_TRUE(contains(notes, notes::sourceChanged));
 }
 
 TEST_F(ProjectFiles, AFailedSaveLeavesTheOldFileWhole)
@@ -104,7 +106,7 @@ TEST_F(ProjectFiles, AMissingOrEmptyFileIsLocated)
         readProject((folder / "none.lathelier").string());
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::FileNotFound);
+        EXPECT_EQ(error.code(), errors::fileNotFound);
         EXPECT_TRUE(find(error.values(), "path"));
     }
     EXPECT_THROW(readProject(write("empty.lathelier", "")), Error);
@@ -122,23 +124,23 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 {
     const std::string head = "{\"format\": \"lathelier-project\", \"version\": 1,\n";
     const Wrong cases[] = {
-        {"{", ErrorCode::Malformed, 1, 2},
-        {"not json", ErrorCode::Malformed, 1, 2},
-        {"[]", ErrorCode::Malformed, 1, 1},
-        {"{}", ErrorCode::Malformed, 1, 1},
-        {"{\"format\": \"other\"}", ErrorCode::Malformed, 1, 12},
-        {"{\"format\": \"lathelier-project\", \"version\": 0}", ErrorCode::Malformed, 1, 44},
-        {"{\"format\": \"lathelier-project\", \"version\": \"1\"}", ErrorCode::Malformed, 1, 44},
-        {head + "\"title\": 7}", ErrorCode::Malformed, 2, 10},
-        {head + "\"tilte\": \"ł\"}", ErrorCode::Malformed, 2, 10},
-        {head + "\"title\": \"łłł\", \"report\": [\"a\",\n {\"b\": 1}]}", ErrorCode::Malformed, 3, 2},
-        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": {\"y\": 1}}}}}", ErrorCode::Malformed, 2, 44},
-        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": 18446744073709551615}}}}", ErrorCode::Malformed, 2,
+        {"{", errors::malformed, 1, 2},
+        {"not json", errors::malformed, 1, 2},
+        {"[]", errors::malformed, 1, 1},
+        {"{}", errors::malformed, 1, 1},
+        {"{\"format\": \"other\"}", errors::malformed, 1, 12},
+        {"{\"format\": \"lathelier-project\", \"version\": 0}", errors::malformed, 1, 44},
+        {"{\"format\": \"lathelier-project\", \"version\": \"1\"}", errors::malformed, 1, 44},
+        {head + "\"title\": 7}", errors::malformed, 2, 10},
+        {head + "\"tilte\": \"ł\"}", errors::malformed, 2, 10},
+        {head + "\"title\": \"łłł\", \"report\": [\"a\",\n {\"b\": 1}]}", errors::malformed, 3, 2},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": {\"y\": 1}}}}}", errors::malformed, 2, 44},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": 18446744073709551615}}}}", errors::malformed, 2,
          44},
-        {head + "\"panels\": {\"compare\": {\"inputs\": {\"copy\": \"c.ply\"}}}}", ErrorCode::Malformed, 2, 43},
-        {head + "\"title\": 1e999}", ErrorCode::Malformed, 2, 14},
-        {std::string(40, '['), ErrorCode::Malformed, 1, 33},
-        {std::string(1000000, '['), ErrorCode::Malformed, 1, 33},
+        {head + "\"panels\": {\"compare\": {\"inputs\": {\"copy\": \"c.ply\"}}}}", errors::malformed, 2, 43},
+        {head + "\"title\": 1e999}", errors::malformed, 2, 14},
+        {std::string(40, '['), errors::malformed, 1, 33},
+        {std::string(1000000, '['), errors::malformed, 1, 33},
     };
     for (const Wrong& wrong : cases) {
         SCOPED_TRACE(wrong.text.substr(0, 120));
@@ -159,7 +161,7 @@ TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
         parseProject(R"({"format": "lathelier-project", "version": 2, "unheard_of": 1})", "/");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::VersionTooNew);
+        EXPECT_EQ(error.code(), errors::versionTooNew);
         EXPECT_STREQ(error.what(), "The project has format version 2; this program reads up to version 1.");
     }
 }
@@ -188,7 +190,7 @@ TEST(ProjectText, AnyChangedByteIsReadOrRefusedButNothingElse)
         try {
             parseProject(changed, "/work");
         } catch (const Error& error) {
-            RC_ASSERT(kind(error.code()) == ErrorKind::InputRejected);
+            RC_ASSERT(error.code().kind == ErrorKind::InputRejected);
         }
     });
 }

@@ -1,4 +1,5 @@
 #include "engine/project/sample_record.h"
+#include "engine/io/io_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(SampleRecord, ItsTextIsReadBackAsItWas)
         ASSERT_TRUE(find(read.header, key)) << key;
         EXPECT_EQ(*find(read.header, key), value) << key;
     }
-    EXPECT_TRUE(contains(file.notes, NoteCode::SyntheticData));
+    EXPECT_TRUE(contains(file.notes, notes::syntheticData));
     EXPECT_EQ(file.notes.size(), 1u);
 }
 
@@ -45,7 +46,7 @@ TEST(SampleRecord, TheAveragesAreReadBackToo)
     ASSERT_EQ(read.sections[7].Xp_um.size(), 200u);
     EXPECT_NEAR(read.sections[7].Xp_um[31], made.sections[7].Xp_um[31], 1e-4);
     EXPECT_NEAR(read.sections[7].sXp_um[31], made.sections[7].sXp_um[31], 1e-4);
-    EXPECT_TRUE(contains(file.notes, NoteCode::SyntheticData));
+    EXPECT_TRUE(contains(file.notes, notes::syntheticData));
 }
 
 TEST(SampleRecord, TheSeedDecidesAndTheTruthHasTheStatedTaperAndBarrel)

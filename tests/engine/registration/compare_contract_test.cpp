@@ -6,8 +6,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/core_codes.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/compare_json.h"
+#include "engine/registration/registration_codes.h"
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
@@ -26,7 +28,7 @@ TEST(Compare, RefusesPartsThatDoNotMatch)
         compare(pair.reference, pair.copy);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::PartsDoNotMatch);
+        EXPECT_EQ(error.code(), errors::partsDoNotMatch);
         EXPECT_NE(find(error.values(), "overlap_percent"), nullptr);
     }
 }
@@ -42,22 +44,21 @@ TEST(Compare, RefusesHostileClouds)
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::pair<Scan, ErrorCode>> hostile{
-        {Scan{}, ErrorCode::TooFewPoints},
-        {cloud(2, [](double x, double y, double z) { return Vector3d(x, y, z); }), ErrorCode::TooFewPoints},
-        {cloud(4, [](double x, double y, double z) { return Vector3d(x, y, z); }), ErrorCode::TooFewPoints},
-        {cloud(1000, [](double, double, double) { return Vector3d(3, 4, 5); }), ErrorCode::PointsDegenerate},
+        {Scan{}, errors::tooFewPoints},
+        {cloud(2, [](double x, double y, double z) { return Vector3d(x, y, z); }), errors::tooFewPoints},
+        {cloud(4, [](double x, double y, double z) { return Vector3d(x, y, z); }), errors::tooFewPoints},
+        {cloud(1000, [](double, double, double) { return Vector3d(3, 4, 5); }), errors::pointsDegenerate},
         {cloud(1000, [](double x, double, double) { return Vector3d(3 * x, 4 * x, 50 * x); }),
-         ErrorCode::PointsDegenerate},
+         errors::pointsDegenerate},
         {cloud(1000, [](double x, double y, double) { return Vector3d(30 * x, 4 * y, 50 * x + y); }),
-         ErrorCode::PointsDegenerate},
-        {cloud(1000, [](double x, double y, double z) { return Vector3d(1e9 + x, y, z); }),
-         ErrorCode::CoordinateTooLarge},
+         errors::pointsDegenerate},
+        {cloud(1000, [](double x, double y, double z) { return Vector3d(1e9 + x, y, z); }), errors::coordinateTooLarge},
         {cloud(1000, [](double x, double y, double z) { return Vector3d(1e30 * x, 1e30 * y, z); }),
-         ErrorCode::CoordinateTooLarge},
+         errors::coordinateTooLarge},
         {cloud(1000, [](double x, double y, double z) { return Vector3d(1e300 * x, -1e300 * y, z); }),
-         ErrorCode::CoordinateTooLarge},
+         errors::coordinateTooLarge},
         {cloud(1000, [&](double x, double y, double z) { return Vector3d(x > 0.9 ? nan : x, y, z); }),
-         ErrorCode::CoordinateTooLarge},
+         errors::coordinateTooLarge},
     };
     for (std::size_t k = 0; k < hostile.size(); ++k)
         for (const bool first : {true, false}) {
@@ -104,7 +105,7 @@ TEST(Compare, ChecksItsParameters)
     const Pair pair = makePair(1, {.angle_step_deg = 9});
     CompareParameters parameters;
     parameters.tolerance_mm = -1;
-    EXPECT_EQ(codeOfError([&] { compare(pair.reference, pair.copy, parameters); }), ErrorCode::ValueOutOfRange);
+    EXPECT_EQ(codeOfError([&] { compare(pair.reference, pair.copy, parameters); }), errors::valueOutOfRange);
     parameters.tolerance_mm = 0.1;
     const CompareParameters back = fromValues<CompareParameters>(toValues(parameters));
     EXPECT_EQ(back.tolerance_mm, 0.1);

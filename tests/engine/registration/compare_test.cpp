@@ -12,6 +12,7 @@
 #include "engine/io/file.h"
 #include "engine/io/scan_reader.h"
 #include "engine/registration/compare_json.h"
+#include "engine/registration/registration_codes.h"
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
@@ -95,7 +96,7 @@ TEST(Compare, WithItselfIsTheIdentity)
     EXPECT_NEAR(result.statistics.mean_mm, 0, 1e-4);
     EXPECT_NEAR(result.statistics.std_mm, 0.05, 0.0015);
     EXPECT_NEAR(result.cloud_to_cloud_rmse_mm, 0, 1e-6);
-    EXPECT_FALSE(contains(result.notes, NoteCode::EndForEnd));
+    EXPECT_FALSE(contains(result.notes, notes::endForEnd));
 }
 
 TEST(Compare, DoesNotDependOnWhereTheScansLie)
@@ -182,9 +183,9 @@ TEST(Compare, LeavesOutExcludedZonesAndFarPoints)
     parameters.tolerance_mm = 0.2;
     parameters.scanner_accuracy_mm = 0.15;
     const CompareResult result = compare(pair.reference, pair.copy, parameters);
-    EXPECT_TRUE(contains(result.notes, NoteCode::ZonesExcluded));
-    EXPECT_TRUE(contains(result.notes, NoteCode::OutliersExcluded));
-    EXPECT_TRUE(contains(result.notes, NoteCode::NotDistinguishable));
+    EXPECT_TRUE(contains(result.notes, notes::zonesExcluded));
+    EXPECT_TRUE(contains(result.notes, notes::outliersExcluded));
+    EXPECT_TRUE(contains(result.notes, notes::notDistinguishable));
     EXPECT_EQ(result.verdict, Verdict::Pass);
     EXPECT_EQ(result.distinguishable_from_scanner, false);
     EXPECT_NEAR(result.statistics.overlap_percent, 100 * 120.0 / 183 * 0.98, 1.5);
@@ -204,7 +205,7 @@ TEST(Compare, TreatsOtherPartsByTheGeneralMethod)
     const Scan copy = scanBracket(150000, 0.02, pose, 2);
     const CompareResult result = compare(reference, copy);
     EXPECT_EQ(result.method_used, CompareMethod::Plane);
-    EXPECT_TRUE(contains(result.notes, NoteCode::MethodChosen));
+    EXPECT_TRUE(contains(result.notes, notes::methodChosen));
     const Isometry3d off = result.alignment.reference_T_copy * pose;
     EXPECT_LT((off * Vector3d(50, 40, 45) - Vector3d(50, 40, 45)).norm(), 0.02);
     EXPECT_LT(Eigen::AngleAxisd(off.linear()).angle() * 180 / std::acos(-1.0), 0.02);
@@ -213,10 +214,10 @@ TEST(Compare, TreatsOtherPartsByTheGeneralMethod)
     EXPECT_FALSE(result.meridian);
     CompareParameters forced;
     forced.method = CompareMethod::Revolution;
-    EXPECT_EQ(codeOfError([&] { compare(reference, copy, forced); }), ErrorCode::NotABodyOfRevolution);
+    EXPECT_EQ(codeOfError([&] { compare(reference, copy, forced); }), errors::notABodyOfRevolution);
     forced.method = CompareMethod::Auto;
     forced.symmetry = Symmetry::Revolution;
-    EXPECT_EQ(codeOfError([&] { compare(reference, copy, forced); }), ErrorCode::NotABodyOfRevolution);
+    EXPECT_EQ(codeOfError([&] { compare(reference, copy, forced); }), errors::notABodyOfRevolution);
 }
 
 TEST(Compare, StaysNearThePoseAsScanned)
@@ -229,7 +230,7 @@ TEST(Compare, StaysNearThePoseAsScanned)
     EXPECT_LT(e.axial_um, 6);
     EXPECT_LT(e.radial_um, 1);
     const Pair turned = makePair(13, {.flip = true});
-    EXPECT_FALSE(contains(compare(turned.copy, turned.copy, parameters).notes, NoteCode::EndForEnd));
+    EXPECT_FALSE(contains(compare(turned.copy, turned.copy, parameters).notes, notes::endForEnd));
 }
 
 TEST(Compare, MeetsTheTruthOfThePracticeData)

@@ -7,10 +7,13 @@
 #include <random>
 #include <stop_token>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/io/io_codes.h"
 #include "engine/project/sample.h"
 #include "engine/registration/general.h"
 #include "engine/registration/observability.h"
+#include "engine/registration/registration_codes.h"
 
 namespace lathelier {
 namespace {
@@ -192,7 +195,7 @@ TEST(AlignGeneral, ThePlaneLeavesThreeMotionsFree)
         }
     }
     EXPECT_EQ(translations, 2);
-    EXPECT_TRUE(contains(a.notes, NoteCode::MotionNotDetermined));
+    EXPECT_TRUE(contains(a.notes, notes::motionNotDetermined));
     const Vector3d turned = a.reference_T_copy.linear() * pose.linear() * Vector3d::UnitZ();
     EXPECT_LT(std::acos(std::min(1.0, std::abs(turned.z()))) / deg, 0.01);
     // The tilt is undone, nothing else: no turn about the normal, no shift along the plane.
@@ -272,7 +275,7 @@ TEST(AlignGeneral, ASymmetricPlateTakesTheSmallestRotationAndSaysSo)
     const Isometry3d pose = Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(35 * deg, Vector3d(1, 2, 3).normalized());
     const Alignment a = alignGeneral(box(1), moved(box(2), pose), CompareMethod::Plane, InitialPose::Auto);
     EXPECT_TRUE(a.converged);
-    EXPECT_TRUE(contains(a.notes, NoteCode::SeveralPosesFit));
+    EXPECT_TRUE(contains(a.notes, notes::severalPosesFit));
     EXPECT_LT(poseError(a, pose, Vector3d::Zero()).translation_um, 5);
 }
 
@@ -310,13 +313,13 @@ TEST(AlignGeneral, RefusesWhatDeterminesNothing)
         } catch (const Error& e) {
             return e.code();
         }
-        return ErrorCode::NoPoints;
+        return errors::noPoints;
     };
-    EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), ErrorCode::TooFewPoints);
-    EXPECT_EQ(refusal(std::vector<Vector3d>(1000, Vector3d(1, 2, 3))), ErrorCode::PointsDegenerate);
+    EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), errors::tooFewPoints);
+    EXPECT_EQ(refusal(std::vector<Vector3d>(1000, Vector3d(1, 2, 3))), errors::pointsDegenerate);
     std::vector<Vector3d> line;
     for (int i = 0; i < 1000; ++i) line.emplace_back(0.1 * i, 0.2 * i, 1e6);
-    EXPECT_EQ(refusal(line), ErrorCode::PointsDegenerate);
+    EXPECT_EQ(refusal(line), errors::pointsDegenerate);
 }
 
 TEST(AlignGeneral, SurvivesTinyAndScatteredClouds)

@@ -11,6 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/project/sample.h"
+#include "engine/registration/registration_codes.h"
 #include "engine/registration/surface_deviation.h"
 
 namespace lathelier {
@@ -114,7 +115,7 @@ TEST(SurfaceDeviation, OfAnOpenMeshHasNoSignAndSaysSo)
     mesh.triangles.pop_back();
     const SurfaceDeviation d = surfaceDeviation(mesh, {{5, 5, 12}, {5, 5, 9}}, 100);
     EXPECT_FALSE(d.has_sign);
-    EXPECT_TRUE(contains(d.notes, NoteCode::SignUndetermined));
+    EXPECT_TRUE(contains(d.notes, notes::signUndetermined));
     EXPECT_FLOAT_EQ(d.deviation_mm[0], 2);
     EXPECT_FLOAT_EQ(d.deviation_mm[1], 1);
 }
@@ -185,7 +186,7 @@ TEST(SurfaceDeviation, OfAPlainPatchHasNoSign)
     for (int i = 0; i < 20000; ++i) plate.points_mm.emplace_back(place(random), place(random), 0);
     const SurfaceDeviation d = surfaceDeviation(plate, {{25, 25, 0.5}, {25, 25, -0.5}, {60, 25, 0}}, 20);
     EXPECT_FALSE(d.has_sign);
-    EXPECT_TRUE(contains(d.notes, NoteCode::SignUndetermined));
+    EXPECT_TRUE(contains(d.notes, notes::signUndetermined));
     EXPECT_NEAR(d.deviation_mm[0], 0.5, 1e-6);
     EXPECT_NEAR(d.deviation_mm[1], 0.5, 1e-6);
     EXPECT_TRUE(std::isnan(d.deviation_mm[2])) << "beside the plate there is no surface";

@@ -1,4 +1,5 @@
 #include "engine/registration/revolution.h"
+#include "engine/registration/registration_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -141,7 +142,7 @@ void expectWithin(const PairOptions& options, const Limits& limits, std::uint64_
         EXPECT_LT(e.axial_um, limits.axial_um) << "seed " << seed;
         EXPECT_LT(e.radial_um, limits.radial_um) << "seed " << seed;
         EXPECT_LT(e.axis_deg, limits.axis_deg) << "seed " << seed;
-        EXPECT_EQ(contains(alignment.notes, NoteCode::EndForEnd), options.flip);
+        EXPECT_EQ(contains(alignment.notes, notes::endForEnd), options.flip);
         // k = 2 covers the error but for the rare case; never a claim ten times too good or too modest
         EXPECT_LT(e.axial_um, 2.5 * alignment.uncertainty.axial_um);
         EXPECT_LT(e.radial_um, 2 * alignment.uncertainty.radial_um);
@@ -190,8 +191,8 @@ TEST(RevolutionAlignment, LeavesRollAndOnACylinderTheShiftAlone)
     ASSERT_EQ(result.alignment.free_motions.size(), 2u);
     EXPECT_EQ(result.alignment.free_motions[0].kind, FreeMotion::Kind::Rotation);
     EXPECT_EQ(result.alignment.free_motions[1].kind, FreeMotion::Kind::Translation);
-    EXPECT_TRUE(contains(result.notes, NoteCode::RollNotDetermined));
-    EXPECT_TRUE(contains(result.notes, NoteCode::MotionNotDetermined));
+    EXPECT_TRUE(contains(result.notes, notes::rollNotDetermined));
+    EXPECT_TRUE(contains(result.notes, notes::motionNotDetermined));
     // The smallest rotation turns by the 0.1 rad between the axes and no more.
     EXPECT_NEAR(Eigen::AngleAxisd(result.alignment.reference_T_copy.linear()).angle(), 0.1, 1e-4);
     // The middle of the copy keeps its place along the axis.

@@ -1,4 +1,5 @@
 #include "engine/registration/verdict.h"
+#include "engine/registration/registration_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +61,7 @@ TEST(Verdict, SaysOnceThatTheScannerCannotTell)
     judge(result, parameters);
     EXPECT_EQ(result.distinguishable_from_scanner, false);
     EXPECT_EQ(result.notes.size(), 1U);
-    EXPECT_TRUE(contains(result.notes, NoteCode::NotDistinguishable));
+    EXPECT_TRUE(contains(result.notes, notes::notDistinguishable));
     parameters.scanner_accuracy_mm = 0.4;
     judge(result, parameters);
     EXPECT_EQ(result.distinguishable_from_scanner, true);

@@ -1,4 +1,5 @@
 #include "engine/report/compare_report.h"
+#include "engine/io/io_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ TEST(CompareReport, SyntheticDataAreMarked)
 {
     CompareResult result = madeResult();
     EXPECT_FALSE(compareReport(result, {}).synthetic);
-    result.notes.push_back({NoteCode::SyntheticData, {{"path", "copy.ply"}}});
+    result.notes.push_back({notes::syntheticData, {{"path", "copy.ply"}}});
     EXPECT_TRUE(compareReport(result, {}).synthetic);
 }
 

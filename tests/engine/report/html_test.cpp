@@ -1,4 +1,5 @@
 #include "engine/report/html.h"
+#include "engine/project/project_codes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -35,7 +36,7 @@ Document fullDocument()
          {Headline{nasty, false}, Paragraph{LT_TEXT("Engine", "{x}"), {{"x", nasty}}},
           QuantityTable{nasty, {{nasty, nasty, {}}, {"n", NAN, {}}, {"m", 1.23456, LT_TEXT("Engine", "mm"), 2}}},
           Table{nasty, {nasty, "b"}, {{nasty, std::int64_t{-1234567}}}, {}}, plot, map, Picture{nasty, "not really"},
-          Notes{{NoteCode::SourceMissing, {{"path", nasty}}}}}}};
+          Notes{{notes::sourceMissing, {{"path", nasty}}}}}}};
     return document;
 }
 

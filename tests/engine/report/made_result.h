@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/io/io_codes.h"
 #include "engine/registration/compare.h"
+#include "engine/registration/registration_codes.h"
 
 namespace lathelier {
 
@@ -27,9 +29,9 @@ inline CompareResult madeResult()
     result.within_tolerance_percent = 92.7;
     result.verdict = Verdict::Fail;
     result.distinguishable_from_scanner = true;
-    result.notes = {{NoteCode::RollNotDetermined, {}},
-                    {NoteCode::UnitGuessed, {{"path", "copy.xyz"}, {"unit", "mm"}, {"extent", 183.2}}},
-                    {NoteCode::OutliersExcluded, {{"count", std::int64_t{1000}}, {"distance_mm", 1.0}}}};
+    result.notes = {{notes::rollNotDetermined, {}},
+                    {notes::unitGuessed, {{"path", "copy.xyz"}, {"unit", "mm"}, {"extent", 183.2}}},
+                    {notes::outliersExcluded, {{"count", std::int64_t{1000}}, {"distance_mm", 1.0}}}};
     const auto radius = [](double z) { return z < 98 ? 15 : z < 108 ? 18.5 : z > 178 ? 16.9 - (z - 178) : 16.9; };
     const auto error = [](double z) {
         return z < 98 ? 0.03 - 0.06 * z / 98 : z < 108 ? 0.05 : 0.04 * std::sin(std::numbers::pi * (z - 108) / 75);

@@ -1,4 +1,5 @@
 #include "engine/report/trajectory_report.h"
+#include "engine/io/io_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -103,7 +104,7 @@ TEST(TrajectoryReport, SyntheticDataAreMarked)
 {
     TrajectoryResult result = rawResult();
     EXPECT_FALSE(trajectoryReport(result, {}).synthetic);
-    result.notes.push_back({NoteCode::SyntheticData, {{"path", "record.csv"}}});
+    result.notes.push_back({notes::syntheticData, {{"path", "record.csv"}}});
     EXPECT_TRUE(trajectoryReport(result, {}).synthetic);
 }
 

@@ -1,4 +1,6 @@
 #include "engine/spindle/channel_map.h"
+#include "engine/core/core_codes.h"
+#include "engine/spindle/spindle_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -91,7 +93,7 @@ TEST(ChannelMap, MistakesAreLocated)
             mapChannels(volts, asking(map), notes);
             ADD_FAILURE() << map;
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ErrorCode::ValueNotUnderstood) << map;
+            EXPECT_EQ(error.code(), errors::valueNotUnderstood) << map;
             EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "column")), column) << map;
         }
     }
@@ -102,7 +104,7 @@ TEST(ChannelMap, MistakesAreLocated)
             mapChannels(volts, asking(map), notes);
             ADD_FAILURE() << map;
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ErrorCode::ChannelsUnknown) << map;
+            EXPECT_EQ(error.code(), errors::channelsUnknown) << map;
         }
     }
 }
@@ -119,8 +121,8 @@ TEST(ChannelMap, ADeadOrSaturatedProbeIsNoted)
     Notes notes;
     mapChannels(record, {}, notes);
     ASSERT_EQ(notes.size(), 2u);
-    EXPECT_EQ(notes[0].code, NoteCode::ChannelStandsStill);
-    EXPECT_EQ(notes[1].code, NoteCode::ChannelCutOff);
+    EXPECT_EQ(notes[0].code, notes::channelStandsStill);
+    EXPECT_EQ(notes[1].code, notes::channelCutOff);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/random.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -123,7 +124,7 @@ TEST(FrameClock, TimeThatGoesBackIsRefused)
         FrameClock clock(record);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::TimeNotIncreasing);
+        EXPECT_EQ(error.code(), errors::timeNotIncreasing);
         EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "row")), 41);
     }
 }

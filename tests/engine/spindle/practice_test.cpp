@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/probe_reader.h"
+#include "engine/spindle/spindle_codes.h"
 #include "engine/spindle/trajectory.h"
 
 namespace lathelier {
@@ -63,7 +64,7 @@ TEST_F(Practice, TheRawSectionAsTableAndAsLGraph)
         EXPECT_NEAR(section.speed_rpm, 975, 0.5);
         expectSection(section, expected["truth"]);
         EXPECT_FALSE(result->longitudinal);
-        EXPECT_TRUE(contains(result->notes, NoteCode::ZUnknown));
+        EXPECT_TRUE(contains(result->notes, notes::zUnknown));
         for (std::size_t probe = 0; probe < 4; ++probe) {
             const char* names[] = {"X3", "Y3", "Xp", "Yp"};
             EXPECT_NEAR(section.error_motion[probe].asynchronous_um,
@@ -81,7 +82,7 @@ TEST_F(Practice, ARecordingOfSomethingElseIsRefused)
         trajectory(records, parameters);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::ChannelsUnknown);
+        EXPECT_EQ(error.code(), errors::channelsUnknown);
         EXPECT_TRUE(find(error.values(), "path"));
     }
     parameters.channels = "marker=0,X3=1,Y3=1,Xp=1,Yp=1";

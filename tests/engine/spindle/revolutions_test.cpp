@@ -1,4 +1,5 @@
 #include "engine/spindle/revolutions.h"
+#include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include "engine/project/sample_record.h"
 #include "engine/spindle/record_plan.h"
 #include "engine/spindle/section_signals.h"
+#include "engine/spindle/spindle_codes.h"
 
 namespace lathelier {
 namespace {
@@ -42,7 +44,7 @@ ErrorCode codeOf(const ProbeRecord& record, TrajectoryParameters parameters = {}
         return error.code();
     }
     ADD_FAILURE() << "no error";
-    return ErrorCode::Internal;
+    return errors::internal;
 }
 
 /// The angle of the spindle (in degrees) as an encoder has it.
@@ -155,35 +157,35 @@ TEST(Revolutions, BadRecordsAreRefusedAndSayWhere)
     const ProbeRecord good = makeProbeRecord(model);
     ProbeRecord record = good;
     std::fill(record.channels[0].values.begin(), record.channels[0].values.end(), 0.05);
-    EXPECT_EQ(codeOf(record), ErrorCode::MarkerNotFound);
+    EXPECT_EQ(codeOf(record), errors::markerNotFound);
 
     TrajectoryParameters parameters;
     parameters.channels = "marker=1,X3=0,Y3=2,Xp=3,Yp=4";  // marker and X3 exchanged
     record = good;
     record.channels[0].unit = ProbeChannel::Unit::Volt;
-    EXPECT_EQ(codeOf(record, parameters), ErrorCode::MarkerElsewhere);
+    EXPECT_EQ(codeOf(record, parameters), errors::markerElsewhere);
 
     record = good;  // one revolution only
     for (ProbeChannel& channel : record.channels) channel.values.resize(700);
     record.time_s.resize(700);
-    EXPECT_EQ(codeOf(record), ErrorCode::TooFewRevolutions);
+    EXPECT_EQ(codeOf(record), errors::tooFewRevolutions);
 
     record = good;  // less than one
     for (ProbeChannel& channel : record.channels) channel.values.resize(60);
     record.time_s.resize(60);
-    EXPECT_EQ(codeOf(record), ErrorCode::MarkerNotFound);
+    EXPECT_EQ(codeOf(record), errors::markerNotFound);
 
     record = good;
     record.channels.resize(2);
-    EXPECT_EQ(codeOf(record), ErrorCode::ChannelsUnknown);
+    EXPECT_EQ(codeOf(record), errors::channelsUnknown);
 
     record = good;
     for (ProbeChannel& channel : record.channels) channel.unit = ProbeChannel::Unit::Unknown;
-    EXPECT_EQ(codeOf(record), ErrorCode::ChannelUnitMissing);
+    EXPECT_EQ(codeOf(record), errors::channelUnitMissing);
 
     record = withEncoder(good, model, false);
     for (double& angle : record.channels[0].values) angle = 90;
-    EXPECT_EQ(codeOf(record), ErrorCode::AngleNotTurning);
+    EXPECT_EQ(codeOf(record), errors::angleNotTurning);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 #include "engine/spindle/trajectory.h"
+#include "engine/core/core_codes.h"
+#include "engine/spindle/spindle_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,16 +17,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-SpindleModel fineModel()
-{
-    SpindleModel model = quietSpindle();
-    model.sections = 5;
-    model.revolutions = 8;
-    model.rate_hz = 6500;
-    model.channel_skew_s = 1 / (5 * 6500.0);
-    return model;
-}
-
 ErrorCode codeOf(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {})
 {
     try {
@@ -34,7 +26,7 @@ ErrorCode codeOf(const std::vector<ProbeFile>& records, const TrajectoryParamete
         return error.code();
     }
     ADD_FAILURE() << "no error";
-    return ErrorCode::Internal;
+    return errors::internal;
 }
 
 TEST(Trajectory, WithoutNoiseTheTruthComesBack)
@@ -57,7 +49,7 @@ TEST(Trajectory, WithoutNoiseTheTruthComesBack)
     EXPECT_NEAR(result.longitudinal->barrel_um, model.barrel_um, 0.01);
     EXPECT_NEAR(result.longitudinal->axis_straightness_um, 0, 0.01);
     EXPECT_NEAR(result.longitudinal->half_diameter_range_um, result.longitudinal->diameter_range_um / 2, 1e-12);
-    EXPECT_TRUE(contains(result.notes, NoteCode::ValueAssumed));  // feed and sections from the record
+    EXPECT_TRUE(contains(result.notes, notes::valueAssumed));  // feed and sections from the record
 }
 
 TEST(Trajectory, AHundredFramesARevolutionAreEnough)
@@ -101,7 +93,7 @@ TEST(Trajectory, AveragesAnswerLikeTheRecordItself)
     // The samples of a revolution lie half a sample before its middle, on average.
     EXPECT_NEAR(result.longitudinal->taper_diameter_um, 16, 5e-4);
     EXPECT_NEAR(result.longitudinal->barrel_um, 5, 5e-4);
-    EXPECT_TRUE(contains(result.notes, NoteCode::AveragesOnly));
+    EXPECT_TRUE(contains(result.notes, notes::averagesOnly));
     EXPECT_TRUE(std::isnan(result.sections[0].spindle.asynchronous_um));
     EXPECT_EQ(result.sections[0].revolutions_used, 40);
 }
@@ -126,96 +118,6 @@ TEST(Trajectory, UnevenRepeatedAndUnorderedAnglesOfAveragesAreHandled)
     const ReferenceCircles truth = fitCircles(trueImage_mm(model, 0, 360));
     EXPECT_NEAR(result.sections[0].roundness.circles.LSCI.RONt_um, truth.LSCI.RONt_um, 0.03);
     EXPECT_LT((result.sections[0].roundness.circles.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.01);
-}
-
-// The paper's eq. (1) takes the spindle's angle for that of the point on the part (form.md section 3, trap 4).
-TEST(PaperTraps, ThePolarAngleIsCorrected)
-{
-    // A tool that stands 5 mm high shows the whole image turned by 11.5°: with the paper's angle it would not be.
-    const std::vector<double> angle_deg{0, 90, 180, 270};
-    const std::vector<double> zero(4, 0.0), high(4, 5000.0);
-    const SurfaceImage image = imageOf({zero, zero, zero, high}, angle_deg, 50, Rotation::Same);
-    for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(image.radius_mm[i], std::hypot(25, 5), 1e-12);
-        EXPECT_NEAR(std::remainder(image.body_angle_deg[i] - (angle_deg[i] + std::atan2(-5, 25) * 180 / kPi), 360), 0,
-                    1e-9);
-    }
-    // A perfect shaft that runs out by e: its circle comes back at the part's own radius with the corrected angle only.
-    std::vector<double> x, y, even;
-    constexpr int n = 360;
-    constexpr double e_um = 2000, r_mm = 25;
-    for (int i = 0; i < n; ++i) {
-        const double t = 2 * kPi * i / n;
-        even.push_back(360.0 * i / n);
-        // The axis goes round the spindle's; the tool is drawn along the ray on which the surface stays a circle of
-        // radius r about the spindle axis: P = (r, 0).
-        x.push_back(e_um * std::cos(t));
-        y.push_back(e_um * std::sin(t));
-    }
-    const std::vector<double> still(n, 0.0);
-    const SurfaceImage round = imageOf({x, y, still, still}, even, 2 * r_mm, Rotation::Same);
-    const std::vector<Eigen::Vector2d> points = round.points_mm();
-    const FittedCircle circle = fitLeastSquaresCircle(points);
-    EXPECT_NEAR(circle.RONt_um, 0, 1e-6);
-    EXPECT_NEAR(circle.radius_mm, r_mm, 1e-9);
-    EXPECT_NEAR(circle.centre_mm.norm(), 1e-3 * e_um, 1e-9);
-    // With the paper's angle the same radii are no circle.
-    std::vector<Eigen::Vector2d> papers;
-    for (int i = 0; i < n; ++i)
-        papers.push_back(round.radius_mm[static_cast<std::size_t>(i)] *
-                         Eigen::Vector2d(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)));
-    EXPECT_GT(fitLeastSquaresCircle(papers).RONt_um, 50);
-}
-
-// Two probes cannot separate the mandrel's form from its motion (trap 5): it appears in full as form of the part.
-TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
-{
-    SpindleModel model = fineModel();
-    model.axis = {{1, 10, 0, 10, kPi / 2}};
-    model.tool = {};
-    model.taper_diameter_um = 0;
-    model.barrel_um = 0;
-    ProbeRecord record = makeProbeRecord(model);
-    for (std::size_t i = 0; i < record.frames(); ++i) {  // a mandrel with three lobes of 0.1 µm, seen by the X probe
-        const double turn = model.speed_rpm / 60 * (record.time_s[i] + model.channel_skew_s) - model.lead_turns;
-        record.channels[1].values[i] += 0.1 * std::cos(3 * 2 * kPi * turn);
-    }
-    const TrajectoryResult result = trajectory({fileOf(record)});
-    EXPECT_NEAR(result.sections[2].roundness.circles.LSCI.RONt_um, 0.2, 0.01);
-    EXPECT_EQ(result.mandrel_form_um, 0.2);
-    EXPECT_TRUE(contains(result.notes, NoteCode::MandrelFloor));
-}
-
-// Seen from the part the angle runs the other way (trap 6): the same form, a mirrored centre.
-TEST(PaperTraps, TheMirroredImageHasTheSameFormAndAnotherCentre)
-{
-    const SpindleModel model = fineModel();
-    TrajectoryParameters parameters;
-    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
-    const FittedCircle same = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
-    parameters.rotation = Rotation::Opposite;
-    const FittedCircle mirrored = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
-    EXPECT_NEAR(mirrored.RONt_um, same.RONt_um, 1e-6);
-    EXPECT_NEAR(mirrored.centre_mm.x(), same.centre_mm.x(), 1e-9);
-    EXPECT_NEAR(mirrored.centre_mm.y(), -same.centre_mm.y(), 1e-9);
-    EXPECT_GT(std::abs(same.centre_mm.y()) * 1e3, 1);
-}
-
-// Run-out is not roundness (trap 1); single revolutions show what their mean hides (trap 5).
-TEST(PaperTraps, RunOutAndSingleRevolutionsAreShownBesideRoundness)
-{
-    SpindleModel model = fineModel();
-    model.whirl_um = 2;
-    const TrajectorySection section = trajectory({fileOf(makeProbeRecord(model))}).sections[0];
-    EXPECT_GT(section.run_out_um, 20);
-    EXPECT_LT(section.roundness.circles.LSCI.RONt_um, 12);
-    ASSERT_EQ(section.revolution_RONt_um.size(), 8u);
-    ASSERT_EQ(section.envelope_min_mm.size(), 200u);
-    for (std::size_t i = 0; i < 200; ++i) {
-        EXPECT_LE(section.envelope_min_mm[i], section.radius_mm[i]);
-        EXPECT_GE(section.envelope_max_mm[i], section.radius_mm[i]);
-    }
-    EXPECT_NEAR(section.spindle.asynchronous_um, 4, 0.6);
 }
 
 TEST(Trajectory, DriftIsKeptUnlessAskedAndTheSizeStays)
@@ -248,7 +150,7 @@ TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
     parameters.outliers = OutlierRule::Hampel;
     const TrajectoryResult cleaned = trajectory({fileOf(record)}, parameters);
     const TrajectoryResult kept = trajectory({fileOf(record)});
-    EXPECT_TRUE(contains(cleaned.notes, NoteCode::MotionOutliers));
+    EXPECT_TRUE(contains(cleaned.notes, notes::motionOutliers));
     for (std::size_t s = 0; s < 3; ++s) {
         const double truth_um = fitCircles(trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
         EXPECT_NEAR(cleaned.sections[s].roundness.circles.LSCI.RONt_um, truth_um, 0.6);
@@ -285,7 +187,7 @@ TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
     }
     TrajectoryParameters parameters;
     parameters.revolutions = 8;
-    EXPECT_TRUE(contains(trajectory(records, parameters).notes, NoteCode::ZUnknown));
+    EXPECT_TRUE(contains(trajectory(records, parameters).notes, notes::zUnknown));
     EXPECT_FALSE(trajectory(records, parameters).longitudinal);
     parameters.z_mm = "5, 10,15.5";
     const TrajectoryResult result = trajectory(records, parameters);
@@ -295,12 +197,12 @@ TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
     parameters.z_mm = "5,5; 10; 15,25";  // between semicolons a comma is a decimal mark
     EXPECT_EQ(trajectory(records, parameters).longitudinal->z_mm, (std::vector<double>{5.5, 10, 15.25}));
     parameters.z_mm = "5,10";
-    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
     parameters.z_mm = "5,10,x";
-    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
     parameters.z_mm = "";
     parameters.feed_mm_rev = 0.1;
-    EXPECT_EQ(codeOf(records, parameters), ErrorCode::ValueNotUnderstood);
+    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
 }
 
 TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
@@ -315,10 +217,10 @@ TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
     TrajectoryParameters parameters;
     parameters.revolutions = 8;
     const TrajectoryResult result = trajectory({fileOf(record)}, parameters);
-    EXPECT_TRUE(contains(result.notes, NoteCode::FewerRevolutions));
+    EXPECT_TRUE(contains(result.notes, notes::fewerRevolutions));
     EXPECT_NEAR(result.sections.back().z_mm, model.feed_mm_rev * 17.5, 0.5);  // where the data are, not where asked
     cut(2500);
-    EXPECT_EQ(codeOf({fileOf(record)}, parameters), ErrorCode::RecordTooShort);
+    EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::recordTooShort);
 }
 
 TEST(Trajectory, WhatIsMissingIsRefused)
@@ -326,12 +228,12 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     const SpindleModel model = fineModel();
     ProbeRecord record = makeProbeRecord(model);
     std::erase_if(record.header, [](const auto& entry) { return entry.first == "D_mm"; });
-    EXPECT_EQ(codeOf({fileOf(record)}), ErrorCode::DiameterMissing);
+    EXPECT_EQ(codeOf({fileOf(record)}), errors::diameterMissing);
     TrajectoryParameters parameters;
     parameters.workpiece_diameter_mm = 50;
     EXPECT_EQ(trajectory({fileOf(record)}, parameters).workpiece_diameter_mm, 50);
     parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
-    EXPECT_EQ(codeOf({fileOf(record)}, parameters), ErrorCode::MarkerElsewhere);
+    EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::markerElsewhere);
     EXPECT_TRUE(trajectory({}).sections.empty());
 }
 
@@ -346,6 +248,7 @@ TEST(Trajectory, ADiscHasNoCylindricityButAllElse)
     ASSERT_TRUE(result.longitudinal);
     EXPECT_NEAR(result.longitudinal->taper_diameter_um, model.taper_diameter_um, 0.01);
     EXPECT_TRUE(std::isnan(result.longitudinal->CYLt_LSCY_um));
+    EXPECT_TRUE(contains(result.notes, notes::noCylindricity));
 }
 
 TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
@@ -353,11 +256,11 @@ TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
     const std::vector<ProbeFile> records{fileOf(makeProbeRecord(fineModel()))};  // 5 sections of 8 turns
     TrajectoryParameters parameters;
     parameters.revolutions = 8;
-    EXPECT_FALSE(contains(trajectory(records, parameters).notes, NoteCode::RevolutionsUnused));
+    EXPECT_FALSE(contains(trajectory(records, parameters).notes, notes::revolutionsUnused));
     parameters.revolutions = 5;
     const Notes notes = trajectory(records, parameters).notes;
     const auto unused = std::find_if(notes.begin(), notes.end(),
-                                     [](const Note& note) { return note.code == NoteCode::RevolutionsUnused; });
+                                     [](const Note& note) { return note.code == notes::revolutionsUnused; });
     ASSERT_NE(unused, notes.end());
     EXPECT_EQ(*find(unused->values, "used"), Value(std::int64_t{25}));
     EXPECT_EQ(*find(unused->values, "found"), Value(std::int64_t{40}));
@@ -368,7 +271,7 @@ TEST(Trajectory, ASuspiciousSpeedIsNoted)
     ProbeRecord record = makeProbeRecord(fineModel());
     for (auto& [key, value] : record.header)
         if (key == "rpm_nominal") value = std::string("480");
-    EXPECT_TRUE(contains(trajectory({fileOf(record)}).notes, NoteCode::SpeedDiffers));
+    EXPECT_TRUE(contains(trajectory({fileOf(record)}).notes, notes::speedDiffers));
 }
 
 TEST(Trajectory, CancelStopsIt)

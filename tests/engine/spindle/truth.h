@@ -18,6 +18,17 @@ ProbeFile fileOf(Record record)
     return file;
 }
 
+/// Four channels sampled finely and one after the other, five sections of eight revolutions, no noise.
+inline SpindleModel fineModel()
+{
+    SpindleModel model = quietSpindle();
+    model.sections = 5;
+    model.revolutions = 8;
+    model.rate_hz = 6500;
+    model.channel_skew_s = 1 / (5 * 6500.0);
+    return model;
+}
+
 /// Largest difference in µm of LSC centre and radius, and of RONt(LSCI) and RONt(MZCI), from the true image's.
 inline double worstDifference_um(const TrajectorySection& section, const SpindleModel& model, int index)
 {

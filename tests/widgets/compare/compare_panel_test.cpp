@@ -1,18 +1,17 @@
 // The comparison panel driven as a user would: drop, click, drag, type, cancel, undo.
 #include "widgets/compare/compare_panel.h"
+#include "engine/io/io_codes.h"
+#include "tests/widgets/core/drop_files.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QDoubleSpinBox>
-#include <QDragEnterEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
-#include <QUrl>
 #include <cmath>
 #include <fstream>
 
@@ -34,19 +33,6 @@ void write(const QString& path, const Scan& scan)
     std::ofstream file(path.toStdString());
     file.precision(9);
     for (const Eigen::Vector3d& p : scan.points_mm) file << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-}
-
-void drop(QWidget* target, const QStringList& paths)
-{
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
-    data.setUrls(urls);
-    QDragEnterEvent enter(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(target, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(target, &event);
 }
 
 }  // namespace
@@ -330,7 +316,7 @@ private slots:
     {
         drop(panel_.get(), {original_, folder_.filePath("nowhere.ply")});
         QTRY_VERIFY(panel_->error().has_value());
-        QCOMPARE(panel_->error()->code(), ErrorCode::FileNotFound);
+        QCOMPARE(panel_->error()->code(), errors::fileNotFound);
         session_->undoStack().undo();
         dropBoth();
     }

@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "engine/core/fields.h"
+#include "engine/io/io_codes.h"
+#include "engine/registration/registration_codes.h"
 #include "widgets/core/panel.h"
 
 namespace lathelier {
@@ -66,7 +68,7 @@ protected:
         return [parameters, path, count = computed_](const Progress& progress) {
             ++*count;
             QFile file(QString::fromStdString(path));
-            if (!file.exists()) throw Error(ErrorCode::FileNotFound, {{"path", path}});
+            if (!file.exists()) throw Error(errors::fileNotFound, {{"path", path}});
             const Progress part = progress.part(0, 1, Text{"Multiplying"});
             part.report(0.5);
             while (parameters.endless) {
@@ -87,7 +89,7 @@ protected:
         if (result.parameters.tolerance_mm) answer.verdict = result.value_mm <= *result.parameters.tolerance_mm;
         return answer;
     }
-    Notes notes(const FakeResult&) const override { return {{NoteCode::RollNotDetermined, {}}}; }
+    Notes notes(const FakeResult&) const override { return {{notes::rollNotDetermined, {}}}; }
     Document document(const FakeResult& result) const override
     {
         Document report;

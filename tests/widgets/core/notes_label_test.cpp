@@ -4,6 +4,8 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "engine/io/io_codes.h"
+#include "engine/registration/registration_codes.h"
 #include "widgets/core/answer_parts.h"
 #include "widgets/core/notes_label.h"
 
@@ -12,7 +14,7 @@ namespace lathelier {
 class NotesLabelTest : public QObject {
     Q_OBJECT
 
-    static Note note(NoteCode code, const char* path = nullptr)
+    static Note note(const NoteCode& code, const char* path = nullptr)
     {
         Note result{code, {}};
         if (path) result.values = {{"path", std::string(path)}};
@@ -22,23 +24,23 @@ class NotesLabelTest : public QObject {
 private slots:
     void whatConcernsTheAnswerComesFirst()
     {
-        const Notes shown = arranged({note(NoteCode::MethodChosen), note(NoteCode::SyntheticData, "/a/one.ply"),
-                                      note(NoteCode::RollNotDetermined), note(NoteCode::NotDistinguishable)});
+        const Notes shown = arranged({note(notes::methodChosen), note(notes::syntheticData, "/a/one.ply"),
+                                      note(notes::rollNotDetermined), note(notes::notDistinguishable)});
         QCOMPARE(shown.size(), std::size_t{4});
-        QCOMPARE(shown[0].code, NoteCode::NotDistinguishable);
-        QCOMPARE(shown[1].code, NoteCode::SyntheticData);
-        QCOMPARE(shown[2].code, NoteCode::RollNotDetermined);
-        QCOMPARE(shown[3].code, NoteCode::MethodChosen);
+        QCOMPARE(shown[0].code, notes::notDistinguishable);
+        QCOMPARE(shown[1].code, notes::syntheticData);
+        QCOMPARE(shown[2].code, notes::rollNotDetermined);
+        QCOMPARE(shown[3].code, notes::methodChosen);
     }
 
     void oneNoteForAllItsFiles()
     {
-        Note other = note(NoteCode::RowsSkipped, "/b/two.xyz");
+        Note other = note(notes::rowsSkipped, "/b/two.xyz");
         other.values.push_back({"count", std::int64_t{3}});
         Note more = other;
         more.values[1].second = std::int64_t{4};
-        const Notes shown = arranged(
-            {note(NoteCode::SyntheticData, "/a/one.ply"), other, note(NoteCode::SyntheticData, "/b/two.ply"), more});
+        const Notes shown =
+            arranged({note(notes::syntheticData, "/a/one.ply"), other, note(notes::syntheticData, "/b/two.ply"), more});
         QCOMPARE(shown.size(), std::size_t{3});  // different counts are different notes
         QCOMPARE(*find(shown[0].values, "path"), Value(std::string("one.ply, two.ply")));
     }
@@ -46,10 +48,10 @@ private slots:
     void lowPanelsFoldWhatIsNoWarning()
     {
         NotesLabel label;
-        Notes notes(3, note(NoteCode::RollNotDetermined));
+        Notes notes(3, note(notes::rollNotDetermined));
         for (std::size_t i = 0; i < notes.size(); ++i) notes[i].values = {{"number", static_cast<std::int64_t>(i)}};
-        notes.push_back(note(NoteCode::NotDistinguishable));
-        notes.push_back(note(NoteCode::SyntheticData, "/a/one.ply"));
+        notes.push_back(note(notes::notDistinguishable));
+        notes.push_back(note(notes::syntheticData, "/a/one.ply"));
         label.setNotes(notes);
         auto* text = label.findChild<QLabel*>("notes");
         QCOMPARE(text->text().count('\n'), 2);
@@ -76,7 +78,7 @@ private slots:
     {
         NotesLabel label;
         label.resize(900, 200);
-        Notes notes(5, note(NoteCode::RollNotDetermined));
+        Notes notes(5, note(notes::rollNotDetermined));
         for (std::size_t i = 0; i < notes.size(); ++i) notes[i].values = {{"number", static_cast<std::int64_t>(i)}};
         label.setNotes(notes);
         auto* text = label.findChild<QLabel*>("notes");

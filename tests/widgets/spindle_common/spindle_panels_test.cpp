@@ -1,21 +1,19 @@
 // The three panels of workspace Roundness driven as a user would: drop, choose, click, type, cancel, undo, export.
 #include <QApplication>
 #include <QComboBox>
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
-#include <QMimeData>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
-#include <QUrl>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 
 #include "engine/project/sample_record.h"
+#include "tests/widgets/core/drop_files.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 #include "widgets/core/session.h"
@@ -37,19 +35,6 @@ namespace {
 void write(const QString& path, const std::string& text)
 {
     std::ofstream(path.toStdString()) << text;
-}
-
-void drop(QWidget* target, const QStringList& paths)
-{
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
-    data.setUrls(urls);
-    QDragEnterEvent enter(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(target, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent event(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(target, &event);
 }
 
 /// Three lobes of 6 µm and two of `oval_um` on a radius of 20 mm, turned by `turn_deg`.

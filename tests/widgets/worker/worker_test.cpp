@@ -1,5 +1,6 @@
 // The latest-job-wins worker, without Qt: run under ThreadSanitizer too (./dev test).
 #include "widgets/core/worker.h"
+#include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>
 
@@ -167,20 +168,20 @@ TEST(Worker, ErrorsComeThroughAsData)
 {
     Worker worker;
     worker.request([](const Progress&) -> std::shared_ptr<const void> {
-        throw Error(ErrorCode::TooFewPoints, {{"found", std::int64_t{4}}});
+        throw Error(errors::tooFewPoints, {{"found", std::int64_t{4}}});
     });
     const auto outcome = await(worker);
     ASSERT_TRUE(std::holds_alternative<Error>(outcome));
-    EXPECT_EQ(std::get<Error>(outcome).code(), ErrorCode::TooFewPoints);
+    EXPECT_EQ(std::get<Error>(outcome).code(), errors::tooFewPoints);
 }
 
 TEST(Worker, ForeignExceptionsBecomeErrors)
 {
     Worker worker;
     worker.request([](const Progress&) -> std::shared_ptr<const void> { throw std::bad_alloc(); });
-    EXPECT_EQ(std::get<Error>(await(worker)).code(), ErrorCode::OutOfMemory);
+    EXPECT_EQ(std::get<Error>(await(worker)).code(), errors::outOfMemory);
     worker.request([](const Progress&) -> std::shared_ptr<const void> { throw std::runtime_error("x"); });
-    EXPECT_EQ(std::get<Error>(await(worker)).code(), ErrorCode::Internal);
+    EXPECT_EQ(std::get<Error>(await(worker)).code(), errors::internal);
 }
 
 TEST(Worker, ProgressIsReadableAndNeverFalls)

@@ -1,0 +1,67 @@
+// What the evaluation of form refuses or remarks: codes with their English patterns. {name} is replaced by the named
+// value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace notes {
+
+inline constexpr NoteCode undersampled{
+    "undersampled", Severity::Warning,
+    LT_TEXT("Engine",
+            "{points} points a turn are too few for {cutoff_upr} UPR by the rule of 7 points a wave; they carry "
+            "{supported_upr} UPR. The answer is given all the same.")};
+
+inline constexpr NoteCode gapsInProfile{"gaps_in_profile", Severity::Info,
+                                        LT_TEXT("Engine",
+                                                "Gaps in the profile: {count}, the largest of {largest_deg}°. Beside "
+                                                "them filter and harmonics rest on the points that are there.")};
+
+inline constexpr NoteCode partialArc{
+    "partial_arc", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The points leave {missing_deg}° of the turn out: this is the roundness of an arc, and harmonics say little.")};
+
+inline constexpr NoteCode anglesUneven{
+    "angles_uneven", Severity::Info,
+    LT_TEXT("Engine", "The points are unevenly spread over the turn; filter and harmonics take that into account.")};
+
+inline constexpr NoteCode duplicatePoints{"duplicate_points", Severity::Info,
+                                          LT_TEXT("Engine", "Points that lie where others do: {count}.")};
+
+inline constexpr NoteCode outliersRemoved{"outliers_removed", Severity::Info,
+                                          LT_TEXT("Engine", "Outliers left out (Hampel): {count}.")};
+
+inline constexpr NoteCode sectorsExcluded{"sectors_excluded", Severity::Info,
+                                          LT_TEXT("Engine", "Points in the excluded sectors, left out: {count}.")};
+
+inline constexpr NoteCode minimumZoneNotUnique{
+    "minimum_zone_not_unique", Severity::Info,
+    LT_TEXT("Engine", "Another centre gives the same minimum zone: RONt is sure, the centre is not.")};
+
+inline constexpr NoteCode inscribedNotUnique{
+    "inscribed_not_unique", Severity::Info,
+    LT_TEXT("Engine", "Another centre holds an equal maximum inscribed circle; RONt(MICI) depends on which is taken.")};
+
+inline constexpr NoteCode certificateOpen{"certificate_open", Severity::Warning,
+                                          LT_TEXT("Engine", "{circle} is proved to {gap_um} µm only.")};
+
+inline constexpr NoteCode noiseNotKnown{"noise_not_known", Severity::Info,
+                                        LT_TEXT("Engine",
+                                                "Too few points to tell their noise from the form; state the "
+                                                "uncertainty of a point for an uncertainty of the result.")};
+
+inline constexpr NoteCode sizeNominal{
+    "size_nominal", Severity::Info,
+    LT_TEXT("Engine", "The profile holds deviations from a nominal radius: form is measured, size is not.")};
+
+inline constexpr NoteCode rotationNotDetermined{
+    "rotation_not_determined", Severity::Warning,
+    LT_TEXT("Engine", "The form does not determine the angle between the profiles; several rotations fit as well.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

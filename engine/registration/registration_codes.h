@@ -1,0 +1,61 @@
+// What registration and comparison refuse or remark: codes with their English patterns. {name} is replaced by the named
+// value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode partsDoNotMatch{
+    "parts_do_not_match", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The two parts do not match: only {overlap_percent} % of the copy lies near the reference.")};
+
+inline constexpr ErrorCode notABodyOfRevolution{
+    "not_a_body_of_revolution", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The {role} is not a body of revolution (residual {residual_mm} mm).")};
+
+}  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode rollNotDetermined{
+    "roll_not_determined", Severity::Info,
+    LT_TEXT("Engine", "Roll about the axis is not determined by the geometry; the smallest rotation was kept.")};
+
+inline constexpr NoteCode motionNotDetermined{
+    "motion_not_determined", Severity::Warning,
+    LT_TEXT("Engine", "A {kind} is not determined by the geometry; the initial pose was kept along it.")};
+
+inline constexpr NoteCode motionWeak{"motion_weak", Severity::Warning,
+                                     LT_TEXT("Engine", "A {kind} is only weakly determined by the geometry.")};
+
+inline constexpr NoteCode severalPosesFit{
+    "several_poses_fit", Severity::Warning,
+    LT_TEXT("Engine", "{count} poses fit equally well; the one with the smallest rotation was chosen.")};
+
+inline constexpr NoteCode methodChosen{"method_chosen", Severity::Info,
+                                       LT_TEXT("Engine", "Method chosen: {method} ({reason}).")};
+
+inline constexpr NoteCode endForEnd{"end_for_end", Severity::Info,
+                                    LT_TEXT("Engine", "The copy was turned end for end.")};
+
+inline constexpr NoteCode outliersExcluded{
+    "outliers_excluded", Severity::Info,
+    LT_TEXT("Engine", "Points further than {distance_mm} mm from the reference, left out: {count}.")};
+
+inline constexpr NoteCode zonesExcluded{"zones_excluded", Severity::Info,
+                                        LT_TEXT("Engine", "Points in the excluded zones, left out: {count}.")};
+
+inline constexpr NoteCode signUndetermined{
+    "sign_undetermined", Severity::Warning,
+    LT_TEXT("Engine", "Inside and outside are not known (no normals, no closed surface): the deviation has no sign.")};
+
+inline constexpr NoteCode notDistinguishable{
+    "not_distinguishable", Severity::Warning,
+    LT_TEXT("Engine", "The difference cannot be told from the scanner's accuracy of {scanner_accuracy_mm} mm.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

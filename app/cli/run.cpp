@@ -29,7 +29,7 @@ int exitCode(ErrorKind kind)
 
 int exitCode(const Answer& answer, bool strict)
 {
-    if (!answer.errors.empty()) return exitCode(kind(answer.errors.front().code()));
+    if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
     return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
 }
 
@@ -42,7 +42,7 @@ Json envelope(const Invocation& invocation, Inputs& inputs, const Answer& answer
     if (!answer.errors.empty()) {
         result["error"] = toJson(answer.errors.front());
         // Why there is no answer is a note as well: scripts that collect notes find it beside the others.
-        if (kind(answer.errors.front().code()) == ErrorKind::NoAnswer) notes.push_back(result["error"]);
+        if (answer.errors.front().code().kind == ErrorKind::NoAnswer) notes.push_back(result["error"]);
     }
     if (answer.errors.size() > 1)
         for (const Error& error : answer.errors) result["errors"].push_back(toJson(error));

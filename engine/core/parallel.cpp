@@ -17,17 +17,22 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
     });
 }
 
+// Built in place: a copy of a global_control would take the limit back when the first of the two ends.
 struct ThreadLimit::Control {
+    explicit Control(std::size_t threads) : control(tbb::global_control::max_allowed_parallelism, threads) {}
     tbb::global_control control;
 };
 
 ThreadLimit::ThreadLimit(int threads)
 {
-    if (threads > 0)
-        control_ = std::make_unique<Control>(
-            Control{tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))});
+    if (threads > 0) control_ = std::make_unique<Control>(static_cast<std::size_t>(threads));
 }
 
 ThreadLimit::~ThreadLimit() = default;
+
+std::size_t threadsAllowed()
+{
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
 
 }  // namespace lathelier

@@ -39,4 +39,7 @@ private:
     std::unique_ptr<Control> control_;
 };
 
+/// Threads that loops may use now.
+std::size_t threadsAllowed();
+
 }  // namespace lathelier

@@ -54,6 +54,44 @@ inline constexpr NoteCode noiseNotKnown{"noise_not_known", Severity::Info,
                                                 "Too few points to tell their noise from the form; state the "
                                                 "uncertainty of a point for an uncertainty of the result.")};
 
+inline constexpr NoteCode harmonicsLimited{
+    "harmonics_limited", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "Harmonics above {carried_upr} UPR are left out: the points, up to {spacing_deg}° apart, do not carry them.")};
+
+inline constexpr NoteCode harmonicsEstimated{
+    "harmonics_estimated", Severity::Info,
+    LT_TEXT("Engine",
+            "Harmonics above {determined_upr} UPR are estimates beside the gaps: up to {leakage_percent} % of one may "
+            "stand in another.")};
+
+inline constexpr NoteCode resolutionCounted{
+    "resolution_counted", Severity::Info,
+    LT_TEXT("Engine", "The values change in steps of {resolution_um} µm; the uncertainty counts them as step/√12.")};
+
+inline constexpr NoteCode noiseCorrelated{
+    "noise_correlated", Severity::Info,
+    LT_TEXT("Engine",
+            "The noise of neighbours moves together over about {points} points. Assumed: what no harmonic explains is "
+            "noise; the uncertainty allows for it.")};
+
+inline constexpr NoteCode spikesCounted{
+    "spikes_counted", Severity::Warning,
+    LT_TEXT("Engine",
+            "Single points that stand out of the profile: {count}, by up to {largest_um} µm. They count in RONt and in "
+            "its uncertainty; the outlier rule would leave them out.")};
+
+inline constexpr NoteCode twoPointIncomplete{
+    "two_point_incomplete", Severity::Info,
+    LT_TEXT("Engine", "No two-point size in {share_percent} % of the directions: a gap lies opposite.")};
+
+inline constexpr NoteCode nominalRadiusMatters{
+    "nominal_radius_matters", Severity::Warning,
+    LT_TEXT("Engine",
+            "The trace is {eccentricity_um} µm off centre: RONt depends on the radius of {radius_mm} mm it is laid on, "
+            "by up to {effect_um} µm, which the uncertainty counts. Centre the part better, or state its radius.")};
+
 inline constexpr NoteCode sizeNominal{
     "size_nominal", Severity::Info,
     LT_TEXT("Engine", "The profile holds deviations from a nominal radius: form is measured, size is not.")};

@@ -83,6 +83,46 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
               {"supported_upr", carriedStandardCutoff(sampling)}}});
 }
 
+/// Which harmonics there are, and which of them are estimates.
+void noteHarmonics(const RoundnessResult& result, const AngularSampling& sampling, Notes& notes)
+{
+    const auto asked = std::min<std::size_t>(mostHarmonics, sampling.different / 2);
+    const std::size_t found = result.harmonics.size();
+    const CarriedOrders carried = carriedOrders(sampling);
+    if (found < asked)
+        notes.push_back({notes::harmonicsLimited,
+                         {{"carried_upr", static_cast<std::int64_t>(found)},
+                          {"spacing_deg", std::round(sampling.largest_gap_rad / degree * 100) / 100}}});
+    if (sampling.gaps > 0 && static_cast<int>(found) > carried.determined)
+        notes.push_back({notes::harmonicsEstimated,
+                         {{"determined_upr", static_cast<std::int64_t>(carried.determined)},
+                          {"leakage_percent", std::round(1000 * carried.leakage) / 10}}});
+}
+
+/// What the uncertainty counts and assumes.
+void noteUncertainty(const RoundnessResult& result, const PointNoise& noise, Notes& notes)
+{
+    if (!std::isfinite(noise.sigma_um)) notes.push_back({notes::noiseNotKnown, {}});
+    if (noise.resolution_um > 0.2 * noise.sigma_um && !result.parameters.probe_uncertainty_um)
+        notes.push_back({notes::resolutionCounted, {{"resolution_um", noise.resolution_um}}});
+    const bool matters = result.RONt_expanded_uncertainty_um > 0.01 * headlineDeviation_um(result);
+    if (noise.correlation_points > 1.5 && matters)
+        notes.push_back(
+            {notes::noiseCorrelated, {{"points", static_cast<std::int64_t>(std::llround(noise.correlation_points))}}});
+    if (!noise.spikes_um.empty()) {
+        double largest_um = 0;
+        for (const double spike : noise.spikes_um) largest_um = std::max(largest_um, std::abs(spike));
+        notes.push_back({notes::spikesCounted,
+                         {{"count", static_cast<std::int64_t>(noise.spikes_um.size())},
+                          {"largest_um", std::round(100 * largest_um) / 100}}});
+    }
+    if (result.two_point.without_opposite > 0)
+        notes.push_back({notes::twoPointIncomplete,
+                         {{"share_percent", std::round(1000.0 * static_cast<double>(result.two_point.without_opposite) /
+                                                       static_cast<double>(result.evaluated_index.size())) /
+                                                10}}});
+}
+
 void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, Notes& notes)
 {
     if (!circles.MZCI.unique) notes.push_back({notes::minimumZoneNotUnique, {}});
@@ -142,10 +182,17 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.paper = paperValues(prepared);
     result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.45, 0.7));
 
-    result.point_noise_um = parameters.probe_uncertainty_um.value_or(pointNoise_um(prepared));
+    const PointNoise noise = estimateNoise(prepared, result.harmonics, resolutionOf(profile),
+                                           parameters.probe_uncertainty_um, progress.part(0.7, 0.75));
+    result.point_noise_um = noise.sigma_um;
+    result.resolution_um = noise.resolution_um;
+    result.noise_correlation_points = noise.correlation_points;
+    result.harmonic_floor_um = noise.floor_um;
+    const double nominal_um = nominalRadiusEffect_um(profile, prepared);
     result.RONt_expanded_uncertainty_um =
-        expandedUncertainty_um(prepared, evaluated.points_mm, result.harmonics, band, parameters.circle,
-                               circles.of(parameters.circle), result.point_noise_um, progress.part(0.7, 1));
+        std::hypot(expandedUncertainty_um(prepared, noise, band, parameters.circle, circles.of(parameters.circle),
+                                          progress.part(0.75, 1)),
+                   nominal_um);
     result.hints = roundnessHints(result);
     if (parameters.tolerance_um)
         result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
@@ -153,7 +200,13 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
 
     noteSampling(profile, prepared, band, result.notes);
     noteCircles(result.circles, options, result.notes);
-    if (!std::isfinite(result.point_noise_um)) result.notes.push_back({notes::noiseNotKnown, {}});
+    noteHarmonics(result, prepared.sampling, result.notes);
+    noteUncertainty(result, noise, result.notes);
+    if (nominal_um > std::max(0.05, 0.02 * headlineDeviation_um(result)))
+        result.notes.push_back({notes::nominalRadiusMatters,
+                                {{"eccentricity_um", std::round(10000 * prepared.centre_mm.norm()) / 10},
+                                 {"radius_mm", prepared.radius_mm},
+                                 {"effect_um", std::round(100 * nominal_um) / 100}}});
     result.evaluated_mm = std::move(evaluated.points_mm);
     progress.report(1);
     return result;

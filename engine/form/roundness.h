@@ -46,6 +46,7 @@ struct TwoPointSize {
     double half_range_um = 0;  ///< half of it: ovality as GOST 24642-81 has it
     double largest_mm = 0, smallest_mm = 0;
     double caliper_largest_mm = 0, caliper_smallest_mm = 0;  ///< width between parallel jaws
+    std::size_t without_opposite = 0;                        ///< points opposite to a gap: no size through them
 };
 
 /// RONt by one circle, filter and outlier rule: how much of the verdict is the method?
@@ -87,18 +88,22 @@ struct RoundnessResult {
     std::vector<MethodRow> methods;
     std::vector<RoundnessHint> hints;
     PaperValues paper;
-    /// k = 2 (95 %), of RONt about `parameters.circle`: twice the root mean square by which noise of `point_noise_um`
-    /// on the points changes it, filtered as they were (Monte Carlo). NaN when that noise is not known.
+    /// 95 %, of RONt about `parameters.circle`: by how much noise as found on the points changes it, filtered as they
+    /// were (Monte Carlo), and what the nominal radius may do. NaN when that noise is not known.
     double RONt_expanded_uncertainty_um = 0;
-    double point_noise_um = 0;           ///< standard deviation of a point: given, or found in the profile
-    std::optional<FormVerdict> verdict;  ///< with a tolerance
+    double point_noise_um = 0;              ///< standard deviation of a point: given, or found in the profile
+    double resolution_um = 0;               ///< step of the measured values; 0: none found
+    double noise_correlation_points = 1;    ///< neighbours whose noise moves together; 1: independent
+    std::vector<double> harmonic_floor_um;  ///< by harmonic: the amplitude that noise alone exceeds once in 3000
+    std::optional<FormVerdict> verdict;     ///< with a tolerance
     Notes notes;
 };
 
 /// Evaluates `profile` about its fitted centres, wherever the origin is. Deterministic. Without a filter the circles
 /// are those of the given points, untouched. Notes: undersampled, gapsInProfile, partialArc, anglesUneven,
 /// duplicatePoints, outliersRemoved, sectorsExcluded, minimumZoneNotUnique, inscribedNotUnique, certificateOpen,
-/// noiseNotKnown, sizeNominal. Errors as fitCircles(); valueNotUnderstood. Throws Cancelled.
+/// noiseNotKnown, sizeNominal, nominalRadiusMatters, harmonicsLimited, harmonicsEstimated, resolutionCounted,
+/// noiseCorrelated, spikesCounted, twoPointIncomplete. Errors as fitCircles(); valueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
                           const Progress& progress = {});
 

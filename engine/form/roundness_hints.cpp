@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/form/roundness_uncertainty.h"
-
 namespace lathelier {
 namespace {
 
@@ -36,11 +34,10 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
     for (const Harmonic& h : result.harmonics)
         if (h.upr >= 2) variance += h.amplitude * h.amplitude / 2;
     std::vector<RoundnessHint> hints;
-    const double floor_um =
-        noiseFloor_um(result.point_noise_um, std::max<std::size_t>(1, result.evaluated_index.size()));
-    for (const Harmonic& h : result.harmonics) {
+    for (std::size_t k = 0; k < result.harmonics.size(); ++k) {
+        const Harmonic& h = result.harmonics[k];
         const double share = variance > 0 ? 100 * h.amplitude * h.amplitude / 2 / variance : 0;
-        if (h.upr >= 2 && share >= leastShare_percent && h.amplitude > floor_um)
+        if (h.upr >= 2 && share >= leastShare_percent && h.amplitude > result.harmonic_floor_um[k])
             hints.push_back({h.upr, h.amplitude, share, usualCause(h.upr)});
     }
     std::stable_sort(hints.begin(), hints.end(),

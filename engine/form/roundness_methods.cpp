@@ -37,7 +37,10 @@ std::vector<ProfileBand> bandsFor(const AngularSampling& sampling, const Profile
 
 double carriedCutoff(const AngularSampling& sampling)
 {
-    return pointsPerTurn(sampling) / samplesPerCutoff * rounding;
+    // Where the spacing varies smoothly, the widest has to carry the wave as well; beside gaps there is a note.
+    const bool even = sampling.displacement <= AngularSampling::nearlyEven || sampling.gaps > 0;
+    const double spacing_rad = even ? sampling.median_spacing_rad : sampling.largest_regular_rad;
+    return 2 * std::numbers::pi / spacing_rad / samplesPerCutoff * rounding;
 }
 
 double carriedStandardCutoff(const AngularSampling& sampling)

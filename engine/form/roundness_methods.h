@@ -8,7 +8,8 @@ namespace lathelier {
 /// Cut-offs of ISO 12181-2, in undulations per revolution.
 inline constexpr std::array<double, 5> standardCutoffs{15, 50, 150, 500, 1500};
 
-/// The largest cut-off that the spacing of the points carries: samplesPerCutoff points a wave.
+/// The largest cut-off that the spacing of the points carries: samplesPerCutoff points a wave, everywhere where the
+/// spacing varies.
 double carriedCutoff(const AngularSampling& sampling);
 
 /// The largest standard one among them, 0 when there is none.

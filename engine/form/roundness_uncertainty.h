@@ -2,23 +2,20 @@
 // Source: JCGM 101 (propagation of distributions by Monte Carlo).
 #pragma once
 
-#include "engine/form/prepared_profile.h"
+#include "engine/form/point_noise.h"
 
 namespace lathelier {
 
-/// Standard deviation of a point from the third differences of its neighbours, which form of few waves hardly moves;
-/// robust against outliers and steps. NaN for fewer than 32 points.
-double pointNoise_um(const PreparedProfile& prepared);
+/// Half-width of the interval about RONt that holds the value without noise in 95 of 100 measurements. Noise of the
+/// kind found (its spectrum, its spikes) is laid on the form without noise and filtered as the points were; extremes of
+/// noise always add to RONt, so the changes have a mean, which counts, and a spread, which holds that of the noise's
+/// own estimate too. The fits of the draws are linear about the circle found, which is exact to the square of the noise
+/// over the radius. NaN when the noise is not known. Deterministic.
+double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band,
+                              ReferenceCircle which, const FittedCircle& circle, const Progress& progress);
 
-/// Amplitude that noise of the points alone hardly gives a harmonic (once in 3000).
-double noiseFloor_um(double noise_um, std::size_t points);
-
-/// Twice the root mean square by which noise of `noise_um` on the points, filtered as they were, changes RONt of the
-/// form without noise (its harmonics that stand out): spread and the excess that extremes of noise always add. The fits
-/// of the draws are linear about the circle found, which is exact to the square of the noise over the radius.
-/// `harmonics` in µm about prepared.centre_mm. Deterministic.
-double expandedUncertainty_um(const PreparedProfile& prepared, const std::vector<Eigen::Vector2d>& evaluated_mm,
-                              const std::vector<Harmonic>& harmonics, const ProfileBand& band, ReferenceCircle which,
-                              const FittedCircle& circle, double noise_um, const Progress& progress);
+/// What an error of the nominal radius can do to RONt of deviations laid on it: a circle off by e is bent by e²/4R at
+/// 2 UPR, peak to valley twice that. 0 for profiles whose size is measured.
+double nominalRadiusEffect_um(const Profile& profile, const PreparedProfile& prepared);
 
 }  // namespace lathelier

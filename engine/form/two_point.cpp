@@ -50,25 +50,37 @@ TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const AngularSamp
     for (const Vector2d& point : points_mm) distance.push_back((point - centre_mm).norm());
     const ClosedInterpolation profile(sampling, distance);
     TwoPointSize result;
-    const CaliperWidth sizes = parallelReduce(
-        distance.size(), 8192, progress, CaliperWidth{nan, nan},
+    struct Sizes {
+        double largest_mm = nan, smallest_mm = nan;
+        std::size_t missing = 0;
+    };
+    const Sizes sizes = parallelReduce(
+        distance.size(), 8192, progress, Sizes(),
         [&](std::size_t begin, std::size_t end) {
-            CaliperWidth part{nan, nan};
+            Sizes part;
             for (std::size_t i = begin; i < end; ++i) {
                 const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi);
                 part.largest_mm = std::fmax(part.largest_mm, size);
                 part.smallest_mm = std::fmin(part.smallest_mm, size);
+                part.missing += std::isnan(size);
             }
             return part;
         },
-        [](const CaliperWidth& all, const CaliperWidth& part) {
-            return CaliperWidth{std::fmax(all.largest_mm, part.largest_mm),
-                                std::fmin(all.smallest_mm, part.smallest_mm)};
+        [](const Sizes& all, const Sizes& part) {
+            return Sizes{std::fmax(all.largest_mm, part.largest_mm), std::fmin(all.smallest_mm, part.smallest_mm),
+                         all.missing + part.missing};
         });
-    result.largest_mm = sizes.largest_mm;
-    result.smallest_mm = sizes.smallest_mm;
-    result.range_um = 1000 * (sizes.largest_mm - sizes.smallest_mm);
+    // Interpolation of noise may go a little beyond it; sizes of the points themselves cannot.
+    const auto [nearest, farthest] = std::minmax_element(distance.begin(), distance.end());
+    if (std::isfinite(sizes.largest_mm)) {
+        result.largest_mm = std::min(sizes.largest_mm, 2 * *farthest);
+        result.smallest_mm = std::max(sizes.smallest_mm, 2 * *nearest);
+    } else {
+        result.largest_mm = result.smallest_mm = nan;
+    }
+    result.range_um = 1000 * (result.largest_mm - result.smallest_mm);
     result.half_range_um = result.range_um / 2;
+    result.without_opposite = sizes.missing;
     const CaliperWidth width = caliperWidth(points_mm);
     result.caliper_largest_mm = width.largest_mm;
     result.caliper_smallest_mm = width.smallest_mm;

@@ -9,7 +9,8 @@
 namespace lathelier {
 
 /// `points_mm` in order of angle about `centre_mm`, with those angles (ascending). Where no point lies opposite, the
-/// profile is interpolated between its neighbours (cubic); across gaps there is no size.
+/// profile is interpolated between its neighbours, never beyond its extremes, so that the range is at most
+/// 2 · RONt(LSCI); across gaps there is no size.
 TwoPointSize twoPointSize(std::span<const Eigen::Vector2d> points_mm, const AngularSampling& sampling,
                           const Eigen::Vector2d& centre_mm, const Progress& progress = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -12,17 +13,21 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Evenly spaced but for rounding: the filter by index is then exact.
-bool isUniform(const std::vector<double>& angle)
+constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the weights bound the condition
+constexpr double mostLeakage = 0.1;
+
+/// Largest distance of ascending different angles from evenly spaced ones, in their spacing.
+double displacementOf(const std::vector<double>& angle)
 {
     const auto n = static_cast<double>(angle.size());
     const double step = turn / n;
-    double sum = 0;
-    for (std::size_t i = 0; i < angle.size(); ++i) sum += angle[i] - static_cast<double>(i) * step;
-    const double start = sum / n;
-    for (std::size_t i = 0; i < angle.size(); ++i)
-        if (std::abs(angle[i] - start - static_cast<double>(i) * step) > 1e-6 * step) return false;
-    return true;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t i = 0; i < angle.size(); ++i) {
+        const double off = angle[i] - static_cast<double>(i) * step;
+        least = std::min(least, off);
+        most = std::max(most, off);
+    }
+    return (most - least) / (2 * step);
 }
 
 }  // namespace
@@ -39,25 +44,34 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
                      [&](std::size_t a, std::size_t b) { return wrapped[a] < wrapped[b]; });
     result.angle_rad = inOrder(result, wrapped);
 
-    std::vector<double> spacing(n), different;
+    std::vector<double> spacing(n), different, place;
     for (std::size_t i = 0; i < n; ++i) {
         const double next = i + 1 < n ? result.angle_rad[i + 1] : result.angle_rad[0] + turn;
         spacing[i] = next - result.angle_rad[i];
-        if (spacing[i] > 1e-9 * turn / static_cast<double>(n)) different.push_back(spacing[i]);
+        if (spacing[i] <= 1e-9 * turn / static_cast<double>(n)) continue;
+        different.push_back(spacing[i]);
+        place.push_back(result.angle_rad[i]);
     }
     result.different = different.size();
     result.largest_gap_rad = *std::max_element(spacing.begin(), spacing.end());
     result.median_spacing_rad = median(different);
     const double gap = AngularSampling::gapFactor * result.median_spacing_rad;
-    result.gaps =
-        static_cast<std::size_t>(std::count_if(spacing.begin(), spacing.end(), [&](double s) { return s > gap; }));
-    // A point near 2π that belongs before the first would spoil the comparison with even steps.
-    std::vector<double> cut = result.angle_rad;
-    if (n > 1 && spacing.back() < 0.5 * turn / static_cast<double>(n)) {
-        cut.insert(cut.begin(), cut.back() - turn);
-        cut.pop_back();
+    for (const double s : different) {
+        if (s > gap) {
+            ++result.gaps;
+            result.missing_rad += s - result.median_spacing_rad;
+        } else {
+            result.largest_regular_rad = std::max(result.largest_regular_rad, s);
+        }
     }
-    result.uniform = result.different == n && isUniform(cut);
+    // A point near 2π that belongs before the first would spoil the comparison with even steps.
+    if (place.size() > 1 && different.back() < 0.5 * turn / static_cast<double>(place.size())) {
+        place.insert(place.begin(), place.back() - turn);
+        place.pop_back();
+    }
+    result.displacement = displacementOf(place);
+    result.uniform = result.different == n && result.displacement < 1e-6;
+    if (result.uniform) result.displacement = 0;
 
     const double widest = 3 * result.median_spacing_rad;
     result.weight.resize(n);
@@ -65,6 +79,23 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
         const double before = spacing[(i + n - 1) % n], after = spacing[i];
         result.weight[i] = (std::min(before, widest) + std::min(after, widest)) / (2 * turn);
     }
+    return result;
+}
+
+CarriedOrders carriedOrders(const AngularSampling& sampling)
+{
+    CarriedOrders result;
+    const auto different = static_cast<int>(sampling.different);
+    const auto below = [&](double spacing_rad) {
+        return std::min((different - 1) / 2, static_cast<int>(shareOfSpacing * std::numbers::pi / spacing_rad));
+    };
+    result.determined = sampling.displacement <= AngularSampling::nearlyEven ? std::max(0, (different - 1) / 2)
+                                                                             : below(sampling.largest_gap_rad);
+    // Nearly even samples tell of their last order what they see of it.
+    result.estimated = sampling.displacement <= AngularSampling::nearlyEven ? different / 2 : result.determined;
+    result.leakage = sampling.missing_rad / (turn - sampling.missing_rad);
+    if (sampling.gaps > 0 && result.leakage <= mostLeakage)
+        result.estimated = std::max(result.determined, below(sampling.largest_regular_rad));
     return result;
 }
 

@@ -118,10 +118,16 @@ FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<doubl
     if (sampling.uniform) return {filterClosed(values, band)};
     const double mean = meanOf(values);
     for (double& value : values) value -= mean;
+    const std::vector<double> given = values;
+    const auto [least, greatest] = std::minmax_element(given.begin(), given.end());
     std::optional<std::vector<double>> series = bandBySeries(sampling, values, band, progress);
     FilteredValues result;
     result.way = series ? FilterWay::Series : FilterWay::Regression;
     result.values = series ? std::move(*series) : bandByRegression(sampling, std::move(values), band, progress);
+    if (!band.low_upr) {
+        // A long-wave pass is a mean of neighbours: where a fit beside a gap or a corner goes beyond them all, it ends.
+        for (double& value : result.values) value = std::clamp(value, *least, *greatest);
+    }
     for (double& value : result.values) value += mean;
     return result;
 }

@@ -9,6 +9,7 @@ namespace lathelier {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
+constexpr double evenEnough = 2;  ///< largest over smallest spacing that a cubic through four points takes
 
 }  // namespace
 
@@ -27,17 +28,43 @@ double ClosedInterpolation::operator()(double angle_rad) const
     if (angle - angleAt(right - 1) <= near) return valueAt(right - 1);
     if (angleAt(right) - angle <= near) return valueAt(right);
     if (angleAt(right) - angleAt(right - 1) > widest_) return std::numeric_limits<double>::quiet_NaN();
-    const bool cubic = n >= 5 && isRegular(right - 2) && isRegular(right - 1) && isRegular(right);
-    const std::ptrdiff_t first = right - (cubic ? 2 : 1);
-    const std::ptrdiff_t last = right + (cubic ? 1 : 0);
+    const std::ptrdiff_t left = right - 1;
+    const auto [narrowest, broadest] = std::minmax({spacingAt(left - 1), spacingAt(left), spacingAt(left + 1)});
+    if (n < 5 || broadest > widest_) {
+        const double share = (angle - angleAt(left)) / spacingAt(left);
+        return (1 - share) * valueAt(left) + share * valueAt(right);
+    }
+    return broadest <= evenEnough * narrowest ? throughFour(left - 1, angle) : monotone(left, angle);
+}
+
+double ClosedInterpolation::throughFour(std::ptrdiff_t first, double angle) const
+{
     double sum = 0;
-    for (std::ptrdiff_t i = first; i <= last; ++i) {
+    for (std::ptrdiff_t i = first; i < first + 4; ++i) {
         double weight = 1;  // Lagrange
-        for (std::ptrdiff_t j = first; j <= last; ++j)
+        for (std::ptrdiff_t j = first; j < first + 4; ++j)
             if (j != i) weight *= (angle - angleAt(j)) / (angleAt(i) - angleAt(j));
         sum += weight * valueAt(i);
     }
     return sum;
+}
+
+double ClosedInterpolation::slopeAt(std::ptrdiff_t i) const
+{
+    const double before = spacingAt(i - 1), after = spacingAt(i);
+    if (!(before > 0) || !(after > 0)) return 0;  // two points at one angle
+    const double rise = (valueAt(i) - valueAt(i - 1)) / before, next = (valueAt(i + 1) - valueAt(i)) / after;
+    if (rise * next <= 0) return 0;
+    const double w = 2 * after + before, v = after + 2 * before;
+    return (w + v) / (w / rise + v / next);
+}
+
+double ClosedInterpolation::monotone(std::ptrdiff_t left, double angle) const
+{
+    const double width = spacingAt(left), s = (angle - angleAt(left)) / width;
+    const double a = valueAt(left), b = valueAt(left + 1);
+    return (1 + 2 * s) * (1 - s) * (1 - s) * a + s * s * (3 - 2 * s) * b +
+           width * s * (1 - s) * ((1 - s) * slopeAt(left) - s * slopeAt(left + 1));
 }
 
 std::size_t ClosedInterpolation::wrapped(std::ptrdiff_t i) const
@@ -51,12 +78,6 @@ double ClosedInterpolation::angleAt(std::ptrdiff_t i) const
     const auto n = static_cast<std::ptrdiff_t>(angle_.size());
     const double turns = i < 0 ? -1 : i >= n ? 1 : 0;
     return angle_[wrapped(i)] + turn * turns;
-}
-
-bool ClosedInterpolation::isRegular(std::ptrdiff_t left) const
-{
-    const double spacing = angleAt(left + 1) - angleAt(left);
-    return spacing <= widest_ && spacing >= 0.01 * widest_;
 }
 
 }  // namespace lathelier

@@ -38,8 +38,9 @@ struct Harmonic {
 /// part that they see.
 std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit);
 
-/// The same for any angles (with gaps, duplicates, any order), by least squares. Orders that gaps leave undetermined
-/// are estimated from what the lower ones do not explain; with a third of the turn missing there are none.
+/// The same for any angles (with gaps, duplicates, any order), by least squares, up to what the sampling carries
+/// (carriedOrders()). Orders that small gaps leave undetermined are estimated from what the lower ones do not explain,
+/// those of an uneven or interrupted sampling left out; with a third of the turn missing there are none.
 std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit);
 
 /// The same for values in the order of a sampling.

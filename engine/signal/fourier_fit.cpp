@@ -1,8 +1,8 @@
 #include "engine/signal/fourier_fit.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "engine/signal/fourier.h"
@@ -14,10 +14,10 @@ namespace {
 using Complex = std::complex<double>;
 using Coefficients = std::vector<Complex>;
 
-constexpr int mostIterations = 80;    ///< more says that the orders are not determined
-constexpr double goal = 1e-13;        ///< of the right-hand side
-constexpr double sufficient = 1e-10;  ///< where rounding stops it
-constexpr double share_of_gap = 0.9;  ///< order × largest gap / π: below 1 the weights bound the condition
+constexpr int mostIterations = 80;     ///< more says that the orders are not determined
+constexpr double goal = 1e-13;         ///< of the right-hand side
+constexpr double sufficient = 1e-10;   ///< where rounding stops it
+constexpr double worstCondition = 30;  ///< largest over smallest eigenvalue; noise grows by no more than its root
 
 /// The inner product of two real functions given by their coefficients.
 double dot(const Coefficients& a, const Coefficients& b)
@@ -59,11 +59,29 @@ private:
     std::vector<double> weight_;
 };
 
+/// Condition of the normal matrix as the conjugate gradients have met it: their steps and turns are the entries of
+/// Lanczos' tridiagonal matrix, whose extreme eigenvalues are those of the normal matrix.
+double conditionOf(const std::vector<double>& step, const std::vector<double>& turn)
+{
+    const auto n = static_cast<Eigen::Index>(step.size());
+    Eigen::VectorXd diagonal(n), beside(std::max<Eigen::Index>(0, n - 1));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        diagonal[i] = 1 / step[k] + (i > 0 ? turn[k - 1] / step[k - 1] : 0);
+        if (i + 1 < n) beside[i] = std::sqrt(turn[k]) / step[k];
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[n - 1] / std::max(solver.eigenvalues()[0], 1e-300);
+}
+
+/// Nothing when the orders are not determined.
 std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients& right, const Progress& progress)
 {
     Coefficients solution(right.size()), residual = right, direction = right;
     const double start = dot(right, right);
     double squared = start;
+    std::vector<double> steps, turns;
     for (int i = 0; i < mostIterations && squared > goal * goal * start; ++i) {
         progress.check();
         const Coefficients image = matrix * direction;
@@ -76,9 +94,12 @@ std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients
         }
         const double next = dot(residual, residual);
         for (std::size_t k = 0; k < right.size(); ++k) direction[k] = residual[k] + (next / squared) * direction[k];
+        steps.push_back(step);
+        turns.push_back(next / squared);
         squared = next;
     }
     if (squared > sufficient * sufficient * start) return std::nullopt;
+    if (!steps.empty() && conditionOf(steps, turns) > worstCondition) return std::nullopt;
     return solution;
 }
 
@@ -87,13 +108,7 @@ std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients
 Coefficients fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit,
                         const Progress& progress)
 {
-    const auto different = static_cast<int>(sampling.different);
-    int order = std::max(0, std::min(limit, (different - 1) / 2));
-    // Nearly even samples carry all orders; gaps carry those whose half wave is longer than the gap.
-    const double even = 2 * std::numbers::pi / std::max(1, different);
-    if (sampling.largest_gap_rad > 1.5 * even)
-        order = std::min(order, static_cast<int>(share_of_gap * std::numbers::pi / sampling.largest_gap_rad));
-
+    int order = std::max(0, std::min(limit, carriedOrders(sampling).determined));
     std::vector<double> weighted(values.size());
     for (std::size_t j = 0; j < values.size(); ++j) weighted[j] = sampling.weight[j] * values[j];
     const Coefficients weight_sums = fourierSums(sampling.angle_rad, sampling.weight, 2 * order, progress);

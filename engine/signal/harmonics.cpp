@@ -74,7 +74,6 @@ std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<d
 {
     std::vector<Harmonic> result;
     if (values.size() < 3) return result;
-    limit = std::min(limit, static_cast<int>(sampling.different / 2));
     if (sampling.uniform) {
         result = harmonicsUniform(values, limit);
         for (Harmonic& h : result)
@@ -88,7 +87,8 @@ std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<d
     for (double& value : values) value -= mean;
     const std::vector<Complex> fit = fitFourier(sampling, values, limit, progress);
     for (std::size_t k = 1; k < fit.size(); ++k) result.push_back(harmonic(static_cast<int>(k), fit[k]));
-    if (static_cast<int>(result.size()) == limit) return result;
+    limit = std::min(limit, carriedOrders(sampling).estimated);
+    if (static_cast<int>(result.size()) >= limit) return result;
 
     const std::vector<double> explained = fourierSeries(fit, sampling.angle_rad, progress);
     double total = 0;
@@ -99,11 +99,10 @@ std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<d
         total += sampling.weight[j];
     }
     const std::vector<Complex> sums = fourierSums(sampling.angle_rad, weighted, limit, progress);
-    for (int k = static_cast<int>(fit.size()); k <= limit; ++k) {
-        const bool last = 2 * static_cast<std::size_t>(k) == sampling.different;
-        result.push_back(last ? alternating(k, sampling, rest)
-                              : harmonic(k, sums[static_cast<std::size_t>(k)] / total));
-    }
+    for (int k = static_cast<int>(fit.size()); k <= limit; ++k)
+        result.push_back(2 * static_cast<std::size_t>(k) == sampling.different
+                             ? alternating(k, sampling, rest)
+                             : harmonic(k, sums[static_cast<std::size_t>(k)] / total));
     return result;
 }
 

@@ -44,6 +44,18 @@ std::optional<double> pointUncertainty_um(const TrajectorySection& section)
     return std::sqrt(squares / section.revolutions_used);
 }
 
+/// Noise, drift and hum of the mains have a mean curve too: it is form only when it stands out of them.
+void judgeForm(TrajectorySection& section)
+{
+    constexpr double byFar = 10;
+    const double deviation_um = headlineDeviation_um(section.roundness);
+    const ErrorMotion& motion = section.spindle;
+    const bool drowned = std::isfinite(motion.asynchronous_um) &&
+                         motion.asynchronous_um > byFar * std::max(motion.synchronous_um, deviation_um);
+    section.form_measured = !drowned && !(section.roundness.RONt_expanded_uncertainty_um >= deviation_um);
+    if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = FormVerdict::Undecided;
+}
+
 /// Image, run-out and roundness from the mean trajectories.
 void addImage(TrajectorySection& section, const TrajectoryParameters& parameters, double workpiece_diameter_mm,
               const Progress& progress)
@@ -65,6 +77,7 @@ void addImage(TrajectorySection& section, const TrajectoryParameters& parameters
     RoundnessParameters form = parameters.form;
     if (!form.probe_uncertainty_um) form.probe_uncertainty_um = pointUncertainty_um(section);
     section.roundness = roundness(section.image, form, progress);
+    judgeForm(section);
 }
 
 void keepRevolutions(TrajectorySection& section, const SectionSignals& signals)

@@ -117,6 +117,12 @@ inline constexpr NoteCode sizeReferenced{
     "size_referenced", Severity::Info,
     LT_TEXT("Engine", "The diameter of {diameter_mm} mm is nominal: form is measured, size is referenced to it.")};
 
+inline constexpr NoteCode formNotMeasured{
+    "form_not_measured", Severity::Warning,
+    LT_TEXT("Engine",
+            "Sections whose form is not measured: {count}. In section {section} RONt is {RONt_um} µm with an "
+            "uncertainty of {expanded_uncertainty_um} µm: noise, drift or hum, not form. They are not judged.")};
+
 inline constexpr NoteCode mandrelFloor{"mandrel_floor", Severity::Info,
                                        LT_TEXT("Engine",
                                                "Two probes cannot tell the mandrel's own form (up to {form_um} µm) "

@@ -108,6 +108,32 @@ void noteLargeDisplacements(const TrajectoryResult& result, const std::vector<Ta
         }
 }
 
+/// Says it once, with the numbers of the section that is worst off.
+void noteFormNotMeasured(TrajectoryResult& result)
+{
+    const TrajectorySection* worst = nullptr;
+    std::int64_t count = 0;
+    const auto share = [](const TrajectorySection& section) {
+        return headlineDeviation_um(section.roundness) / section.roundness.RONt_expanded_uncertainty_um;
+    };
+    for (const TrajectorySection& section : result.sections) {
+        if (section.form_measured) continue;
+        ++count;
+        if (!worst || share(section) < share(*worst)) worst = &section;
+    }
+    if (!worst) return;
+    const auto rounded = [](double value) {
+        return std::isfinite(value) ? Value(std::round(100 * value) / 100) : Value();
+    };
+    result.notes.push_back({notes::formNotMeasured,
+                            {{"count", count},
+                             {"section", std::int64_t{worst->section}},
+                             {"RONt_um", rounded(headlineDeviation_um(worst->roundness))},
+                             {"expanded_uncertainty_um", rounded(worst->roundness.RONt_expanded_uncertainty_um)},
+                             {"synchronous_um", rounded(worst->spindle.synchronous_um)},
+                             {"asynchronous_um", rounded(worst->spindle.asynchronous_um)}}});
+}
+
 std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<PreparedRecord>& prepared,
                        const TrajectoryParameters& parameters, Notes& notes, const Progress& progress)
 {
@@ -208,6 +234,7 @@ void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
               {"count", revolutions},
               {"revolutions", revolutions},
               {"samples", samples}}});
+    noteFormNotMeasured(result);
     noteLargeDisplacements(result, tasks, result.notes);
     result.notes.push_back({notes::sizeReferenced, {{"diameter_mm", result.workpiece_diameter_mm}}});
     result.notes.push_back({notes::mandrelFloor, {{"form_um", result.mandrel_form_um}}});

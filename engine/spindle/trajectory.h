@@ -77,9 +77,10 @@ struct TrajectorySection {
     std::vector<double> envelope_min_mm, envelope_max_mm;           ///< of the images of single revolutions
     std::vector<double> revolution_RONt_um;                         ///< RONt(LSCI) of each single revolution's image
     Profile image;                                                  ///< the geometric image, size nominal
-    double run_out_um = 0;  ///< max R_i - min R_i about the spindle axis: the paper's
-    RoundnessResult roundness;
-    ErrorMotion spindle;                      ///< of the sensitive direction (X3)
+    double run_out_um = 0;      ///< max R_i - min R_i about the spindle axis: the paper's
+    RoundnessResult roundness;  ///< its verdict is Undecided where the form is not measured
+    bool form_measured = true;  ///< false: RONt is no larger than its uncertainty, or asynchronous motion drowns it
+    ErrorMotion spindle;        ///< of the sensitive direction (X3)
     std::array<ErrorMotion, 4> error_motion;  ///< of every probe
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
 };
@@ -122,8 +123,8 @@ struct TrajectoryResult {
 /// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;
 /// valueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown, revolutionsRejected,
 /// fewerRevolutions, revolutionsIncomplete, speedDiffers, Channel…, displacementsLarge, motionOutliers, averagesOnly,
-/// zUnknown or tooFewSections (no longitudinal section), valueAssumed, sizeReferenced, mandrelFloor; those of
-/// roundness() once each. Throws Cancelled.
+/// formNotMeasured, zUnknown or tooFewSections (no longitudinal section), valueAssumed, sizeReferenced, mandrelFloor;
+/// those of roundness() once each. Throws Cancelled.
 TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});
 

@@ -48,6 +48,7 @@ Json toJson(const TrajectorySection& section)
     json["harmonics"] = toJson(section.roundness.harmonics);
     json["RONt_um"] = number(headlineDeviation_um(section.roundness));
     json["RONt_expanded_uncertainty_um"] = number(section.roundness.RONt_expanded_uncertainty_um);
+    json["form_measured"] = section.form_measured;
     json["verdict"] = verdict(section.roundness.verdict);
     json["spindle"] = motion(section.spindle);
     for (std::size_t probe = 0; probe < section.error_motion.size(); ++probe) {

@@ -10,12 +10,14 @@
 #include <string>
 #include <thread>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/core/texts.h"
+#include "engine/io/io_codes.h"
 
 namespace lathelier {
 namespace {
@@ -155,6 +157,7 @@ TEST(Parallel, SameBitsForAnyNumberOfThreads)
 {
     const auto sum = [](int threads) {
         const ThreadLimit limit(threads);
+        EXPECT_TRUE(threads == 0 || threadsAllowed() == static_cast<std::size_t>(threads));
         return parallelReduce(
             100000, 1000, {}, 0.0,
             [](std::size_t begin, std::size_t end) {

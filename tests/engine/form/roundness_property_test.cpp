@@ -131,6 +131,7 @@ TEST(RoundnessUncertainty, IsTheSameForAnyNumberOfThreads)
     double one = 0;
     {
         const ThreadLimit limit(1);
+        ASSERT_EQ(threadsAllowed(), 1u);
         one = roundness(profile, filtered()).RONt_expanded_uncertainty_um;
     }
     EXPECT_EQ(one, roundness(profile, filtered()).RONt_expanded_uncertainty_um);

@@ -121,6 +121,7 @@ TEST(Sample, SameBitsForOneAndTwoThreads)
     const Scan two = scanShaft(copiedShaft(), scanner);
     const Scan bracket = scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3);
     const ThreadLimit limit(1);
+    ASSERT_EQ(threadsAllowed(), 1u);
     EXPECT_EQ(two.points_mm, scanShaft(copiedShaft(), scanner).points_mm);
     EXPECT_EQ(bracket.points_mm, scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3).points_mm);
 }

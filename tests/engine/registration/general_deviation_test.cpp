@@ -217,6 +217,7 @@ TEST(SurfaceDeviation, IsTheSameForAnyNumberOfThreads)
     const auto many = bits(surfaceDeviation(bracket, copy.points_mm, 1).deviation_mm);
     const auto many_mesh = bits(surfaceDeviation(bracketMesh(), copy.points_mm, 1).deviation_mm);
     const ThreadLimit limit(1);
+    ASSERT_EQ(threadsAllowed(), 1u);
     EXPECT_EQ(many, bits(surfaceDeviation(bracket, copy.points_mm, 1).deviation_mm));
     EXPECT_EQ(many_mesh, bits(surfaceDeviation(bracketMesh(), copy.points_mm, 1).deviation_mm));
 }

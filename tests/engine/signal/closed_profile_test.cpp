@@ -201,6 +201,54 @@ TEST(Harmonics, UnevenAnglesToTheLastOrder)
     }
 }
 
+/// Density 1 + depth · cos θ, as a hand-turned table or a stretched time base leaves it.
+std::vector<double> denser(std::size_t n, double depth)
+{
+    std::vector<double> result;
+    for (const double share : evenAngles(n)) {
+        double a = share;
+        for (int i = 0; i < 60; ++i) a = share - depth * std::sin(a);
+        result.push_back(a);
+    }
+    return result;
+}
+
+TEST(Harmonics, SmoothlyUnevenAnglesCarryWhatTheWidestSpacingCarries)
+{
+    for (const double depth : {.2, .35, .5}) {
+        const std::vector<double> angle = denser(200, depth);
+        std::vector<double> values = wavesAt(angle, {{2, .004, 1}});
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += .0008 * randomNormal(8, 0, i);
+        const std::vector<Harmonic> found = harmonicsAt(angle, values, 500);
+        const AngularSampling sampling = sampleAngles(angle);
+        EXPECT_EQ(static_cast<int>(found.size()), carriedOrders(sampling).determined);
+        EXPECT_LT(found.size(), 100 * (1 - depth) + 1);
+        EXPECT_GT(found.size(), 75 * (1 - depth));
+        EXPECT_NEAR(found[1].amplitude, .004, .0003);
+        // White noise gives amplitudes of √(4σ²/n) each, here 0.11 µm; badly conditioned orders gave 114 µm.
+        for (const Harmonic& h : found) EXPECT_TRUE(h.upr == 2 || h.amplitude < .0006) << h.upr << " of " << depth;
+    }
+}
+
+TEST(GaussianFilter, NeverAddsToASquareHoweverItIsSampled)
+{
+    for (std::uint64_t seed = 0; seed < 40; ++seed)
+        for (const double cutoff : {15., 50., 150.}) {
+            std::vector<double> angle;
+            for (std::size_t i = 0; i < 200; ++i) angle.push_back(turn * randomUniform(seed, 3, i));
+            if (seed % 2) angle = denser(200, .02 * static_cast<double>(seed));
+            std::vector<double> values;
+            for (const double a : angle) {
+                const double side = std::remainder(a, turn / 4);
+                values.push_back(10 / std::cos(side));
+            }
+            const auto [low, high] = std::minmax_element(values.begin(), values.end());
+            const std::vector<double> filtered = filterClosedAt(angle, values, {{}, cutoff}).values;
+            const auto [least, most] = std::minmax_element(filtered.begin(), filtered.end());
+            EXPECT_LE(*most - *least, *high - *low) << seed << " " << cutoff;
+        }
+}
+
 TEST(Harmonics, BesideAKeywayTheLowOrdersAreExact)
 {
     std::vector<double> angle;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/spindle/spindle_codes.h"
 #include "engine/spindle/surface_image.h"
 #include "tests/engine/spindle/truth.h"
 
@@ -67,7 +68,7 @@ TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
     const TrajectoryResult result = trajectory({fileOf(record)});
     EXPECT_NEAR(result.sections[2].roundness.circles.LSCI.RONt_um, 0.2, 0.01);
     EXPECT_EQ(result.mandrel_form_um, 0.2);
-    EXPECT_TRUE(contains(result.notes, NoteCode::MandrelFloor));
+    EXPECT_TRUE(contains(result.notes, notes::mandrelFloor));
 }
 
 // Seen from the part the angle runs the other way (trap 6): the same form, a mirrored centre.

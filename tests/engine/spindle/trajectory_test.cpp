@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/random.h"
 #include "engine/project/sample_record.h"
 #include "engine/spindle/surface_image.h"
 #include "tests/engine/spindle/truth.h"
@@ -163,6 +166,7 @@ TEST(Trajectory, TheSameBitsForAnyNumberOfThreads)
     const std::vector<ProbeFile> records{fileOf(makeProbeRecord(sampleSpindle()))};
     const auto bits = [&](int threads) {
         const ThreadLimit limit(threads);
+        EXPECT_TRUE(threads == 0 || threadsAllowed() == static_cast<std::size_t>(threads));
         const TrajectoryResult result = trajectory(records);
         std::vector<double> numbers{result.longitudinal->taper_diameter_um, result.longitudinal->CYLt_MZCY_um};
         for (const TrajectorySection& s : result.sections) {
@@ -298,6 +302,47 @@ TEST(TimeSignals, PeaksSurviveTheThinning)
     TrajectoryParameters wrong;
     wrong.channels = "nonsense";
     EXPECT_EQ(timeSignals(record, wrong, 500)[0].signal, "");
+}
+
+/// A record with a good marker whose probes see `signal(time, sample, channel)` and no part.
+ProbeRecord recordOf(const std::function<double(double, std::size_t, std::size_t)>& signal_um)
+{
+    SpindleModel model = sampleSpindle();
+    model.sections = 1;
+    ProbeRecord record = makeProbeRecord(model);
+    record.header.erase(std::remove_if(record.header.begin(), record.header.end(),
+                                       [](const auto& entry) { return entry.first == "feed_mm_rev"; }),
+                        record.header.end());
+    for (std::size_t c = 1; c < record.channels.size(); ++c) {
+        record.channels[c].unit = ProbeChannel::Unit::Micrometre;
+        for (std::size_t i = 0; i < record.frames(); ++i)
+            record.channels[c].values[i] = signal_um(static_cast<double>(i) / model.rate_hz, i, c);
+    }
+    return record;
+}
+
+TEST(Trajectory, NoiseDriftAndHumAreNotJudgedAsForm)
+{
+    TrajectoryParameters parameters;
+    parameters.form.tolerance_um = 50;
+    const auto verdict = [&](const auto& signal) {
+        const TrajectoryResult result = trajectory({fileOf(recordOf(signal))}, parameters);
+        EXPECT_EQ(contains(result.notes, notes::formNotMeasured), !result.sections.front().form_measured);
+        return result.verdict;
+    };
+    EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
+              FormVerdict::Undecided);
+    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), FormVerdict::Undecided);
+    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 10 * std::sin(2 * kPi * 50 * t); }),
+              FormVerdict::Undecided);
+    // The same noise under a form of 20 µm is judged.
+    EXPECT_EQ(verdict([](double t, std::size_t i, std::size_t c) {
+                  return randomNormal(3, c, i) + (c == 1 ? 10 * std::cos(2 * 2 * kPi * 975 / 60 * t) : 0);
+              }),
+              FormVerdict::Pass);
+    parameters.form.tolerance_um = .5;  // and noise is not "out of tolerance" either
+    EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
+              FormVerdict::Undecided);
 }
 
 }  // namespace

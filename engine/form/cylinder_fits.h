@@ -34,7 +34,6 @@ struct MinimumZoneCylinder {
     AxisParameters axis = AxisParameters::Zero();
     double inner = 0, outer = 0;
     std::vector<std::size_t> contacts;
-    double noise_factor = 0;  ///< standard deviation of the width over that of a point (first order)
 };
 
 /// The narrowest zone between coaxial cylinders near `start`: the best local optimum from several starts.

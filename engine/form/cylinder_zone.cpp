@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "engine/core/random.h"
@@ -136,20 +135,13 @@ MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const Axis
     const CylinderPoints::Extremes e = points.extremes(best.place, progress);
     result.inner = e.nearest;
     result.outer = e.farthest;
-    std::map<std::size_t, double> outer, inner;
     for (const MinimaxStep<4>::Active& active : best.plan.active) {
         if (!(active.weight > 1e-9) || !active.isPiece()) continue;
-        outer[problem.working(active.outer)] += active.weight;
-        inner[problem.working(active.inner)] += active.weight;
+        for (const std::size_t contact : {active.outer, active.inner})
+            result.contacts.push_back(problem.working(contact));
     }
-    double squares = 0;
-    for (const auto& contacts : {outer, inner})
-        for (const auto& [index, weight] : contacts) {
-            result.contacts.push_back(index);
-            squares += weight * weight;
-        }
     std::sort(result.contacts.begin(), result.contacts.end());
-    result.noise_factor = std::sqrt(squares);
+    result.contacts.erase(std::unique(result.contacts.begin(), result.contacts.end()), result.contacts.end());
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/form/cylinder_fits.h"
 #include "engine/form/cylinder_sections.h"
+#include "engine/form/cylinder_uncertainty.h"
 
 namespace lathelier {
 namespace {
@@ -83,7 +84,10 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
     const MinimumZoneCylinder zone = minimumZoneCylinder(points, fit.axis, progress.part(0.3, 0.9));
     result.MZCY = toResult(points, zone);
     if (parameters.probe_uncertainty_um)
-        result.CYLt_expanded_uncertainty_um = 2 * *parameters.probe_uncertainty_um * zone.noise_factor;
+        result.CYLt_expanded_uncertainty_um =
+            points.scale_mm() * um_per_mm *
+            expandedUncertaintyOfWidth(points, fit, *parameters.probe_uncertainty_um / um_per_mm / points.scale_mm(),
+                                       progress.part(0.9, 1));
     if (parameters.tolerance_um)
         result.verdict = judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um, parameters);
 

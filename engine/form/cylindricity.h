@@ -45,7 +45,7 @@ struct CylindricityResult {
                                                                              ///< points lie in sections z = const
     std::size_t sections = 0;  ///< planes z = const (or x, y: the axis' dominant coordinate) that the points lie in
     double length_mm = 0;      ///< of the points along the axis
-    double CYLt_expanded_uncertainty_um = std::numeric_limits<double>::quiet_NaN();  ///< k = 2, of MZCY, to first order
+    double CYLt_expanded_uncertainty_um = std::numeric_limits<double>::quiet_NaN();  ///< 95 %, of MZCY: Monte Carlo
     std::optional<FormVerdict> verdict;
     Notes notes;
 };

@@ -9,6 +9,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/form/drawn_changes.h"
 #include "engine/form/linear_minimax.h"
 #include "engine/signal/fourier.h"
 
@@ -19,8 +20,6 @@ using Eigen::Vector2d;
 
 constexpr std::uint64_t seed = 12181;  ///< any; always the same
 constexpr double reach_sigma = 12;     ///< points further inside the zone than this touch it in no draw
-/// Of the draws, so that 95 of 100 remain when the form they are laid on is itself an estimate.
-constexpr double coverage = 0.975;
 
 /// So many draws that the work stays about the same.
 std::size_t drawsFor(std::size_t points)
@@ -122,37 +121,6 @@ private:
     FourierTransform transform_;
     std::vector<double> amplitude_mm_, transmission_;
 };
-
-/// Half-width about 0 that holds the `coverage` of a normal distribution.
-double halfWidth(double mean, double deviation)
-{
-    const auto inside = [&](double half) {
-        const auto below = [&](double x) { return 0.5 * std::erfc((mean - x) / (deviation * std::numbers::sqrt2)); };
-        return below(half) - below(-half);
-    };
-    double low = 0, high = std::abs(mean) + 6 * deviation;
-    if (!(deviation > 0)) return high;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        (inside(middle) < coverage ? low : high) = middle;
-    }
-    return high;
-}
-
-/// Half-width about 0 that holds the `coverage` of the changes: by their mean and spread, with that of the noise's own
-/// estimate; or, where it is wider, as counted, which spikes need.
-double coverageHalfWidth(std::vector<double> changes, double relative_u)
-{
-    const auto n = static_cast<double>(changes.size());
-    double mean = 0, squares = 0;
-    for (const double change : changes) mean += change / n;
-    for (const double change : changes) squares += (change - mean) * (change - mean) / (n - 1);
-    const double normal = halfWidth(mean, std::hypot(std::sqrt(squares), relative_u * mean));
-    for (double& change : changes) change = std::abs(change);
-    const auto place = changes.begin() + static_cast<std::ptrdiff_t>(coverage * (n - 1));
-    std::nth_element(changes.begin(), place, changes.end());
-    return std::max(normal, *place);
-}
 
 /// The zone about the circle found, linear in the step of the centre.
 struct Zone {

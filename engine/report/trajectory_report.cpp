@@ -1,5 +1,6 @@
 #include "engine/report/trajectory_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/io/io_codes.h"
@@ -178,13 +179,16 @@ Headline headline(const TrajectoryResult& result, const Language& language)
         add(barrel_um < 0 ? LT_TEXT("Engine", " · saddle {size} µm") : LT_TEXT("Engine", " · barrel {size} µm"),
             {{"size", fixed(std::abs(barrel_um), 1, language)}});
     }
+    const bool unmeasured = std::any_of(result.sections.begin(), result.sections.end(),
+                                        [](const TrajectorySection& each) { return !each.form_measured; });
+    if (unmeasured) add(LT_TEXT("Engine", " · form not measured"), {});
     if (result.verdict) {
         const Values values{{"tolerance", *result.parameters.form.tolerance_um}};
         switch (*result.verdict) {
             case FormVerdict::Pass: add(LT_TEXT("Engine", " · within {tolerance} µm"), values); break;
             case FormVerdict::Fail: add(LT_TEXT("Engine", " · above {tolerance} µm"), values); break;
             case FormVerdict::Undecided:
-                add(LT_TEXT("Engine", " · not decided: too near to {tolerance} µm"), values);
+                if (!unmeasured) add(LT_TEXT("Engine", " · not decided: too near to {tolerance} µm"), values);
                 break;
         }
         if (*result.verdict != FormVerdict::Undecided) answer.verdict = *result.verdict == FormVerdict::Pass;

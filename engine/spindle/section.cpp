@@ -24,6 +24,48 @@ const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
     return section.probes[index(probe)].mean_um;
 }
 
+/// Mean square scatter of one probe at an angle, over the revolutions. The mean of each revolution is its size, which
+/// drifts, and no form: it is taken out where the single revolutions are known.
+std::optional<double> scatterSquared_um2(const TrajectorySection& section, Probe probe)
+{
+    double sum = 0;
+    std::size_t count = 0;
+    const auto& revolutions = section.revolutions_um[index(probe)];
+    if (revolutions.size() >= 2) {
+        std::vector<double> level;
+        for (const std::vector<float>& revolution : revolutions) {
+            double mean = 0, known = 0;
+            for (const float value : revolution)
+                if (std::isfinite(value)) {
+                    mean += value;
+                    ++known;
+                }
+            level.push_back(known > 0 ? mean / known : 0);
+        }
+        for (std::size_t i = 0; i < revolutions.front().size(); ++i) {
+            double mean = 0, squares = 0, known = 0;
+            for (std::size_t k = 0; k < revolutions.size(); ++k) {
+                const double value = revolutions[k][i] - level[k];
+                if (!std::isfinite(value)) continue;
+                mean += value;
+                squares += value * value;
+                ++known;
+            }
+            if (known < 2) continue;
+            sum += (squares - mean * mean / known) / (known - 1);
+            ++count;
+        }
+    } else {
+        for (const double deviation : section.probes[index(probe)].std_um) {
+            if (!std::isfinite(deviation)) continue;
+            sum += deviation * deviation;
+            ++count;
+        }
+    }
+    if (count == 0) return std::nullopt;
+    return std::max(0.0, sum) / static_cast<double>(count);
+}
+
 /// Standard deviation of an image point: that of the means of X3 and Xp, which make the radius; nothing without
 /// standard deviations.
 std::optional<double> pointUncertainty_um(const TrajectorySection& section)
@@ -31,28 +73,27 @@ std::optional<double> pointUncertainty_um(const TrajectorySection& section)
     if (section.revolutions_used < 2) return std::nullopt;
     double squares = 0;
     for (const Probe probe : {Probe::X3, Probe::Xp}) {
-        double sum = 0;
-        std::size_t count = 0;
-        for (const double deviation : section.probes[index(probe)].std_um) {
-            if (!std::isfinite(deviation)) continue;
-            sum += deviation * deviation;
-            ++count;
-        }
-        if (count == 0) return std::nullopt;
-        squares += sum / static_cast<double>(count);
+        const std::optional<double> scatter = scatterSquared_um2(section, probe);
+        if (!scatter) return std::nullopt;
+        squares += *scatter;
     }
     return std::sqrt(squares / section.revolutions_used);
 }
 
 /// Noise, drift and hum of the mains have a mean curve too: it is form only when it stands out of them.
-void judgeForm(TrajectorySection& section)
+void judgeForm(TrajectorySection& section, Drift removed)
 {
     constexpr double byFar = 10;
+    constexpr double mostDrift = 0.5;  ///< of RONt, from the start of a revolution to its end
     const double deviation_um = headlineDeviation_um(section.roundness);
     const ErrorMotion& motion = section.spindle;
     const bool drowned = std::isfinite(motion.asynchronous_um) &&
                          motion.asynchronous_um > byFar * std::max(motion.synchronous_um, deviation_um);
-    section.form_measured = !drowned && !(section.roundness.RONt_expanded_uncertainty_um >= deviation_um);
+    double drift_um = 0;
+    for (const Probe probe : {Probe::X3, Probe::Xp})
+        drift_um = std::max(drift_um, std::abs(section.drift_um_per_rev[index(probe)]));
+    const bool drifts = removed == Drift::None && drift_um > mostDrift * deviation_um;
+    section.form_measured = !drowned && !drifts && !(section.roundness.RONt_expanded_uncertainty_um >= deviation_um);
     if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = FormVerdict::Undecided;
 }
 
@@ -77,7 +118,7 @@ void addImage(TrajectorySection& section, const TrajectoryParameters& parameters
     RoundnessParameters form = parameters.form;
     if (!form.probe_uncertainty_um) form.probe_uncertainty_um = pointUncertainty_um(section);
     section.roundness = roundness(section.image, form, progress);
-    judgeForm(section);
+    judgeForm(section, parameters.drift);
 }
 
 void keepRevolutions(TrajectorySection& section, const SectionSignals& signals)

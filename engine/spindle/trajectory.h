@@ -79,7 +79,7 @@ struct TrajectorySection {
     Profile image;                                                  ///< the geometric image, size nominal
     double run_out_um = 0;      ///< max R_i - min R_i about the spindle axis: the paper's
     RoundnessResult roundness;  ///< its verdict is Undecided where the form is not measured
-    bool form_measured = true;  ///< false: RONt is no larger than its uncertainty, or asynchronous motion drowns it
+    bool form_measured = true;  ///< false: RONt is no larger than its uncertainty, or drift or asynchronous motion drown it
     ErrorMotion spindle;        ///< of the sensitive direction (X3)
     std::array<ErrorMotion, 4> error_motion;  ///< of every probe
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis

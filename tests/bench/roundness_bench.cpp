@@ -3,7 +3,7 @@
 
 #include "engine/form/prepared_profile.h"
 #include "engine/form/superimpose.h"
-#include "tests/engine/form/made_profile.h"
+#include "tests/engine/form/noise_kinds.h"
 
 namespace lathelier {
 namespace {
@@ -30,6 +30,22 @@ BENCHMARK(evaluation)
     ->Args({3600, 50})
     ->Args({36000, 50})
     ->Unit(benchmark::kMillisecond);
+
+/// Share of parts whose true RONt lies within the stated uncertainty, for each kind of noise at many points.
+void coverage(benchmark::State& state)
+{
+    const NoiseCase kind = noiseCases()[static_cast<std::size_t>(state.range(0))];
+    Coverage found;
+    for (auto _ : state) found = coverageOf(kind, static_cast<std::size_t>(state.range(1)), 40);
+    state.SetLabel(kind.name);
+    state.counters["covered_percent"] = 100.0 * found.covered / found.runs;
+    state.counters["U_um"] = found.uncertainty_um;
+    state.counters["error_um"] = found.error_um;
+}
+BENCHMARK(coverage)
+    ->ArgsProduct({benchmark::CreateDenseRange(0, 6, 1), {3600, 36000}})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 
 void filter(benchmark::State& state)
 {

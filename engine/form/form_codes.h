@@ -54,6 +54,10 @@ inline constexpr NoteCode noiseNotKnown{"noise_not_known", Severity::Info,
                                                 "Too few points to tell their noise from the form; state the "
                                                 "uncertainty of a point for an uncertainty of the result.")};
 
+inline constexpr NoteCode axisStraightnessUnknown{
+    "axis_straightness_unknown", Severity::Info,
+    LT_TEXT("Engine", "No straightness of the axis: {reason}. Sections found: {sections}, needed: {minimum}.")};
+
 inline constexpr NoteCode sizeNominal{
     "size_nominal", Severity::Info,
     LT_TEXT("Engine", "The profile holds deviations from a nominal radius: form is measured, size is not.")};

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <set>
 
 #include "app/cli/help.h"
+#include "app/cli/outputs.h"
 #include "engine/core/texts.h"
 
 namespace lathelier::cli {
@@ -42,6 +42,7 @@ void addOption(CLI::App& command, const Option& option, const std::string& group
         added->type_name(placeholder(option.info))
             ->type_size(1)
             ->expected(1)
+            ->allow_extra_args(false)  // what follows the value is an operand
             ->multi_option_policy(several ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
     added->description(describe(option))->group(group);
 }
@@ -101,24 +102,21 @@ Value understand(const FieldInfo& info, const std::string& typed)
     }
 }
 
-/// An empty file name, or one file for two outputs, is a slip of the pen that would cost a result.
-void checkOutputs(const Typed& typed)
+/// An empty file name is a slip of the pen that would cost a result.
+void checkNames(const Typed& typed)
 {
-    std::set<std::string> files;
-    const auto add = [&files](const std::string& option, const std::string& path, bool given) {
-        if (!given) return;
-        if (path.empty()) throw CLI::ValidationError(option, "a file name is missing");
-        if (!files.insert(path).second) throw CLI::ValidationError(option, path + " is named for two outputs");
+    const auto check = [&typed](const std::string& option, const std::string& path) {
+        if (path.empty() && typed.command->get_option_no_throw(option) && typed.command->count(option) > 0)
+            throw CLI::ValidationError(option, "a file name is missing");
     };
-    for (const auto& [name, path] : typed.outputs) add(name, path, typed.command->count(name) > 0);
-    add("--json", typed.common.json, typed.command->count("--json") > 0);
-    if (typed.command->get_option_no_throw("--report"))
-        add("--report", typed.common.report, typed.command->count("--report") > 0);
+    for (const auto& [name, path] : typed.outputs) check(name, path);
+    check("--json", typed.common.json);
+    check("--report", typed.common.report);
 }
 
 Invocation toInvocation(const Verb& verb, const Typed& typed)
 {
-    checkOutputs(typed);
+    checkNames(typed);
     Invocation result{&verb, {}, typed.common};
     for (const auto& words : typed.operands)
         result.request.operands.insert(result.request.operands.end(), words.begin(), words.end());
@@ -130,6 +128,7 @@ Invocation toInvocation(const Verb& verb, const Typed& typed)
         }
     for (const auto& [name, path] : typed.outputs)
         if (!path.empty()) result.request.outputs.emplace(name, path);
+    checkOutputs(result);
     return result;
 }
 

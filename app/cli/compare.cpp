@@ -40,7 +40,8 @@ void runCompare(const Request& request, Inputs& inputs, const Progress& progress
 
     answer.json = [result] { return toJson(*result); };
     answer.report = [result] { return compareReport(*result, {}); };
-    if (result->verdict) answer.pass = *result->verdict == Verdict::Pass;
+    if (result->verdict == Verdict::Pass) answer.pass = true;
+    if (result->verdict == Verdict::Fail) answer.pass = false;  // what is undecided is neither
     answer.summary = toPlainText(compareSummary(*result));
 }
 

@@ -23,7 +23,8 @@ void runCylindricity(const Request& request, Inputs& inputs, const Progress& pro
     result->notes = answer.notes;  // the report shows those of the file as well
     answer.json = [result] { return toJson(*result); };
     answer.report = [result] { return cylindricityReport(*result, {}); };
-    if (result->verdict) answer.pass = *result->verdict == FormVerdict::Pass;
+    if (result->verdict && *result->verdict != FormVerdict::Undecided)
+        answer.pass = *result->verdict == FormVerdict::Pass;
     answer.summary = toPlainText(cylindricitySummary(*result));
 }
 

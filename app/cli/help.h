@@ -12,7 +12,7 @@ inline constexpr const char* programSummary =
     "Lathelier on the command line: the engine of the turning workbench, without a display.";
 inline constexpr const char* exitCodeHelp =
     "Exit codes: 0 answered, 1 out of tolerance (with --strict), 2 wrong usage, 3 an input was rejected,\n"
-    "4 the files are sound but no answer exists, 130 cancelled by Ctrl-C.";
+    "4 the files are sound but no answer exists, 5 an output could not be written, 130 cancelled by Ctrl-C.";
 inline constexpr std::size_t helpColumn = 36;
 
 /// "tolerance_mm" → "--tolerance-mm"

@@ -5,6 +5,7 @@
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/texts.h"
+#include "engine/io/dfq_writer.h"
 #include "engine/io/facts_json.h"
 #include "engine/report/plain_text.h"
 
@@ -31,7 +32,7 @@ QuantityTable factsTable(const FileFacts& facts)
     add(LT_TEXT("Engine", "Decimal mark"), facts.decimal);
     add(LT_TEXT("Engine", "Unit"), facts.unit.empty() ? "" : facts.unit + " (" + facts.unit_source + ")");
     add(LT_TEXT("Engine", "Rows"), facts.rows);
-    add(LT_TEXT("Engine", "Columns"), facts.columns);
+    if (facts.columns > 0) add(LT_TEXT("Engine", "Columns"), facts.columns);
     for (const auto& [name, value] : facts.details) table.rows.push_back({name, value, {}});
     add(LT_TEXT("Engine", "Smallest x, y, z (mm)"), corner(facts.min_mm));
     add(LT_TEXT("Engine", "Largest x, y, z (mm)"), corner(facts.max_mm));
@@ -56,6 +57,7 @@ FileFacts readFacts(const std::string& path, const Request& request, Inputs& inp
     switch (kindOf(path, bytes, request)) {
         case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
         case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;
+        case RecordKind::Qdas: return readDfqFacts(path, bytes);
         case RecordKind::None: break;
     }
     return readScan(path, bytes, request, progress, answer).facts;
@@ -83,8 +85,8 @@ void runInspect(const Request& request, Inputs& inputs, const Progress& progress
         try {
             const Progress part = progress.part(done, done + share, LT_TEXT("Engine", "Reading"));
             files->push_back(readFacts(request.operands[i], request, inputs, part, answer));
-        } catch (const Error& error) {  // the other files are answered all the same
-            answer.errors.push_back(error);
+        } catch (Error& error) {  // the other files are answered all the same
+            answer.errors.push_back(error.with("path", request.operands[i]));
         }
     }
     answer.summary = toPlainText(factsSection(*files));
@@ -104,8 +106,8 @@ Verb inspectVerb()
     return {"inspect",
             "Say what was understood of files: format, units, columns, rows, extent.",
             {{"FILE",
-              "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, or a probe record "
-              "(CSV, L-Graph .dat/.par).",
+              "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, a probe record "
+              "(CSV, L-Graph .dat/.par), or characteristics (Q-DAS .dfq).",
               true}},
             {},
             readingOptions(),

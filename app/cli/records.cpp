@@ -1,6 +1,10 @@
 #include "app/cli/records.h"
 
+#include <filesystem>
+
+#include "engine/io/dfq_writer.h"
 #include "engine/io/scan_reader.h"
+#include "engine/io/units.h"
 
 namespace lathelier::cli {
 namespace {
@@ -57,12 +61,14 @@ ProbeFile readRecord(const std::string& path, std::string_view bytes, const Requ
 RecordKind kindOf(const std::string& path, std::string_view bytes, const Request& request)
 {
     const auto options = fromValues<ImportOptions>(request.parameters);
+    if (isDfq(bytes) || lowerCase(std::filesystem::path(path).extension().string()) == ".dfq") return RecordKind::Qdas;
     const RecordFiles files = findRecordFiles(path, bytes);
     const bool isPair = files.kind == RecordFiles::Kind::LGraph;
     if (isPair && !files.par.empty()) return RecordKind::ProbeRecord;
     if (hasScanFormat(bytes)) return RecordKind::None;
     if (isPair || isProbeTable(bytes, options)) return RecordKind::ProbeRecord;
-    return isProfileTable(bytes, options) ? RecordKind::Profile : RecordKind::None;
+    const ProfileColumns columns = fromValues<ProfileOptions>(request.parameters).columns;
+    return isProfileTable(bytes, options, columns) ? RecordKind::Profile : RecordKind::None;
 }
 
 }  // namespace lathelier::cli

@@ -24,7 +24,7 @@ ProbeFile readRecord(const std::string& path, std::string_view bytes, const Requ
                      const Progress& progress, Answer& answer);
 
 /// What a file holds; None: a cloud, a mesh, or nothing that is known.
-enum class RecordKind { None, Profile, ProbeRecord };
+enum class RecordKind { None, Profile, ProbeRecord, Qdas };
 RecordKind kindOf(const std::string& path, std::string_view bytes, const Request& request);
 
 }  // namespace lathelier::cli

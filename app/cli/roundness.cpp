@@ -2,8 +2,10 @@
 #include "engine/form/roundness.h"
 #include "engine/core/core_codes.h"
 
+#include <sys/stat.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/filter_option.h"
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
 #include "engine/form/roundness_json.h"
@@ -16,7 +18,6 @@ namespace lathelier::cli {
 namespace {
 
 constexpr const char* dfqOption = "--dfq";
-constexpr const char* noFilterKey = "no_filter";
 constexpr const char* superimposeKey = "superimpose";
 constexpr const char* mirroredKey = "mirrored";
 
@@ -43,11 +44,7 @@ std::optional<std::string> wordOf(const Request& request, const char* key)
 /// Wrong combinations are said before the work.
 void checkCombination(const Request& request, const RoundnessParameters& parameters)
 {
-    const bool filtered = !bandOf(parameters).isAll();
-    if (isSet(request, noFilterKey) && filtered)
-        throw Error(errors::valueNotUnderstood, {{"parameter", "--no-filter"},
-                                                 {"found", "--cutoff-upr / --band-upr"},
-                                                 {"expected", LT_TEXT("Engine", "no filter beside it")}});
+    checkNoFilter(request, parameters);
     if (wordOf(request, superimposeKey) && request.operands.size() != 1)
         throw Error(errors::valueNotUnderstood, {{"parameter", "--superimpose"},
                                                  {"found", static_cast<std::int64_t>(request.operands.size())},
@@ -88,6 +85,18 @@ std::string summaryOf(const Found& found)
     return summary;
 }
 
+/// When the profiles were measured, as far as their files tell; those of a pipe are of now.
+std::vector<std::string> measuredTimes(const std::vector<std::string>& paths)
+{
+    std::vector<std::string> times;
+    for (const std::string& path : paths) {
+        struct stat status {};
+        const bool isFile = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+        times.push_back(isFile ? qdasTime(status.st_mtime) : std::string());
+    }
+    return times;
+}
+
 void superimposeOther(const Request& request, const std::string& path, const Profile& first,
                       const RoundnessParameters& parameters, Inputs& inputs, const Progress& progress, Answer& answer,
                       Found& found)
@@ -96,7 +105,12 @@ void superimposeOther(const Request& request, const std::string& path, const Pro
     SuperimposeParameters wanted;
     wanted.form = parameters;
     wanted.mirrored = isSet(request, mirroredKey);
-    found.superimposed = superimpose(first, other.profile, wanted, progress.part(0.3, 1));
+    try {
+        found.superimposed = superimpose(first, other.profile, wanted, progress.part(0.3, 1));
+    } catch (Error& error) {
+        error.with("path", path);  // the first profile was evaluated before
+        throw;
+    }
     const Notes& notes = found.superimposed->notes;
     answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
 }
@@ -132,7 +146,7 @@ void runRoundness(const Request& request, Inputs& inputs, const Progress& progre
         }
     }
     if (const auto dfq = request.outputs.find(dfqOption); dfq != request.outputs.end() && answer.errors.empty())
-        writeDfq(dfq->second, qdasFile(found->results));
+        writeDfq(dfq->second, qdasFile(found->results, measuredTimes(found->paths)));
     answer.pass = verdictOf(found->results);
     answer.summary = summaryOf(*found);
     answer.report = [found] {
@@ -142,22 +156,10 @@ void runRoundness(const Request& request, Inputs& inputs, const Progress& progre
     };
 }
 
-FieldInfo flag(const char* key, Text label, Text help)
-{
-    FieldInfo info;
-    info.key = key;
-    info.kind = FieldInfo::Kind::Flag;
-    info.label = label;
-    info.help = help;
-    return info;
-}
-
 std::vector<Option> roundnessOptions()
 {
     std::vector<Option> options = optionsOf<RoundnessParameters>();
-    options.insert(options.begin(), {flag(noFilterKey, LT_TEXT("Engine", "No filter"),
-                                          LT_TEXT("Engine", "Evaluate the points as they are; this is the default.")),
-                                     false});
+    options.insert(options.begin(), noFilterOption());
     FieldInfo other;
     other.key = superimposeKey;
     other.kind = FieldInfo::Kind::Word;
@@ -165,9 +167,8 @@ std::vector<Option> roundnessOptions()
     other.help = LT_TEXT("Engine", "Lay the profile of this file on the one given: rotation and centre fitted.");
     other.optional = true;
     options.push_back({other, {}});
-    options.push_back(
-        {flag(mirroredKey, LT_TEXT("Engine", "Mirrored"), LT_TEXT("Engine", "Superimpose also the other way round.")),
-         false});
+    options.push_back(flagOption(mirroredKey, LT_TEXT("Engine", "Mirrored"),
+                                 LT_TEXT("Engine", "Superimpose also the other way round.")));
     return options;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
+#include "engine/io/units.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
 #include "engine/report/verify_report.h"
@@ -23,6 +24,7 @@ int exitCode(ErrorKind kind)
         case ErrorKind::WrongUsage: return exitWrongUsage;
         case ErrorKind::InputRejected: return exitInputRejected;
         case ErrorKind::NoAnswer: return exitNoAnswer;
+        case ErrorKind::OutputFailed: return exitOutputFailed;
     }
     return exitNoAnswer;
 }
@@ -31,6 +33,23 @@ int exitCode(const Answer& answer, bool strict)
 {
     if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
     return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
+}
+
+/// The file that an error of a computation is about: the operand whose name is its role ("reference", "copy"), else the
+/// last one of those that are named one by one.
+void blame(Error& error, const Invocation& invocation)
+{
+    const ErrorKind kind = error.code().kind;
+    if (kind != ErrorKind::InputRejected && kind != ErrorKind::NoAnswer) return;
+    const std::vector<Operand>& operands = invocation.verb->operands;
+    const std::vector<std::string>& paths = invocation.request.operands;
+    if (operands.empty() || operands.back().is_output) return;
+    if (operands.back().repeated && paths.size() > 1) return;  // the verb itself knows which
+    std::size_t which = paths.size() - 1;
+    if (const Value* role = find(error.values(), "role"))
+        for (std::size_t i = 0; i < operands.size(); ++i)
+            if (lowerCase(operands[i].name) == text(*role)) which = i;
+    error.with("path", paths.at(which));
 }
 
 /// What every verb's object begins and ends with.
@@ -100,6 +119,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
     Inputs inputs(common.threads != 1);
     Answer answer;
     gather(answer, [&] { invocation.verb->run(invocation.request, inputs, progress, answer); });
+    for (Error& error : answer.errors) blame(error, invocation);
     if (!common.report.empty() && answer.report && answer.errors.empty())
         gather(answer, [&] { writeReport(common.report, answer, inputs, progress); });
     progress.check();  // after the last point where a stop leaves nothing behind but what was asked for

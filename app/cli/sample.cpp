@@ -43,7 +43,7 @@ Verb sampleVerb()
 {
     return {"sample",
             "Write the sample project and its synthetic data into a folder.",
-            {{"DIR", "The folder; made when it is missing."}},
+            {{"DIR", "The folder; made when it is missing.", false, true}},
             optionsOf<SampleParameters>(),
             {},
             {},

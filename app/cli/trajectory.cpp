@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/filter_option.h"
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
 #include "engine/report/plain_text.h"
@@ -24,8 +25,17 @@ std::vector<Option> readingOptions()
     return options;
 }
 
+std::vector<Option> trajectoryOptions()
+{
+    std::vector<Option> options = optionsOf<TrajectoryParameters>();
+    options.insert(options.begin(), noFilterOption());
+    return options;
+}
+
 void runTrajectory(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
 {
+    const auto parameters = fromValues<TrajectoryParameters>(request.parameters);
+    checkNoFilter(request, parameters.form);
     std::vector<ProbeFile> records;
     const auto count = static_cast<double>(request.operands.size());
     for (const std::string& path : request.operands) {
@@ -34,8 +44,7 @@ void runTrajectory(const Request& request, Inputs& inputs, const Progress& progr
             progress.part(0.4 * done / count, 0.4 * (done + 1) / count, LT_TEXT("Engine", "Reading"));
         records.push_back(readRecord(path, request, inputs, reading, answer));
     }
-    auto result = std::make_shared<TrajectoryResult>(
-        trajectory(records, fromValues<TrajectoryParameters>(request.parameters), progress.part(0.4, 1)));
+    auto result = std::make_shared<TrajectoryResult>(trajectory(records, parameters, progress.part(0.4, 1)));
     answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
     result->notes = answer.notes;  // the report shows those of the files as well
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
@@ -57,7 +66,7 @@ Verb trajectoryVerb()
     return {"trajectory",
             "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.",
             {{"RECORD", "A probe record (CSV or L-Graph .dat/.par), or one for each section.", true}},
-            optionsOf<TrajectoryParameters>(),
+            trajectoryOptions(),
             readingOptions(),
             {{tableOption, "Write the table of the sections as FILE.csv."},
              {imageOption, "Write the images of the surface, point by point, as FILE.csv."}},

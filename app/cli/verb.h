@@ -20,6 +20,7 @@ struct Operand {
     std::string name;  ///< as help shows it, "REFERENCE"
     std::string help;
     bool repeated = false;
+    bool is_output = false;  ///< a place to write to, no input
 };
 
 /// An option made from a described field: key `tolerance_mm` becomes `--tolerance-mm`.

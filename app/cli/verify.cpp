@@ -11,11 +11,11 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* nistKey = "nist_directory";
+constexpr const char* referenceKey = "reference_data";
 
 void runVerify(const Request& request, Inputs&, const Progress& progress, Answer& answer)
 {
-    const Value* directory = find(request.parameters, nistKey);
+    const Value* directory = find(request.parameters, referenceKey);
     const auto* word = directory ? std::get_if<std::string>(directory) : nullptr;
     const auto result = std::make_shared<VerifyResult>(
         verify(word ? *word : std::string(), progress.part(0, 1, LT_TEXT("Engine", "Verifying"))));
@@ -26,15 +26,15 @@ void runVerify(const Request& request, Inputs&, const Progress& progress, Answer
     answer.summary = toPlainText(verifySummary(*result));
 }
 
-Option nistOption()
+Option referenceOption()
 {
     FieldInfo info;
-    info.key = nistKey;
+    info.key = referenceKey;
     info.kind = FieldInfo::Kind::Word;
-    info.label = LT_TEXT("Engine", "NIST sets");
-    info.help =
-        LT_TEXT("Engine", "Folder with NIST's circle sets (.ds, .fit); by default ../shared/data if it is there.");
-    return {info, std::string()};
+    info.label = LT_TEXT("Engine", "Reference data");
+    info.help = LT_TEXT("Engine", "Folder with NIST's circle sets (.ds, .fit), refitted beside the built-in ones.");
+    info.optional = true;
+    return {info, {}};
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ Option nistOption()
 Verb verifyVerb()
 {
     return {"verify", "Refit reference data with known answers and say how far off this installation is.",
-            {},       {nistOption()},
+            {},       {referenceOption()},
             {},       {},
             true,     runVerify};
 }

@@ -17,6 +17,7 @@ int exitCode(ErrorKind kind)
         case ErrorKind::WrongUsage: return 2;
         case ErrorKind::InputRejected: return 3;
         case ErrorKind::NoAnswer: return 4;
+        case ErrorKind::OutputFailed: return 5;
     }
     return 4;
 }

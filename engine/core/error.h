@@ -14,7 +14,8 @@ namespace lathelier {
 enum class ErrorKind {
     WrongUsage,     ///< exit 2: the request itself makes no sense
     InputRejected,  ///< exit 3: a file cannot be read as what it claims to be
-    NoAnswer        ///< exit 4: the files are sound, but the question has no answer
+    NoAnswer,       ///< exit 4: the files are sound, but the question has no answer
+    OutputFailed    ///< exit 5: an answer is there, but a file to write it to is not
 };
 
 /// How much a note matters for trusting the number beside it.

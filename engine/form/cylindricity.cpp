@@ -7,6 +7,7 @@
 #include "engine/form/cylinder_fits.h"
 #include "engine/form/cylinder_sections.h"
 #include "engine/form/cylinder_uncertainty.h"
+#include "engine/form/form_codes.h"
 
 namespace lathelier {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double um_per_mm = 1000;
+constexpr std::size_t leastSections = 3;  // a line through fewer has no straightness
 
 FittedCylinder placed(const CylinderPoints& points, const AxisParameters& axis)
 {
@@ -95,7 +97,15 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
         sectionsAlong(points_mm, result.LSCY.axis_point_mm, result.LSCY.axis_direction, progress);
     result.length_mm = stack.length_mm;
     result.sections = stack.centres_mm.size();
-    if (result.sections >= 3) result.axis_straightness_um = straightness(stack.centres_mm).axis_straightness_um;
+    if (result.sections >= leastSections)
+        result.axis_straightness_um = straightness(stack.centres_mm).axis_straightness_um;
+    else
+        result.notes.push_back(
+            {notes::axisStraightnessUnknown,
+             {{"reason", result.sections == 0 ? LT_TEXT("Engine", "the points do not lie in sections across the axis")
+                                              : LT_TEXT("Engine", "there are too few sections")},
+              {"sections", static_cast<std::int64_t>(result.sections)},
+              {"minimum", static_cast<std::int64_t>(leastSections)}}});
     progress.report(1);
     return result;
 }

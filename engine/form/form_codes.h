@@ -92,6 +92,10 @@ inline constexpr NoteCode nominalRadiusMatters{
             "The trace is {eccentricity_um} µm off centre: RONt depends on the radius of {radius_mm} mm it is laid on, "
             "by up to {effect_um} µm, which the uncertainty counts. Centre the part better, or state its radius.")};
 
+inline constexpr NoteCode axisStraightnessUnknown{
+    "axis_straightness_unknown", Severity::Info,
+    LT_TEXT("Engine", "No straightness of the axis: {reason}. Sections found: {sections}, needed: {minimum}.")};
+
 inline constexpr NoteCode sizeNominal{
     "size_nominal", Severity::Info,
     LT_TEXT("Engine", "The profile holds deviations from a nominal radius: form is measured, size is not.")};

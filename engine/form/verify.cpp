@@ -7,7 +7,7 @@
 
 namespace lathelier {
 
-VerifyResult verify(const std::string& nist_directory, const Progress& progress)
+VerifyResult verify(const std::string& reference_data, const Progress& progress)
 {
     VerifyResult result;
     const std::vector<std::function<VerifyKind()>> checks{
@@ -27,8 +27,8 @@ VerifyResult verify(const std::string& nist_directory, const Progress& progress)
         progress.report(static_cast<double>(i) / static_cast<double>(checks.size() + 1));
         result.kinds.push_back(checks[i]());
     }
-    result.nist_directory = nist_directory;
-    if (const auto nist = verifyNistCircles(result.nist_directory, progress)) result.kinds.push_back(*nist);
+    result.reference_data = reference_data;
+    if (!reference_data.empty()) result.kinds.push_back(verifyNistCircles(reference_data, progress));
     result.pass = std::all_of(result.kinds.begin(), result.kinds.end(), [](const VerifyKind& k) { return k.pass; });
     progress.report(1);
     return result;

@@ -22,16 +22,16 @@ struct VerifyKind {
 
 struct VerifyResult {
     std::vector<VerifyKind> kinds;
-    std::string nist_directory;  ///< empty: the NIST sets were not there, and have no kind
+    std::string reference_data;  ///< the folder of the NIST sets; empty: none was named, and they have no kind
     bool pass = false;           ///< all kinds
 };
 
 /// Circles: whole turns and quarter arcs, also a thousand radii off, with deviations that leave the least-squares
 /// answer exact; lobes, ellipse, nested squares and Reuleaux triangle for the other three; scattered points against
 /// all their possible contacts; the certificate's gap. Cylinders in several poses, straightness, the Gaussian filter
-/// and harmonics. The NIST circle sets (`.ds`, `.fit`) when `nist_directory` or, if that is empty, the practice data
-/// beside the current folder hold them. Errors: fileNotFound, fileNotReadable, malformed of a directory given. Throws
-/// Cancelled.
-VerifyResult verify(const std::string& nist_directory = {}, const Progress& progress = {});
+/// and harmonics. The NIST circle sets (`.ds`, `.fit`) of the folder `reference_data`, when one is named; it is looked
+/// for nowhere else. Errors: fileNotFound, fileNotReadable, malformed, referenceDataMissing (a folder without circle
+/// sets: that says nothing of this installation). Throws Cancelled.
+VerifyResult verify(const std::string& reference_data = {}, const Progress& progress = {});
 
 }  // namespace lathelier

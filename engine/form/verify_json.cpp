@@ -15,7 +15,7 @@ Json toJson(const VerifyResult& result)
                                  {"unit", kind.unit.empty() ? "1" : kind.unit.english},
                                  {"limit", kind.limit},
                                  {"pass", kind.pass}});
-    json["nist_directory"] = result.nist_directory.empty() ? Json(nullptr) : Json(result.nist_directory);
+    json["reference_data"] = result.reference_data.empty() ? Json(nullptr) : Json(result.reference_data);
     json["verdict"] = result.pass ? "pass" : "fail";
     return json;
 }

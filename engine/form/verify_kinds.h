@@ -47,7 +47,7 @@ VerifyKind verifyMinimumZoneCylinders(const Progress& progress);
 VerifyKind verifyStraightness();
 VerifyKind verifyGaussianFilter();
 VerifyKind verifyHarmonics();
-/// `directory` is changed to the one used; nullopt when none is there.
-std::optional<VerifyKind> verifyNistCircles(std::string& directory, const Progress& progress);
+/// Errors: fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing.
+VerifyKind verifyNistCircles(const std::string& directory, const Progress& progress);
 
 }  // namespace lathelier

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/error.h"
 #include "engine/io/encoding.h"
 #include "engine/io/file.h"
 #include "engine/io/windows1252.h"
@@ -12,12 +13,33 @@
 namespace lathelier {
 namespace {
 
+/// File names may be of any bytes; the file has one encoding.
+std::string asUtf8(std::string_view word)
+{
+    try {
+        return std::string(decodeText(word, Encoding::Utf8).view());
+    } catch (const Error&) {
+        return std::string(decodeText(word, Encoding::Latin1).view());
+    }
+}
+
+/// At most so many characters.
+std::string shortened(std::string_view word, std::size_t most)
+{
+    std::size_t end = 0;
+    for (std::size_t count = 0; end < word.size(); ++end) {
+        const bool starts = (static_cast<unsigned char>(word[end]) & 0xC0) != 0x80;
+        if (starts && ++count > most) break;
+    }
+    return std::string(word.substr(0, end));
+}
+
 /// One line; blanks in place of what would end it.
 void addLine(std::string& out, std::string_view field, std::string_view value)
 {
     out += field;
     out += ' ';
-    for (const char c : value) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    for (const char c : asUtf8(value)) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
     out += "\r\n";
 }
 
@@ -39,25 +61,36 @@ std::string fieldOf(std::string_view key, std::size_t index)
 
 constexpr int attributeValid = 0;
 constexpr int attributeInvalid = 255;
+constexpr std::size_t longestDescription = 80;
+
+/// K2120, K2121: none, a limit, a natural limit.
+std::string_view limitKind(const std::optional<double>& limit, bool isNatural)
+{
+    if (!limit || !std::isfinite(*limit)) return "0";
+    return isNatural ? "2" : "1";
+}
 
 void addCharacteristic(std::string& out, const QdasCharacteristic& characteristic, std::size_t index)
 {
     addWord(out, fieldOf("K2001", index), characteristic.number);
-    addWord(out, fieldOf("K2002", index), characteristic.description);
+    addWord(out, fieldOf("K2002", index), shortened(characteristic.description, longestDescription));
     addLine(out, fieldOf("K2004", index), "0");  // measured values
     addLine(out, fieldOf("K2022", index), std::to_string(characteristic.decimals));
     addNumber(out, fieldOf("K2101", index), characteristic.nominal);
     addNumber(out, fieldOf("K2110", index), characteristic.lower_limit);
     addNumber(out, fieldOf("K2111", index), characteristic.upper_limit);
+    addLine(out, fieldOf("K2120", index), limitKind(characteristic.lower_limit, characteristic.lower_is_natural));
+    addLine(out, fieldOf("K2121", index), limitKind(characteristic.upper_limit, characteristic.upper_is_natural));
     addWord(out, fieldOf("K2142", index), characteristic.unit);
 }
 
-void addValue(std::string& out, double value, std::size_t index, const std::string& measured)
+void addValue(std::string& out, const QdasCharacteristic& characteristic, std::size_t which, std::size_t index)
 {
+    const double value = characteristic.values[which];
     const bool valid = std::isfinite(value);
     addLine(out, fieldOf("K0001", index), valid ? fmt::format("{}", value) : "0");
     addLine(out, fieldOf("K0002", index), std::to_string(valid ? attributeValid : attributeInvalid));
-    addWord(out, fieldOf("K0004", index), measured);
+    if (which < characteristic.measured.size()) addWord(out, fieldOf("K0004", index), characteristic.measured[which]);
 }
 
 }  // namespace
@@ -77,11 +110,18 @@ std::string toDfq(const QdasFile& file)
     // Value by value through all characteristics, as they were measured.
     for (std::size_t v = 0; v < rounds; ++v)
         for (std::size_t i = 0; i < file.characteristics.size(); ++i)
-            if (v < file.characteristics[i].values.size())
-                addValue(out, file.characteristics[i].values[v], i + 1, file.measured);
+            if (v < file.characteristics[i].values.size()) addValue(out, file.characteristics[i], v, i + 1);
     if (auto narrow = toWindows1252(out)) return *std::move(narrow);
     std::string marked = "\xEF\xBB\xBF";  // programs of today tell UTF-8 by its mark
     return marked += out;
+}
+
+std::string qdasTime(std::time_t time)
+{
+    std::tm local{};
+    localtime_r(&time, &local);
+    char buffer[40];
+    return {buffer, std::strftime(buffer, sizeof buffer, "%d.%m.%Y/%H:%M:%S", &local)};
 }
 
 void writeDfq(const std::string& path, const QdasFile& file)

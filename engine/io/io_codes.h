@@ -19,8 +19,16 @@ inline constexpr ErrorCode notAFile{"not_a_file", ErrorKind::InputRejected,
 
 inline constexpr ErrorCode fileEmpty{"file_empty", ErrorKind::InputRejected, LT_TEXT("Engine", "The file is empty.")};
 
-inline constexpr ErrorCode fileNotWritable{"file_not_writable", ErrorKind::InputRejected,
+inline constexpr ErrorCode fileNotWritable{"file_not_writable", ErrorKind::OutputFailed,
                                            LT_TEXT("Engine", "The file cannot be written: {reason}.")};
+
+inline constexpr ErrorCode outputIsInput{
+    "output_is_input", ErrorKind::WrongUsage,
+    LT_TEXT("Engine", "{parameter} would overwrite {file}, which is an input. Name another file.")};
+
+inline constexpr ErrorCode outputsAreOne{
+    "outputs_are_one", ErrorKind::WrongUsage,
+    LT_TEXT("Engine", "{parameter}: {file} is named for two outputs, also as {other}.")};
 
 inline constexpr ErrorCode formatUnknown{
     "format_unknown", ErrorKind::InputRejected,
@@ -47,6 +55,14 @@ inline constexpr ErrorCode noPoints{"no_points", ErrorKind::InputRejected,
 inline constexpr ErrorCode columnsUnknown{
     "columns_unknown", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The columns cannot be told: found “{found}”, expected {expected}.")};
+
+inline constexpr ErrorCode columnsAmbiguous{
+    "columns_ambiguous", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Several columns may be meant: found “{found}”, where {candidates} could each be {meaning}.")};
+
+inline constexpr ErrorCode referenceDataMissing{
+    "reference_data_missing", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "This folder holds no reference data: found {found}, expected {expected}.")};
 
 inline constexpr ErrorCode nominalRadiusMissing{
     "nominal_radius_missing", ErrorKind::InputRejected,
@@ -96,6 +112,9 @@ inline constexpr NoteCode profilePlane{
 inline constexpr NoteCode coordinateIgnored{
     "coordinate_ignored", Severity::Warning,
     LT_TEXT("Engine", "{path}: {coordinate} runs from {from_mm} to {to_mm} mm; all points were read as one section.")};
+
+inline constexpr NoteCode columnsRead{"columns_read", Severity::Info,
+                                      LT_TEXT("Engine", "{path}: columns read: {columns}.")};
 
 inline constexpr NoteCode columnsGuessed{"columns_guessed", Severity::Warning,
                                          LT_TEXT("Engine", "{path}: the columns have no names; read as {columns}.")};

@@ -1,10 +1,14 @@
 #include "engine/io/number_cell.h"
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
+#include "engine/io/encoding.h"
 #include "engine/io/number.h"
 #include "engine/io/table_style.h"
 #include "engine/io/text_lines.h"
+#include "engine/io/units.h"
 
 namespace lathelier {
 
@@ -28,6 +32,24 @@ double NumberCells::read(std::int64_t lineNumber, std::string_view line, std::st
     }
     decimal_ = ',';
     return value;
+}
+
+Values placeOfLarge(std::string_view text, std::string_view keyword, char decimal, double largest)
+{
+    Lines lines(text);
+    std::vector<std::string_view> words;
+    while (lines.next()) {
+        splitWords(lines.line(), words);
+        if (words.size() < 4 || lowerCase(words[0]) != keyword) continue;
+        for (std::size_t k = 1; k < 4; ++k) {
+            const auto value = wholeNumber(words[k], decimal);
+            if (value && std::abs(*value) > largest && std::isfinite(*value)) {
+                const auto offset = static_cast<std::size_t>(words[k].data() - lines.line().data());
+                return {{"line", lines.number()}, {"column", columnAt(lines.line(), offset)}};
+            }
+        }
+    }
+    return {{"line", std::int64_t{1}}, {"column", std::int64_t{1}}};
 }
 
 }  // namespace lathelier

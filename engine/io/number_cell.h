@@ -25,4 +25,8 @@ private:
     char decimal_ = '.';
 };
 
+/// Where in a text of lines "keyword x y z" the first number beyond `largest` stands: `line` and
+/// `column`. Only looked for when it is known to be there.
+Values placeOfLarge(std::string_view text, std::string_view keyword, char decimal, double largest);
+
 }  // namespace lathelier

@@ -15,7 +15,7 @@ constexpr std::size_t mostWords = 1 << 18;  ///< in one statement, over all its 
 class ObjBody {
 public:
     ObjBody(const ScanSource& source, RawScan& raw)
-        : lines_(source.text), numbers_(source), progress_(source.progress), raw_(raw)
+        : text_(source.text), lines_(source.text), numbers_(source), progress_(source.progress), raw_(raw)
     {
     }
 
@@ -43,6 +43,9 @@ public:
             raw_.scan.normals = std::move(normals_);
         raw_.facts.rows = static_cast<std::int64_t>(raw_.scan.points_mm.size());
         raw_.facts.decimal = numbers_.decimalName();
+        raw_.places.find = [text = text_, decimal = numbers_.decimal()](double largest) {
+            return placeOfLarge(text, "v", decimal, largest);
+        };
     }
 
 private:
@@ -147,6 +150,7 @@ private:
         return words_.size() - 1;
     }
 
+    std::string_view text_;
     Lines lines_;
     NumberCells numbers_;
     const Progress& progress_;

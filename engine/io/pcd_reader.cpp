@@ -239,6 +239,7 @@ void readBinary(const ScanSource& source, const PcdHeader& header, RawScan& raw)
     const auto available = static_cast<std::int64_t>((source.bytes.size() - header.bodyOffset) / header.stride);
     if (available < header.points)
         throw truncated({{"byte", static_cast<std::int64_t>(source.bytes.size())}}, available, header.points);
+    refuseMoreBytes(source.bytes, header.bodyOffset + static_cast<std::size_t>(header.points) * header.stride);
     const char* const data = source.bytes.data() + header.bodyOffset;
     raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), static_cast<std::int64_t>(header.stride)};
     fill(raw.scan, static_cast<std::size_t>(header.points), wantedFields(header, header.bodyLine - 1), source.progress,
@@ -260,6 +261,7 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
                                         {"found", static_cast<std::int64_t>(body.size() - 8)},
                                         {"expected", static_cast<std::int64_t>(compressed)},
                                         {"items", LT_TEXT("Engine", "bytes")}});
+    refuseMoreBytes(body, std::size_t{8} + compressed);
     const auto available = static_cast<std::int64_t>(size / header.stride);
     if (available < header.points) throw truncated(place, available, header.points);
     const auto data = decompressLzf(body.substr(8, compressed), size);

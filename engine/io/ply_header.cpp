@@ -138,6 +138,8 @@ PlyHeader readPlyHeader(std::string_view bytes)
     bool hasFormat = false;
     Lines lines(bytes.substr(0, longestHeader));
     lines.next();
+    if (!startsLikePly(bytes))  // asked for by its name only
+        throw malformed(lines.number(), lines.line(), lines.line(), LT_TEXT("Engine", "ply"));
     Words words;
     while (lines.next()) {
         splitWords(lines.line(), words);

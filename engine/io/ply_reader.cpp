@@ -149,6 +149,8 @@ public:
         }
     }
 
+    void finish() const { refuseMoreBytes(bytes_, at_); }
+
 private:
     Error tooShort(const PlyElement& element, std::uint64_t found) const
     {
@@ -386,6 +388,7 @@ RawScan readPly(const ScanSource& source)
     } else {
         BinaryBody body(source, header, raw);
         readBody(body, header);
+        body.finish();
         raw.facts.format = header.format == PlyFormat::BigEndian ? "ply_binary_big_endian" : "ply_binary_little_endian";
     }
     raw.facts.rows = static_cast<std::int64_t>(raw.scan.points_mm.size());

@@ -25,8 +25,8 @@ std::string stemOf(const fs::path& path)
     return path.stem().string();
 }
 
-/// The file beside `path` with the same name and this extension, in whatever case; the same case comes first.
-std::optional<std::string> findBeside(const std::string& path, const std::string& extension)
+/// The files beside `path` with the same name and this extension, in whatever case; the same case comes first.
+std::vector<std::string> allBeside(const std::string& path, const std::string& extension)
 {
     const fs::path given(path);
     const fs::path folder = given.has_parent_path() ? given.parent_path() : fs::path(".");
@@ -41,8 +41,16 @@ std::optional<std::string> findBeside(const std::string& path, const std::string
         const bool sameCase = (beside.extension().string() != extension) == isUpper;
         candidates.emplace_back((stemOf(beside) == stem ? 0 : 2) + (sameCase ? 0 : 1), asGiven.string());
     }
-    if (candidates.empty()) return std::nullopt;
-    return std::min_element(candidates.begin(), candidates.end())->second;
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<std::string> names;
+    for (auto& [rank, name] : candidates) names.push_back(std::move(name));
+    return names;
+}
+
+std::optional<std::string> findBeside(const std::string& path, const std::string& extension)
+{
+    const std::vector<std::string> names = allBeside(path, extension);
+    return names.empty() ? std::nullopt : std::optional(names.front());
 }
 
 /// True when the file starts as the .par of an L-Graph.
@@ -69,6 +77,14 @@ RecordFiles findRecordFiles(const std::string& path, std::string_view bytes)
     if (par && isLGraphPar(*par)) return {RecordFiles::Kind::LGraph, *par, path};
     if (looksLikeText(bytes)) return {};
     return {RecordFiles::Kind::LGraph, par.value_or(""), path};
+}
+
+std::vector<std::string> recordPartners(const std::string& path)
+{
+    const std::string extension = extensionOf(path);
+    if (extension == ".par") return allBeside(path, ".dat");
+    if (extension == ".dat") return allBeside(path, ".par");
+    return {};
 }
 
 void requirePartner(const RecordFiles& files)

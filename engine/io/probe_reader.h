@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "engine/core/progress.h"
 #include "engine/io/import.h"
@@ -43,6 +44,10 @@ struct RecordFiles {
 
 /// Finds the partner of `path`, whose content is `bytes`: the same name with .par or .dat in any case.
 RecordFiles findRecordFiles(const std::string& path, std::string_view bytes);
+
+/// The files beside `path` that could be its partner, by name alone: NAME.dat for NAME.par and the reverse, in any
+/// case.
+std::vector<std::string> recordPartners(const std::string& path);
 
 /// Error partnerMissing (`path` of the file that is there, `partner`) when one of an L-Graph pair is not there.
 void requirePartner(const RecordFiles& files);

@@ -125,6 +125,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
     }
     if (const std::string* word = headerWord(table.header, "synthetic"); word && *word != "false")
         file.notes.push_back({notes::syntheticData, {}});
+    noteColumns(table.layout, table.read, file.facts, file.notes);
     finishTableNotes(table.layout, table.rows, name, file.facts, file.notes);
     progress.report(1);
     return file;
@@ -162,7 +163,7 @@ ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const 
                          const Progress& progress)
 {
     try {
-        return readTable(name, readableText(bytes, options.encoding, expectedKind, progress), options, progress);
+        return readTable(name, readableTable(name, bytes, options.encoding, expectedKind, progress), options, progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;
@@ -173,7 +174,7 @@ bool isProbeTable(std::string_view bytes, const ImportOptions& options)
 {
     try {
         const DecodedText text =
-            readableText(bytes.substr(0, std::size_t{1} << 20), options.encoding, expectedKind, {});
+            readableTable({}, bytes.substr(0, std::size_t{1} << 20), options.encoding, expectedKind, {});
         return hasProbeNames(findLayout(text.view(), probeExpectation(), options));
     } catch (const Error&) {
         return false;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "engine/io/column_names.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe_table.h"
-#include "engine/io/profile_columns.h"
 
 namespace lathelier {
 namespace {

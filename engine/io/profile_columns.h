@@ -29,11 +29,10 @@ struct ProfileColumnChoice {
 /// What findLayout() should look for.
 TableExpectation profileExpectation();
 
-/// Chooses by the headings. Errors columnsUnknown; formatUnknown when the headings are those of a probe record.
+/// Chooses by the headings: a column named "angle" comes before "angle2", of two that are named alike none is taken,
+/// and one whose name says something else ("force_N") is no coordinate. Errors columnsUnknown, columnsAmbiguous;
+/// formatUnknown when the headings are those of a probe record.
 ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColumns wanted);
-
-/// The names of the layout's columns in one line, for messages.
-std::string columnNames(const TableLayout& layout);
 
 /// True when the first of two columns without names holds angles: it rises (or falls) over one turn. Error
 /// columnsUnknown when its even steps could be those of an angle as well as of a coordinate.

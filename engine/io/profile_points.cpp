@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/io/column_names.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/unit_choice.h"
@@ -86,14 +87,21 @@ void settleAngleUnit(RawProfile& raw)
     raw.file.notes.push_back({notes::angleUnitGuessed, {{"extent", span}}});
 }
 
+/// The range of the option: a header may say anything.
+bool isRadius(double radius_mm)
+{
+    return radius_mm >= 1e-3 && radius_mm <= 1e6;
+}
+
 /// The nominal radius that the caller or the file's header states.
 std::optional<double> nominalRadius(const RawProfile& raw, const ProfileOptions& options)
 {
     if (options.nominal_radius_mm) return options.nominal_radius_mm;
     for (const char* key : {"nominal_radius_mm", "radius_mm", "R_mm"})
-        if (const auto radius = headerNumber(raw.file.header, key); radius && *radius > 0) return radius;
+        if (const auto radius = headerNumber(raw.file.header, key); radius && isRadius(*radius)) return radius;
     for (const char* key : {"nominal_diameter_mm", "diameter_mm", "D_mm"})
-        if (const auto diameter = headerNumber(raw.file.header, key); diameter && *diameter > 0) return *diameter / 2;
+        if (const auto diameter = headerNumber(raw.file.header, key); diameter && isRadius(*diameter / 2))
+            return *diameter / 2;
     return std::nullopt;
 }
 

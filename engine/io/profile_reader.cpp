@@ -51,6 +51,7 @@ ProfileFile readTable(const std::string& name, const DecodedText& text, const Im
         layPolar(raw, import, options, progress);
     else
         layXy(raw, import, progress);
+    noteColumns(raw.layout, raw.choice.columns, raw.file.facts, raw.file.notes);
     raw.file.profile.name = name.substr(name.find_last_of('/') + 1);
     set(raw.file.facts.details, "points", static_cast<std::int64_t>(raw.file.profile.points_mm.size()));
     finishTableNotes(raw.layout, raw.rows, name, raw.file.facts, raw.file.notes);
@@ -81,8 +82,8 @@ ProfileFile readProfile(const std::string& name, std::string_view bytes, const I
                         const ProfileOptions& profile, const Progress& progress)
 {
     try {
-        return readTable(name, readableText(bytes, options.encoding, expectedKind, progress), options, profile,
-                         progress);
+        const DecodedText text = readableTable(name, bytes, options.encoding, expectedKind, progress);
+        return readTable(name, text, options, profile, progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;
@@ -96,21 +97,22 @@ ProfileFile readProfile(const std::string& path, const ImportOptions& options, c
     return readProfile(path, file.view(), options, profile, progress);
 }
 
-bool isProfileTable(std::string_view bytes, const ImportOptions& options)
+bool isProfileTable(std::string_view bytes, const ImportOptions& options, ProfileColumns columns)
 {
     try {
         const std::string_view head = bytes.substr(0, std::size_t{1} << 20);
-        const DecodedText text = readableText(head, options.encoding, expectedKind, {});
+        const DecodedText text = readableTable({}, head, options.encoding, expectedKind, {});
         const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
-        return chooseProfileColumns(layout, ProfileColumns::Auto).shape != Shape::Xyz;
-    } catch (const Error&) {
-        return false;
+        return chooseProfileColumns(layout, columns).shape != Shape::Xyz;
+    } catch (const Error& error) {
+        return error.code() == errors::columnsAmbiguous;  // angles and radii, too many of them
     }
 }
 
 bool isProfile(const std::string& path)
 {
     try {
+        refuseForeignName(path, true, expectedKind);
         const FileBytes file(path);
         return !hasScanFormat(file.view()) && !isProbeRecord(path) && isProfileTable(file.view());
     } catch (const Error&) {

@@ -26,7 +26,8 @@ const std::vector<Field<ProfileOptions>>& fields<ProfileOptions>();
 struct ProfileFile {
     Profile profile;
     FileFacts facts;  ///< format "profile_xy" | "profile_polar" | "roundness_trace"; details: "points",
-                      ///< "columns_read" ("x,y", "y,z", "angle,r", "r"), "nominal_radius_mm"
+                      ///< "columns_read" ("x,y", "y,z", "angle,r", "r"), "column_names" (theirs in the
+                      ///< file), "nominal_radius_mm"
     Values header;    ///< the key=value lines above the table, as written
     Notes notes;
 };
@@ -37,8 +38,8 @@ struct ProfileFile {
 /// Columns: by their names; without names x,y unless the first one runs over one turn. Three coordinates of which one
 /// is as good as constant lie in a coordinate plane (note profilePlane). Values at or below zero, or below 0.1 mm or 5
 /// % of the nominal radius, are deviations; the file's own `nominal_radius_mm`, `D_mm`… serves when no radius is given.
-/// Their unit is never guessed. Errors as readScan(), and nominalRadiusMissing (deviations only, no radius given),
-/// columnsUnknown.
+/// Their unit is never guessed. The columns read are named (note columnsRead). Errors as readScan(), and
+/// nominalRadiusMissing (deviations only, no radius given), columnsUnknown, columnsAmbiguous.
 ProfileFile readProfile(const std::string& path, const ImportOptions& options = {}, const ProfileOptions& profile = {},
                         const Progress& progress = {});
 
@@ -48,7 +49,8 @@ ProfileFile readProfile(const std::string& name, std::string_view bytes, const I
 
 /// True for a table that can only be a profile (for `inspect`): x and y without z, angle and r or deviations, or no
 /// more than two columns of numbers. Three coordinates are a cloud.
-bool isProfileTable(std::string_view bytes, const ImportOptions& options = {});
+bool isProfileTable(std::string_view bytes, const ImportOptions& options = {},
+                    ProfileColumns columns = ProfileColumns::Auto);
 
 /// True when the file at `path` can only be a profile: such a table, and neither a cloud nor a probe record. Never
 /// throws for a file that is none.

@@ -115,7 +115,8 @@ void checkSize(const RawScan& raw, const Box& box, double largest)
     const auto& points = raw.scan.points_mm;
     const auto isFar = [largest](const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff() > largest; };
     const auto far = std::find_if(points.begin(), points.end(), isFar);
-    Values values = placeOf(raw.places, static_cast<std::size_t>(far - points.begin()));
+    Values values = raw.places.find ? raw.places.find(largest)
+                                    : placeOf(raw.places, static_cast<std::size_t>(far - points.begin()));
     set(values, "found", far->cwiseAbs().maxCoeff());
     set(values, "maximum", largest);
     throw Error(errors::coordinateTooLarge, values);
@@ -127,6 +128,19 @@ std::array<double, 3> toArray(const Eigen::Array3d& a)
 }
 
 }  // namespace
+
+void refuseMoreBytes(std::string_view bytes, std::size_t end)
+{
+    constexpr std::size_t largestFilling = 65536;
+    const std::string_view rest = bytes.substr(end);
+    const std::size_t more = rest.substr(0, largestFilling).find_first_not_of(std::string_view("\0\n\r \t\x1a", 6));
+    if (rest.size() <= largestFilling && more == std::string_view::npos) return;
+    throw Error(errors::malformed,
+                {{"byte", static_cast<std::int64_t>(end + (rest.size() > largestFilling ? 0 : more))},
+                 {"found", LT_TEXT("Engine", "further bytes behind the last element")},
+                 {"bytes", static_cast<std::int64_t>(rest.size())},
+                 {"expected", LT_TEXT("Engine", "the end of the file")}});
+}
 
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress)
 {

@@ -1,6 +1,7 @@
 // A scan between its reader and the caller: in the unit of the file, perhaps with points that are not finite.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -20,11 +21,13 @@ struct ScanSource {
     const Progress& progress;
 };
 
-/// Where the points stand in the file, for errors about one of them.
+/// Where the points stand in the file, for errors about one of them. All views live as long as the source.
 struct PointPlaces {
     std::int64_t firstLine = 0;  ///< text: the line of the first point, the others follow; 0 in a binary file
     std::int64_t firstByte = 0;  ///< binary: the byte of the first point
     std::int64_t stride = 0;     ///< binary: from one point to the next; 0 when they are not evenly spaced
+    /// Where points are not one to a line or evenly spaced: the place of the first coordinate beyond `largest`.
+    std::function<Values(double largest)> find = {};
 };
 
 /// What a reader gives: points in the unit of the file, normals of any length, everything as it stands there.
@@ -41,6 +44,10 @@ struct RawScan {
 /// Leaves out points that are not finite and triangles without area, settles the unit, scales to mm, fills in what the
 /// facts of all formats share. Errors: noPoints, coordinateTooLarge, unitUnknown.
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress);
+
+/// Error malformed (`byte`, `bytes` that follow) when more follows behind the last element of a binary file than a line
+/// end and the filling of a disk's cluster.
+void refuseMoreBytes(std::string_view bytes, std::size_t end);
 
 RawScan readTextScan(const ScanSource& source);
 RawScan readPly(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`

@@ -13,6 +13,7 @@
 #include "engine/io/ply_header.h"
 #include "engine/io/raw_scan.h"
 #include "engine/io/text_lines.h"
+#include "engine/io/units.h"
 
 namespace lathelier {
 namespace {
@@ -48,22 +49,34 @@ bool looksLikeAsciiStl(std::string_view text)
     return head.find("facet") != std::string::npos || head.find("endsolid") != std::string::npos;
 }
 
-bool looksLikeObj(std::string_view text)
+bool isObjKeyword(std::string_view word)
 {
     static constexpr std::array<std::string_view, 11> keywords = {"v", "vn", "vt",     "vp",     "f", "g",
                                                                   "o", "s",  "mtllib", "usemtl", "l"};
-    const std::string_view first = firstWord(text);
-    if (std::find(keywords.begin(), keywords.end(), first) == keywords.end()) return false;
+    return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+/// Vertices and faces by their keywords, also below a first line that is none: what stands there is refused by the
+/// reader of OBJ, where a table would take the faces for points.
+bool looksLikeObj(std::string_view text)
+{
+    const bool startsSo = isObjKeyword(firstWord(text));
+    std::size_t vertices = 0, faces = 0, others = 0;
     Lines lines(text.substr(0, headBytes));
     std::vector<std::string_view> words;
     while (lines.next()) {
         splitWords(lines.line(), words);
+        if (words.empty() || words[0].front() == '#') continue;
         // With a comma the vertex may be written in another country's way.
-        if (words.size() >= 4 && words[0] == "v" && (wholeNumber(words[1], '.') || wholeNumber(words[1], ',')))
-            return true;
-        if (!words.empty() && words[0] == "f") return true;
+        const bool isVertex =
+            words.size() >= 4 && words[0] == "v" && (wholeNumber(words[1], '.') || wholeNumber(words[1], ','));
+        const bool isFace = words.size() >= 4 && words[0] == "f" && words[1].find_first_not_of("-0123456789/") != 0;
+        if (startsSo && (isVertex || words[0] == "f")) return true;
+        vertices += isVertex ? 1 : 0;
+        faces += isFace ? 1 : 0;
+        others += isObjKeyword(words[0]) ? 0 : 1;
     }
-    return false;
+    return vertices >= 3 && (faces > 0 || others * 2 < vertices);
 }
 
 std::uint64_t binaryStlSize(std::string_view bytes)
@@ -116,14 +129,35 @@ Reader textReader(std::string_view text)
     return readTextScan;
 }
 
-RawScan readRaw(std::string_view bytes, const ImportOptions& options, const Progress& progress)
+/// The reader of text that a file's name asks for.
+Reader readerByName(std::string_view name)
 {
+    const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
+    if (lower == ".ply") return readPly;
+    if (lower == ".pcd") return readPcd;
+    if (lower == ".stl") return readAsciiStl;
+    return lower == ".obj" ? readObj : readTextScan;
+}
+
+/// The content decides; where it is of no format of its own, the name does, so that a broken mesh is not read as a
+/// table.
+ScanFile readAny(const std::string& name, std::string_view bytes, const ImportOptions& options,
+                 const Progress& progress)
+{
+    const Progress reading = progress.part(0, 0.95);
+    const auto finish = [&](RawScan raw) { return finishScan(std::move(raw), name, options, progress.part(0.95, 1)); };
     if (bytes.empty()) throw Error(errors::fileEmpty, {});
     refuseForeign(bytes, expectedKinds);
-    if (const Reader reader = binaryReader(bytes)) return reader({bytes, {}, {}, options, progress});
-    if (isDamagedBinaryStl(bytes)) return readBinaryStl({bytes, {}, {}, options, progress});
-    const DecodedText text = readableText(bytes, options.encoding, expectedKinds, progress);
-    return textReader(text.view())({bytes, text.view(), text.encoding(), options, progress});
+    if (const Reader reader = binaryReader(bytes)) return finish(reader({bytes, {}, {}, options, reading}));
+    if (isDamagedBinaryStl(bytes)) return finish(readBinaryStl({bytes, {}, {}, options, reading}));
+    const DecodedText text = readableText(bytes, options.encoding, expectedKinds, reading);
+    Reader reader = textReader(text.view());
+    if (reader == readTextScan) {
+        refuseForeignName(name, false, expectedKinds);
+        if (looksLikeQdas(text.view())) throwUnknownFormat(LT_TEXT("Engine", "a Q-DAS file"), expectedKinds);
+        reader = readerByName(name);
+    }
+    return finish(reader({bytes, text.view(), text.encoding(), options, reading}));
 }
 
 }  // namespace
@@ -140,7 +174,7 @@ ScanFile readScan(const std::string& name, std::string_view bytes, const ImportO
                   const Progress& progress)
 {
     try {
-        return finishScan(readRaw(bytes, options, progress.part(0, 0.95)), name, options, progress.part(0.95, 1));
+        return readAny(name, bytes, options, progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;

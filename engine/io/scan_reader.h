@@ -17,13 +17,13 @@ struct ScanFile {
 };
 
 /// Reads XYZ/ASC/CSV/TXT/PTS, PLY (ascii, binary little and big endian), PCD (ascii, binary), STL (ascii, binary,
-/// several solids) and OBJ; the content decides, not the file's extension. Full double precision is kept, the result
-/// does not depend on the locale, and equal STL corners become one vertex.
+/// several solids) and OBJ; the content decides, and the file's extension where the content is of no format of its own.
+/// Full double precision is kept, the result does not depend on the locale, and equal STL corners become one vertex.
 /// Unit: a stated one rules, else `options.unit`, else a largest extent of 1 to 10 000 is read as mm with the note
 /// unitGuessed, else Error unitUnknown.
 /// Errors (all with `path`, and `line` + `column` or `byte`): fileNotFound, fileNotReadable, notAFile, fileEmpty,
-/// formatUnknown, malformed, truncated, numberAmbiguous, unitUnknown, noPoints, coordinateTooLarge. Throws Cancelled.
-/// Memory is taken as data are found, never because a header promises them.
+/// formatUnknown, malformed, columnsAmbiguous, truncated, numberAmbiguous, unitUnknown, noPoints, coordinateTooLarge.
+/// Throws Cancelled. Memory is taken as data are found, never because a header promises them.
 ScanFile readScan(const std::string& path, const ImportOptions& options = {}, const Progress& progress = {});
 
 /// The same from memory; `name` stands for the path in messages.

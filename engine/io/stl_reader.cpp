@@ -1,5 +1,6 @@
 // STL files: ascii with one or several solids, and binary.
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "engine/io/io_codes.h"
@@ -41,7 +42,7 @@ private:
 class AsciiStl {
 public:
     AsciiStl(const ScanSource& source, RawScan& raw)
-        : lines_(source.text), numbers_(source), progress_(source.progress), raw_(raw), sink_(raw)
+        : text_(source.text), lines_(source.text), numbers_(source), progress_(source.progress), raw_(raw), sink_(raw)
     {
     }
 
@@ -69,6 +70,9 @@ public:
         set(raw_.facts.details, "solids", solids);
         raw_.facts.rows = facets;
         raw_.facts.decimal = numbers_.decimalName();
+        raw_.places.find = [text = text_, decimal = numbers_.decimal()](double largest) {
+            return placeOfLarge(text, "vertex", decimal, largest);
+        };
     }
 
 private:
@@ -114,6 +118,7 @@ private:
         if (raw_.places.firstLine == 0) raw_.places.firstLine = line;
     }
 
+    std::string_view text_;
     Lines lines_;
     NumberCells numbers_;
     const Progress& progress_;
@@ -121,6 +126,25 @@ private:
     TriangleSink sink_;
     std::vector<std::string_view> words_;
 };
+
+std::array<float, 9> cornersOf(std::string_view bytes, std::size_t facet)
+{
+    std::array<float, 9> values{};
+    std::memcpy(values.data(), bytes.data() + headerBytes + facet * facetBytes + 12, sizeof(values));
+    return values;
+}
+
+/// The byte of the first coordinate beyond `largest`.
+Values placeOfLargeCorner(std::string_view bytes, std::size_t facets, double largest)
+{
+    for (std::size_t i = 0; i < facets; ++i) {
+        const std::array<float, 9> values = cornersOf(bytes, i);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (std::isfinite(values[k]) && std::abs(static_cast<double>(values[k])) > largest)
+                return {{"byte", static_cast<std::int64_t>(headerBytes + i * facetBytes + 12 + 4 * k)}};
+    }
+    return {{"byte", static_cast<std::int64_t>(headerBytes)}};
+}
 
 }  // namespace
 
@@ -148,12 +172,11 @@ RawScan readBinaryStl(const ScanSource& source)
                                         {"expected", static_cast<std::int64_t>(announced)},
                                         {"items", LT_TEXT("Engine", "triangles")}});
     raw.statedUnit = statedUnit(bytes.substr(0, 80));
-    raw.places = {0, static_cast<std::int64_t>(headerBytes), 0};
+    raw.places.find = [bytes, announced](double largest) { return placeOfLargeCorner(bytes, announced, largest); };
     TriangleSink sink(raw);
     for (std::size_t i = 0; i < announced; ++i) {
         if ((i & 0xFFFF) == 0) source.progress.check();
-        std::array<float, 9> values{};
-        std::memcpy(values.data(), bytes.data() + headerBytes + i * facetBytes + 12, sizeof(values));
+        const std::array<float, 9> values = cornersOf(bytes, i);
         std::array<Eigen::Vector3d, 3> corners;
         for (std::size_t k = 0; k < 9; ++k) corners[k / 3][static_cast<int>(k % 3)] = static_cast<double>(values[k]);
         sink.add(corners, static_cast<std::int64_t>(i) + 1);

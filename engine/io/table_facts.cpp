@@ -1,5 +1,6 @@
 #include "engine/io/table_facts.h"
 
+#include "engine/io/column_names.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier {
@@ -24,6 +25,13 @@ void describeTable(const TableLayout& layout, const TableRows& rows, const std::
     const std::int64_t read = static_cast<std::int64_t>(rows.rows) + rows.notFinite;
     if (layout.announcedRows && *layout.announcedRows < read)
         notes.push_back({notes::countDiffers, {{"announced", *layout.announcedRows}, {"found", read}}});
+}
+
+void noteColumns(const TableLayout& layout, std::span<const std::size_t> columns, FileFacts& facts, Notes& notes)
+{
+    const std::string names = namesOf(layout, columns);
+    set(facts.details, "column_names", names);
+    notes.push_back({notes::columnsRead, {{"columns", names}}});
 }
 
 std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows)

@@ -1,6 +1,8 @@
 // What the readers of tables say of their files.
 #pragma once
 
+#include <span>
+
 #include "engine/core/error.h"
 #include "engine/io/text_table.h"
 
@@ -10,6 +12,9 @@ namespace lathelier {
 /// rows into the notes (rowsSkipped, countDiffers).
 void describeTable(const TableLayout& layout, const TableRows& rows, const std::string& encoding, FileFacts& facts,
                    Notes& notes);
+
+/// Says by name which columns are read: detail "column_names", note columnsRead.
+void noteColumns(const TableLayout& layout, std::span<const std::size_t> columns, FileFacts& facts, Notes& notes);
 
 /// All skipped lines: those of the facts and those that came after the first hundred.
 std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows);

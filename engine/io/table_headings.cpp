@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/io/column_names.h"
 #include "engine/io/text_lines.h"
 
 namespace lathelier {
@@ -43,6 +44,19 @@ std::size_t countKnown(const std::vector<Heading>& headings, const TableExpectat
                       [&expectation](const Heading& heading) { return expectation.knowsName(heading.name); }));
 }
 
+/// True for a name that is known, and says that the caller cannot use the column: "force_N", "temp (C)".
+bool isOther(const Heading& heading)
+{
+    return isOtherQuantity(heading.written.substr(0, heading.written.find_first_of("_([")));
+}
+
+/// How many are such; a single word among others is none.
+std::size_t countOthers(const std::vector<Heading>& headings)
+{
+    const auto count = static_cast<std::size_t>(std::count_if(headings.begin(), headings.end(), isOther));
+    return count > 1 ? count : 0;
+}
+
 /// The reading of a line with most names that the caller knows: the names may be separated in another way than the
 /// rows.
 std::vector<Heading> readLine(std::string_view line, char delimiter, const TableExpectation& expectation)
@@ -71,18 +85,37 @@ struct NamesFound {
     bool areUnits = false;  ///< a row of units, taken for want of anything better
 };
 
-/// The line with most known names; without any, the lowest line that is no remark, best one that is no row of units.
-NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
+/// A name for each column; the row numbers in front may have none, and where decimals are commas there are half as
+/// many.
+bool fitsColumns(std::size_t names, std::size_t columns)
+{
+    return names == columns || names + 1 == columns || 2 * names == columns;
+}
+
+/// The line with most known names, those with a name for every column first; without any, the lowest line that is no
+/// remark, best one that is no row of units. A remark of other words ("# shaft of rho 7850, r 15") is no line of names,
+/// and hides none.
+NamesFound findNames(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation,
+                     std::size_t columns)
 {
     NamesFound best;
+    bool bestFits = false;
     for (std::size_t i = preface.size(); i-- > 0 && preface.size() - i <= searchedLines;) {
         if (preface[i].text.size() > longestNames) continue;
         std::vector<Heading> headings = readLine(preface[i].text, delimiter, expectation);
-        const std::size_t known = countKnown(headings, expectation);
+        std::size_t known = countKnown(headings, expectation);
+        // Names of other quantities in a remark are names as well: "# time force temp" is what some programs write.
+        if (preface[i].isRemark && known == 0) known = countOthers(headings);
+        const bool fits = fitsColumns(headings.size(), columns);
+        if (preface[i].isRemark && !fits) continue;
         const bool areUnits = isUnitLine(splitNames(preface[i].text, delimiter), expectation);
         const bool isWanted = best.headings.empty() || (best.areUnits && best.known == 0 && !areUnits);
-        if (known > best.known || (isWanted && !preface[i].isRemark && headings.size() > 1))
+        const bool isLoneName = columns == 1 && headings.size() == 1 && isOther(headings.front());
+        const bool isBetter = fits == bestFits || best.known == 0 ? known > best.known : known > 0 && fits;
+        if (isBetter || (isWanted && !preface[i].isRemark && (headings.size() > 1 || isLoneName))) {
             best = {std::move(headings), i, known, areUnits};
+            bestFits = fits;
+        }
     }
     return best;
 }
@@ -106,16 +139,17 @@ void applyUnitLine(const std::vector<PrefaceLine>& preface, const TableExpectati
 
 }  // namespace
 
-std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation)
+std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation,
+                          std::size_t columns)
 {
-    return findNames(preface, delimiter, expectation).headings.size();
+    return findNames(preface, delimiter, expectation, columns).headings.size();
 }
 
 void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectation& expectation, TableLayout& layout)
 {
     applyUnitLine(preface, expectation, layout);
-    const NamesFound names = findNames(preface, layout.style.delimiter, expectation);
     const std::size_t columns = layout.columns.size();
+    const NamesFound names = findNames(preface, layout.style.delimiter, expectation, columns);
     if (names.headings.empty()) return;
     // One name less than columns: the row numbers or labels in front have none.
     const bool unnamedFirst =

@@ -15,8 +15,9 @@ struct PrefaceLine {
     std::size_t skippedIndex = 0;  ///< its place in TableLayout::skipped
 };
 
-/// How many columns the best line of names has; 0 without one.
-std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation);
+/// How many columns the best line of names has, above rows of so many cells; 0 without one.
+std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation,
+                          std::size_t columns);
 
 /// Finds the line of names and the line of units, and enters them into the layout's columns.
 void applyHeadings(const std::vector<PrefaceLine>& preface, const TableExpectation& expectation, TableLayout& layout);

@@ -314,7 +314,8 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
     requireNumbers(sample, expectation, layout);
     Above above;
     if (!findBody(text, layout, above)) throwNoRows(sample, expectation, settled);
-    settlePairs(sample, settled, expectation, countHeadings(above.preface, layout.style.delimiter, expectation), found);
+    settlePairs(sample, settled, expectation,
+                countHeadings(above.preface, layout.style.delimiter, expectation, found.columns), found);
     if (found.columns != layout.columns.size()) {
         layout.style = found.style;
         layout.columns = studyColumns(sample, found);

@@ -1,9 +1,14 @@
 // Clouds in text tables: XYZ, ASC, CSV, TXT, PTS.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
 #include "engine/core/parallel.h"
+#include "engine/io/column_names.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/probe_columns.h"
 #include "engine/io/raw_scan.h"
 #include "engine/io/table_facts.h"
 #include "engine/io/text_table.h"
@@ -12,6 +17,7 @@ namespace lathelier {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
+constexpr std::array<Text, 3> axes = {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")};
 
 /// What a column name means to a cloud.
 enum class Role { Unknown, X, Y, Z, NormalX, NormalY, NormalZ, Other, Polar };
@@ -57,34 +63,48 @@ struct Columns {
 
 [[noreturn]] void throwNoCoordinates(const TableLayout& layout)
 {
-    std::string names;
-    for (const TableColumn& column : layout.columns) names += (names.empty() ? "" : " ") + column.name;
     throw Error(errors::malformed, {{"line", layout.bodyLine},
                                     {"column", std::int64_t{1}},
-                                    {"found", excerpt(names)},
+                                    {"found", columnNames(layout)},
                                     {"expected", LT_TEXT("Engine", "columns named x, y and z")}});
+}
+
+/// The column of one coordinate; -1 without one. A plain "x" comes before "X position". Error columnsAmbiguous when
+/// several are named alike: two sets of coordinates in one table.
+int coordinate(const TableLayout& layout, const std::vector<Role>& roles, std::size_t axis)
+{
+    const std::string letter(1, static_cast<char>('x' + axis));
+    std::vector<std::size_t> named, plain;
+    for (std::size_t k = 0; k < roles.size(); ++k) {
+        if (!layout.columns[k].isNumber ||
+            static_cast<std::size_t>(roles[k]) != static_cast<std::size_t>(Role::X) + axis)
+            continue;
+        named.push_back(k);
+        if (layout.columns[k].name == letter) plain.push_back(k);
+    }
+    const std::vector<std::size_t>& candidates = plain.empty() ? named : plain;
+    if (candidates.size() > 1) throwAmbiguous(layout, candidates, axes[axis]);
+    return candidates.empty() ? -1 : static_cast<int>(candidates.front());
 }
 
 Columns findColumns(const TableLayout& layout)
 {
     Columns columns;
     bool polar = false;
-    bool anyAxis = false;
     std::vector<Role> roles;
     for (const TableColumn& column : layout.columns) roles.push_back(roleOf(column.name));
+    for (std::size_t axis = 0; axis < 3; ++axis) columns.point[axis] = coordinate(layout, roles, axis);
     for (std::size_t k = 0; k < roles.size(); ++k) {
         if (!layout.columns[k].isNumber) continue;
-        const auto axis = static_cast<int>(roles[k]) - static_cast<int>(Role::X);
-        if (axis >= 0 && axis < 3 && columns.point[static_cast<std::size_t>(axis)] < 0)
-            columns.point[static_cast<std::size_t>(axis)] = static_cast<int>(k);
-        if (axis >= 3 && axis < 6 && columns.normal[static_cast<std::size_t>(axis - 3)] < 0)
-            columns.normal[static_cast<std::size_t>(axis - 3)] = static_cast<int>(k);
-        anyAxis = anyAxis || (axis >= 0 && axis < 3);
+        const auto axis = static_cast<int>(roles[k]) - static_cast<int>(Role::NormalX);
+        if (axis >= 0 && axis < 3 && columns.normal[static_cast<std::size_t>(axis)] < 0)
+            columns.normal[static_cast<std::size_t>(axis)] = static_cast<int>(k);
         polar = polar || roles[k] == Role::Polar;
     }
+    const bool anyAxis = std::any_of(columns.point.begin(), columns.point.end(), [](int k) { return k >= 0; });
     if (columns.normal[0] < 0 || columns.normal[1] < 0 || columns.normal[2] < 0) columns.normal = {-1, -1, -1};
     if (columns.point[0] >= 0 && columns.point[1] >= 0 && columns.point[2] >= 0) return columns;
-    if (anyAxis || polar) throwNoCoordinates(layout);
+    if (anyAxis || polar || hasProbeNames(layout)) throwNoCoordinates(layout);
 
     // No names that help: the first three columns of numbers, after a row number.
     std::vector<int> candidates;
@@ -95,6 +115,9 @@ Columns findColumns(const TableLayout& layout)
         (column(1).hasMarks || column(2).hasMarks))
         candidates.erase(candidates.begin());
     if (candidates.size() < 3) throwNoCoordinates(layout);
+    // Forces over time are no points, though three columns of numbers they are.
+    const std::vector<std::size_t> taken(candidates.begin(), candidates.begin() + 3);
+    if (saySomethingElse(layout, taken)) throwNoCoordinates(layout);
     std::copy_n(candidates.begin(), 3, columns.point.begin());
     if (!layout.hasNames && candidates.size() == 6) {
         std::copy_n(candidates.begin() + 3, 3, columns.normal.begin());
@@ -151,6 +174,7 @@ TableRows readWithNormals(std::string_view text, const TableLayout& layout, cons
 
 RawScan readTextScan(const ScanSource& source)
 {
+    refuseProgram(source.text, LT_TEXT("Engine", "points as text"));
     TableExpectation expectation;
     expectation.minimumColumns = 3;
     expectation.knowsName = [](const std::string& name) {
@@ -184,6 +208,9 @@ RawScan readTextScan(const ScanSource& source)
         points.resize(rows.rows);
     }
     describeTable(layout, rows, source.encoding, raw.facts, raw.notes);
+    // Three columns without names leave nothing to choose.
+    const std::array<std::size_t, 3> read{wanted[0].column, wanted[1].column, wanted[2].column};
+    if (layout.hasNames || layout.columns.size() > 3) noteColumns(layout, read, raw.facts, raw.notes);
     raw.notFinite = rows.notFinite;
     raw.skippedCount = countSkipped(layout, rows);
     raw.places.firstLine = layout.bodyLine;

@@ -8,8 +8,9 @@
 
 namespace lathelier {
 
-/// Coordinates beyond this are refused: 1000 km, where a double still resolves 0.1 µm.
-inline constexpr double largestCoordinate_mm = 1e9;
+/// Coordinates beyond this are refused where they stand in the file: 10 km, as far as the registration reaches, which
+/// could only say so without a line.
+inline constexpr double largestCoordinate_mm = 1e7;
 
 /// largestCoordinate_mm in the unit of the file, mm when that is still to be guessed.
 double largestCoordinate(const std::optional<LengthScale>& stated, const ImportOptions& options);

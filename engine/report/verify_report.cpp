@@ -17,10 +17,10 @@ std::string size(double value, Text unit)
 
 Paragraph whereNist(const VerifyResult& result)
 {
-    if (result.nist_directory.empty())
-        return {LT_TEXT("Engine", "The NIST reference sets were not there; the other sets are built in."), {}};
+    if (result.reference_data.empty())
+        return {LT_TEXT("Engine", "All sets are built in; no folder with further ones was named."), {}};
     return {LT_TEXT("Engine", "NIST reference sets from {path}; the other sets are built in."),
-            {{"path", result.nist_directory}}};
+            {{"path", result.reference_data}}};
 }
 
 Paragraph howVerified()

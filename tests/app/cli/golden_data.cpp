@@ -11,6 +11,7 @@
 
 #include "engine/project/sample.h"
 #include "tests/app/cli/golden_spindle.h"
+#include "tests/app/cli/golden_wrong_kind.h"
 #include "tests/engine/io/lgraph_files.h"
 
 namespace lathelier::golden {
@@ -139,6 +140,7 @@ void makeData(const std::string& folder)
 
     makeRecords(write);
     makeSpindleRecords(write);
+    makeWrongKinds(folder);
 
     write("lobes.csv", section(360, 3, 0.005));
     write("lobes_um.csv", section(360, 3, 0.005, 1000));

@@ -42,7 +42,24 @@ TEST(Verify, SaysWhatIsWrongWithADirectory)
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nist";
     EXPECT_THROW(verify((folder / "missing").string()), Error);
     std::filesystem::create_directories(folder);
-    EXPECT_FALSE(verify(folder.string()).pass);  // asked for, but empty: nothing was proved
+    const auto refusal = [&folder] {
+        try {
+            verify(folder.string());
+        } catch (const Error& error) {
+            EXPECT_TRUE(find(error.values(), "path"));
+            return std::string(error.code().key);
+        }
+        return std::string();
+    };
+    // Nothing of this installation was proved, nor refuted.
+    EXPECT_EQ(refusal(), "reference_data_missing");
+    std::ofstream(folder / "b.ds") << "4\n1 0 0\n0 1 5\n-1 0 10\n0 -1 2\n";
+    EXPECT_EQ(refusal(), "file_not_found");  // a set without its answer
+    std::ofstream(folder / "b.fit") << "0 0 0 0 0 1 2\n";
+    EXPECT_EQ(refusal(), "reference_data_missing");  // a cylinder
+    std::ofstream(folder / "b.fit") << "0 0 0 2\n";
+    EXPECT_EQ(refusal(), "reference_data_missing");  // a sphere
+    std::filesystem::remove(folder / "b.ds");
     std::ofstream(folder / "a.ds") << "3\n1 2 0\n3 4 zero\n";
     std::ofstream(folder / "a.fit") << "1 2 3 0 0 1 4\n";
     EXPECT_THROW(verify(folder.string()), Error);

@@ -20,9 +20,11 @@ QdasFile example()
     file.part_number = "shaft 7";
     file.part_description = "Gehäuse Ø50";
     file.machine = "16K20";
-    file.measured = "21.04.2015/12:00:00";
-    file.characteristics.push_back({"1", "RONt(MZCI), G 1-50 UPR", "µm", 3, 0.0, std::nullopt, 10.0, {5.25, 6.0}});
-    file.characteristics.push_back({"2", "Diameter", "mm", 5, 50.0, 49.99, 50.01, {50.0004}});
+    const std::string noon = "21.04.2015/12:00:00", later = "21.04.2015/12:05:00";
+    file.characteristics.push_back(
+        {"1", "RONt(MZCI), G 1-50 UPR", "µm", 3, 0.0, 0.0, 10.0, {5.25, 6.0}, {noon, later}, true, false});
+    file.characteristics.push_back(
+        {"2", "Diameter", "mm", 5, 50.0, 49.99, std::nullopt, {50.0004}, {noon}, false, false});
     return file;
 }
 
@@ -31,7 +33,6 @@ void expectEqual(const QdasFile& a, const QdasFile& b)
     EXPECT_EQ(a.part_number, b.part_number);
     EXPECT_EQ(a.part_description, b.part_description);
     EXPECT_EQ(a.machine, b.machine);
-    EXPECT_EQ(a.measured, b.measured);
     ASSERT_EQ(a.characteristics.size(), b.characteristics.size());
     for (std::size_t i = 0; i < a.characteristics.size(); ++i) {
         const QdasCharacteristic& p = a.characteristics[i];
@@ -43,6 +44,9 @@ void expectEqual(const QdasFile& a, const QdasFile& b)
         EXPECT_EQ(p.nominal, q.nominal);
         EXPECT_EQ(p.lower_limit, q.lower_limit);
         EXPECT_EQ(p.upper_limit, q.upper_limit);
+        EXPECT_EQ(p.lower_is_natural, q.lower_is_natural);
+        EXPECT_EQ(p.upper_is_natural, q.upper_is_natural);
+        EXPECT_EQ(p.measured, q.measured);
         ASSERT_EQ(p.values.size(), q.values.size());
         for (std::size_t k = 0; k < p.values.size(); ++k)
             EXPECT_TRUE(p.values[k] == q.values[k] || (std::isnan(p.values[k]) && std::isnan(q.values[k])));
@@ -55,13 +59,13 @@ TEST(Dfq, theFieldsOfTheTransferFormat)
     EXPECT_EQ(written,
               "K0100 2\r\nK1001 shaft 7\r\nK1002 Geh\xE4use \xD8"
               "50\r\nK1082 16K20\r\n"
-              "K2001/1 1\r\nK2002/1 RONt(MZCI), G 1-50 UPR\r\nK2004/1 0\r\nK2022/1 3\r\nK2101/1 0\r\nK2111/1 10\r\n"
-              "K2142/1 \xB5m\r\n"
+              "K2001/1 1\r\nK2002/1 RONt(MZCI), G 1-50 UPR\r\nK2004/1 0\r\nK2022/1 3\r\nK2101/1 0\r\nK2110/1 0\r\n"
+              "K2111/1 10\r\nK2120/1 2\r\nK2121/1 1\r\nK2142/1 \xB5m\r\n"
               "K2001/2 2\r\nK2002/2 Diameter\r\nK2004/2 0\r\nK2022/2 5\r\nK2101/2 50\r\nK2110/2 49.99\r\n"
-              "K2111/2 50.01\r\nK2142/2 mm\r\n"
+              "K2120/2 1\r\nK2121/2 0\r\nK2142/2 mm\r\n"
               "K0001/1 5.25\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n"
               "K0001/2 50.0004\r\nK0002/2 0\r\nK0004/2 21.04.2015/12:00:00\r\n"
-              "K0001/1 6\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n");
+              "K0001/1 6\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:05:00\r\n");
     expectEqual(readDfq("test", written), example());
 }
 
@@ -88,6 +92,60 @@ TEST(Dfq, lettersOutsideWindows1252)
     file.part_description = "Ã¤";
     expectEqual(readDfq("test", toDfq(file)), file);
     EXPECT_EQ(toWindows1252("€ …"), "\x80 \x85");
+}
+
+TEST(Dfq, descriptionsHaveEightyCharacters)
+{
+    QdasFile file = example();
+    file.characteristics[0].description = std::string(79, 'a') + "µµ";
+    EXPECT_EQ(readDfq("test", toDfq(file)).characteristics[0].description, std::string(79, 'a') + "µ");
+}
+
+TEST(Dfq, bytesThatAreNoUtf8DoNotSpoilTheEncoding)
+{
+    QdasFile file = example();
+    file.part_number =
+        "wa\xB3"
+        "ek";  // a file name of another country and time
+    file.part_description = "вал";
+    const QdasFile back = readDfq("test", toDfq(file));
+    EXPECT_EQ(back.part_number, "wa³ek");
+    EXPECT_EQ(back.part_description, "вал");
+    EXPECT_EQ(back.characteristics[0].unit, "µm");
+}
+
+TEST(Dfq, linesOfValuesInTheShortForm)
+{
+    const QdasFile file = readDfq("test",
+                                  "K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\n5.25\x14"
+                                  "0\x14"
+                                  "21.04.2015/12:00:00\x0F"
+                                  "6,5\x14"
+                                  "255\r\n5.5\x0F"
+                                  "6.75\r\n");
+    ASSERT_EQ(file.characteristics.size(), 2U);
+    EXPECT_EQ(file.characteristics[0].values, (std::vector<double>{5.25, 5.5}));
+    EXPECT_EQ(file.characteristics[0].measured, (std::vector<std::string>{"21.04.2015/12:00:00"}));
+    EXPECT_TRUE(std::isnan(file.characteristics[1].values[0]));
+    EXPECT_EQ(file.characteristics[1].values[1], 6.75);
+}
+
+TEST(Dfq, aLimitThatDoesNotCountIsNone)
+{
+    const QdasFile file = readDfq("test", "K0100 1\r\nK2110/1 0\r\nK2111/1 5\r\nK2120/1 0\r\nK2121/1 2\r\n");
+    EXPECT_FALSE(file.characteristics[0].lower_limit);
+    EXPECT_EQ(file.characteristics[0].upper_limit, 5.0);
+    EXPECT_TRUE(file.characteristics[0].upper_is_natural);
+}
+
+TEST(Dfq, itIsKnownByItsFirstField)
+{
+    EXPECT_TRUE(isDfq("K0100 1\r\n"));
+    EXPECT_TRUE(isDfq("\xEF\xBB\xBFK0101/0 1\r\n"));
+    EXPECT_TRUE(isDfq("\r\nK1001/1 shaft\r\n"));
+    EXPECT_FALSE(isDfq("K01 1\r\n"));
+    EXPECT_FALSE(isDfq("Kraft 1 2 3\n"));
+    EXPECT_FALSE(isDfq("1 2 3\nK0100 1\n"));
 }
 
 TEST(Dfq, lineEndsInTextsCannotForgeFields)

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/texts.h"
+#include "engine/io/io_codes.h"
 #include "engine/io/scan_reader.h"
 
 namespace lathelier::testing {
@@ -41,6 +43,13 @@ inline std::string wordOf(const Error& error, const char* name)
 {
     const Value* value = find(error.values(), name);
     return value ? text(*value) : std::string();
+}
+
+/// Notes besides the one that every table has: which columns were read.
+inline std::size_t furtherNotes(const Notes& notes)
+{
+    return static_cast<std::size_t>(
+        std::count_if(notes.begin(), notes.end(), [](const Note& note) { return !(note.code == notes::columnsRead); }));
 }
 
 inline std::string reasonOf(const SkippedRow& row)

@@ -144,7 +144,7 @@ TEST(Refusal, coordinatesOutOfReach)
 {
     expectAt(errorOf(good + "1 1e30 3\n"), errors::coordinateTooLarge, 3, 3);
     expectAt(errorOf(good + "1 1e999 3\n"), errors::coordinateTooLarge, 3, 3);
-    expectAt(errorOf("v 1 2 3\nv 1e30 2 3\n"), errors::coordinateTooLarge, 2, 1);
+    expectAt(errorOf("v 1 2 3\nv 1e30 2 3\n"), errors::coordinateTooLarge, 2, 3);
     EXPECT_EQ(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double "
                       "z\nend_header\n1 2 -1e30\n")
                   .code(),

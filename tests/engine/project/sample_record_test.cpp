@@ -33,7 +33,8 @@ TEST(SampleRecord, ItsTextIsReadBackAsItWas)
         EXPECT_EQ(*find(read.header, key), value) << key;
     }
     EXPECT_TRUE(contains(file.notes, notes::syntheticData));
-    EXPECT_EQ(file.notes.size(), 1u);
+    EXPECT_TRUE(contains(file.notes, notes::columnsRead));
+    EXPECT_EQ(file.notes.size(), 2u);
 }
 
 TEST(SampleRecord, TheAveragesAreReadBackToo)

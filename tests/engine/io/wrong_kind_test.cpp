@@ -1,0 +1,189 @@
+// Tables and texts that hold numbers, but not those that were asked for: what a name or a content says, it is read as,
+// or refused.
+#include <gtest/gtest.h>
+
+#include "engine/io/io_codes.h"
+#include "engine/io/profile_reader.h"
+#include "tests/engine/io/reading.h"
+
+namespace lathelier {
+namespace {
+
+using testing::errorOf;
+using testing::integerOf;
+using testing::readText;
+using testing::wordOf;
+
+constexpr const char* rows3 = "1.5,2.5,3.5\n2.5,3.5,1.5\n3.5,1.5,2.5\n4.5,3.5,2.5\n";
+
+ImportOptions millimetres()
+{
+    ImportOptions options;
+    options.unit = LengthUnit::Millimetre;
+    return options;
+}
+
+std::string profileError(const std::string& name, const std::string& content,
+                         ProfileColumns columns = ProfileColumns::Auto)
+{
+    ProfileOptions options;
+    options.columns = columns;
+    options.nominal_radius_mm = 25;
+    try {
+        readProfile(name, content, millimetres(), options);
+    } catch (const Error& error) {
+        return error.code().key;
+    }
+    return {};
+}
+
+std::string namesRead(const std::string& content, ProfileColumns columns = ProfileColumns::Auto)
+{
+    ProfileOptions options;
+    options.columns = columns;
+    const ProfileFile file = readProfile("test", content, millimetres(), options);
+    for (const Note& note : file.notes)
+        if (note.code == notes::columnsRead) return text(*find(note.values, "columns"));
+    return {};
+}
+
+std::string repeated(const std::string& heading, const std::string& row, int count = 12)
+{
+    std::string result = heading + "\n";
+    for (int i = 0; i < count; ++i) result += std::to_string(30 * i) + row + "\n";
+    return result;
+}
+
+TEST(WrongKind, columnsOfAProfileAreNamed)
+{
+    EXPECT_EQ(namesRead(repeated("angle,distance,angle2,distance2", ",25.5,7.5,8.5")), "angle, distance");
+    EXPECT_EQ(namesRead(repeated("angle,distance,angle2", ",25.5,7.5"), ProfileColumns::AngleRadius),
+              "angle, distance");
+    EXPECT_EQ(namesRead(repeated("no,phi_deg,reading_mm", ",7.5,25.5")), "phi_deg, reading_mm");
+    EXPECT_EQ(namesRead(repeated("angle1,radius1", ",25.5")), "angle1, radius1");
+    EXPECT_EQ(namesRead("1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n", ProfileColumns::Xy), "1, 2");
+}
+
+TEST(WrongKind, columnsThatCouldAllBeMeantAreRefused)
+{
+    EXPECT_EQ(profileError("t", repeated("angle,radius,distance", ",25.5,24.5")), "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("angle,r,r", ",25.5,24.5")), "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("angle1,radius1,angle2,radius2", ",25.5,7.5,24.5")), "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("x,y,x,y", ",25.5,7.5,24.5")), "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("angle,foo,bar", ",25.5,24.5"), ProfileColumns::AngleRadius),
+              "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("foo,bar,baz", ",25.5,24.5"), ProfileColumns::AngleRadius),
+              "columns_ambiguous");
+    EXPECT_EQ(profileError("t", repeated("x,foo,bar", ",25.5,24.5"), ProfileColumns::Xy), "columns_unknown");
+    EXPECT_EQ(profileError("t", repeated("x,y,foo", ",25.5,24.5"), ProfileColumns::AngleRadius), "columns_unknown");
+    EXPECT_EQ(errorOf("x,y,z,x,y,z\n1.5,2.5,3.5,4.5,5.5,6.5\n2.5,3.5,1.5,4.5,5.5,6.5\n").code(),
+              errors::columnsAmbiguous);
+    // A plain letter comes before a further coordinate, and deviations do not stand beside radii.
+    EXPECT_EQ(readText("x,y,z,x position,y position,z position\n1.5,2.5,3.5,4.5,5.5,6.5\n2.5,3.5,1.5,4.5,5.5,6.5\n")
+                  .scan.points_mm[0],
+              Eigen::Vector3d(1.5, 2.5, 3.5));
+    EXPECT_EQ(namesRead(repeated("angle,radius,deviation", ",25.5,0.5")), "angle, radius");
+}
+
+TEST(WrongKind, otherQuantitiesAreNoCoordinates)
+{
+    for (const char* heading :
+         {"frequency_hz,real_mm_N,imag_mm_N", "time_s,force_N,temp_C", "t_s,marker_V,X3_um", "Fx,Fy,Fz",
+          "force,torque,power", "alpha,beta,gamma", "ch1,ch2,ch3", "# time,force,temp"}) {
+        SCOPED_TRACE(heading);
+        EXPECT_EQ(errorOf(std::string(heading) + "\n" + rows3).code(), errors::malformed);
+    }
+    for (const char* heading : {"# time force temp", "time_s force_N temp_C", "t_s force noise"})
+        EXPECT_EQ(errorOf(std::string(heading) + "\n1.5 2.5 3.5\n2.5 3.5 1.5\n3.5 1.5 2.5\n").code(), errors::malformed)
+            << heading;
+    EXPECT_EQ(readText("# scan time: 12\n1.5 2.5 3.5\n2.5 3.5 1.5\n3.5 1.5 2.5\n").scan.points_mm.size(), 3U);
+    for (const char* heading :
+         {"col1,col2,col3", "Easting,Northing,Height", "scan of part_7", "section of shaft", "V1,V2,V3", ",,"}) {
+        SCOPED_TRACE(heading);
+        EXPECT_EQ(readText(std::string(heading) + "\n" + rows3).scan.points_mm.size(), 4U);
+    }
+    // A remark with a known word in it ("rho") does not hide the names below.
+    EXPECT_EQ(errorOf("# tip of a shaft, rho 7850, E 210e9 x\nfrequency_hz,real_mm_N,imag_mm_N\n" + std::string(rows3))
+                  .code(),
+              errors::malformed);
+    EXPECT_EQ(
+        readText("# made on r 15, x of rho 3 at z\nx,y,z,r\n1.5,2.5,3.5,9.5\n2.5,3.5,1.5,9.5\n").scan.points_mm[0],
+        Eigen::Vector3d(1.5, 2.5, 3.5));
+    EXPECT_EQ(profileError("t", "force_N,temp_C\n1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n"), "columns_unknown");
+    EXPECT_EQ(profileError("t", "angle_deg,temp_C\n0,2.5\n90,3.5\n180,1.5\n270,3.5\n"), "columns_unknown");
+    EXPECT_EQ(profileError("t", "force\n1.5\n2.5\n3.5\n1.5\n"), "columns_unknown");
+    EXPECT_EQ(profileError("t", "Part_7\n1.5\n2.5\n3.5\n1.5\n"), "");  // a title
+}
+
+TEST(WrongKind, programsAreNoTables)
+{
+    const std::string numbers = "25.001,\n25.002,\n25.003,\n25.002,\n25.001,\n";
+    for (const char* start : {"static const double r[] = {", "r = [", "import numpy as np", "from math import pi",
+                              "#include <vector>", "#pragma once", "def radii():", "{", "\"radii\": ["}) {
+        SCOPED_TRACE(start);
+        EXPECT_EQ(profileError("t", std::string(start) + "\n" + numbers), "format_unknown");
+        EXPECT_EQ(errorOf(std::string(start) + "\n" + rows3).code(), errors::formatUnknown);
+    }
+    EXPECT_EQ(profileError("t", numbers + "};\n"), "format_unknown");
+    EXPECT_EQ(profileError("r.cpp", numbers), "format_unknown");
+    EXPECT_EQ(profileError("r.py", numbers), "format_unknown");
+    EXPECT_EQ(profileError("r.txt", numbers), "");
+    // Remarks of measuring programs are no programs.
+    EXPECT_EQ(profileError("r.txt", "# imported from the gauge; rpm=975\nclass A, form 5\n" + numbers), "");
+}
+
+TEST(WrongKind, aMeshIsReadAsOneByItsNameOrItsContent)
+{
+    const std::string obj = "Exported from CAD\nv 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n";
+    EXPECT_EQ(integerOf(errorOf(obj), "line"), 1);
+    EXPECT_EQ(wordOf(errorOf(obj), "expected"), "an OBJ keyword such as v or f");
+    for (const char* name : {"a.obj", "a.OBJ", "a.stl", "a.ply", "a.pcd"}) {
+        SCOPED_TRACE(name);
+        EXPECT_THROW(readScan(name, rows3, millimetres()), Error);
+    }
+    for (const char* name : {"a.xyz", "a.csv", "obj", "a.obj.txt"})
+        EXPECT_EQ(readScan(name, rows3, millimetres()).scan.points_mm.size(), 4U) << name;
+    EXPECT_EQ(profileError("a.obj", "1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n"), "format_unknown");
+    for (const char* off : {"OFF\n", "COFF\n", "NOFF BINARY\n", "STCN4OFF\n", "# remark\n\nOFF\n", "OFF # remark\r\n"})
+        EXPECT_EQ(wordOf(errorOf(std::string(off) + "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "found"), "an OFF mesh");
+}
+
+TEST(WrongKind, theEndOfTheDataIsTheEndOfTheFile)
+{
+    const std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+        "z\nend_header\n" +
+        std::string(12, '\0');
+    EXPECT_EQ(readText(ply).scan.points_mm.size(), 1U);
+    EXPECT_EQ(readText(ply + "\n").scan.points_mm.size(), 1U);
+    EXPECT_EQ(readText(ply + std::string(4096, '\0')).scan.points_mm.size(), 1U);  // a disk's cluster
+    EXPECT_EQ(errorOf(ply + std::string(100000, '\0')).code(), errors::malformed);
+    EXPECT_EQ(integerOf(errorOf(ply + "\n\nmore"), "byte"), static_cast<std::int64_t>(ply.size()) + 2);
+    const std::string pcd =
+        "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n" +
+        std::string(12, '\0');
+    EXPECT_EQ(readText(pcd + std::string(4000, '\0')).scan.points_mm.size(), 1U);
+    EXPECT_EQ(errorOf(pcd + std::string(100000, '\0')).code(), errors::malformed);
+    EXPECT_EQ(errorOf(rows3 + std::string(100000, '\0')).code(), errors::formatUnknown);
+    EXPECT_EQ(readText(rows3 + std::string(4000, '\0')).scan.points_mm.size(), 4U);
+}
+
+TEST(WrongKind, coordinatesOutOfReachArePlaced)
+{
+    const Error stl = errorOf(
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 1 2e8 0\nendloop\nendfacet\n"
+        "endsolid a\n");
+    EXPECT_EQ(stl.code(), errors::coordinateTooLarge);
+    EXPECT_EQ(integerOf(stl, "line"), 6);
+    EXPECT_EQ(integerOf(stl, "column"), 10);
+    const Error obj = errorOf("v 1 2 3\n# remark\nvn 0 0 1\nv 1 2 -3e7\n");
+    EXPECT_EQ(integerOf(obj, "line"), 4);
+    EXPECT_EQ(integerOf(obj, "column"), 7);
+    // As far as the registration reaches: it knows no lines.
+    const Error table = errorOf("1 2 3\n4 5 6\n7 1.1e7 9\n");
+    EXPECT_EQ(table.code(), errors::coordinateTooLarge);
+    EXPECT_EQ(integerOf(table, "line"), 3);
+}
+
+}  // namespace
+}  // namespace lathelier

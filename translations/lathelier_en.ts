@@ -1824,10 +1824,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The NIST reference sets were not there; the other sets are built in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>NIST reference sets from {path}; the other sets are built in.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1841,14 +1837,6 @@
     </message>
     <message>
         <source>Verifying</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NIST sets</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3237,6 +3225,202 @@
     </message>
     <message>
         <source>profile, from {circle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points do not lie in sections across the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too few sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harmonics above {carried_upr} UPR are left out: the points, up to {spacing_deg}° apart, do not carry them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Harmonics above {determined_upr} UPR are estimates beside the gaps: up to {leakage_percent} % of one may stand in another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values change in steps of {resolution_um} µm; the uncertainty counts them as step/√12.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise of neighbours moves together over about {points} points. Assumed: what no harmonic explains is noise; the uncertainty allows for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single points that stand out of the profile: {count}, by up to {largest_um} µm. They count in RONt and in its uncertainty; the outlier rule would leave them out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No two-point size in {share_percent} % of the directions: a gap lies opposite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trace is {eccentricity_um} µm off centre: RONt depends on the radius of {radius_mm} mm it is laid on, by up to {effect_um} µm, which the uncertainty counts. Centre the part better, or state its radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No straightness of the axis: {reason}. Sections found: {sections}, needed: {minimum}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circles as .ds (a count and points) and .fit (7 numbers)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points out of the plane of a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a direction across no coordinate plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file in place of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no file in .ds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source text of a program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Q-DAS file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a JSON text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PLY scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PCD scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an IGES file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a DXF drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a universal file (UFF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NC program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing but zero bytes to the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source text of a program or JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{parameter} would overwrite {file}, which is an input. Name another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{parameter}: {file} is named for two outputs, also as {other}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several columns may be meant: found “{found}”, where {candidates} could each be {meaning}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder holds no reference data: found {found}, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: columns read: {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x or y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the angle or the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>further bytes behind the last element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · form not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sets are built in; no folder with further ones was named.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sections span {length_mm} mm of a workpiece of {diameter_mm} mm: too short for an axis, so there is no cylindricity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sections whose form is not measured: {count}. In section {section} RONt is {RONt_um} µm with an uncertainty of {expanded_uncertainty_um} µm: noise, drift or hum, not form. They are not judged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a file; only --json writes to standard output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder with NIST&apos;s circle sets (.ds, .fit), refitted beside the built-in ones.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1824,10 +1824,6 @@
         <translation>niezgodny</translation>
     </message>
     <message>
-        <source>The NIST reference sets were not there; the other sets are built in.</source>
-        <translation>Zbiorów wzorcowych NIST nie było; pozostałe są wbudowane.</translation>
-    </message>
-    <message>
         <source>NIST reference sets from {path}; the other sets are built in.</source>
         <translation>Zbiory wzorcowe NIST z {path}; pozostałe są wbudowane.</translation>
     </message>
@@ -1842,14 +1838,6 @@
     <message>
         <source>Verifying</source>
         <translation>Sprawdzanie</translation>
-    </message>
-    <message>
-        <source>NIST sets</source>
-        <translation>Zbiory NIST</translation>
-    </message>
-    <message>
-        <source>Folder with NIST&apos;s circle sets (.ds, .fit); by default ../shared/data if it is there.</source>
-        <translation>Folder ze zbiorami okręgów NIST (.ds, .fit); domyślnie ../shared/data, jeśli istnieje.</translation>
     </message>
     <message>
         <source>{points} points a turn are too few for {cutoff_upr} UPR by the rule of 7 points a wave; they carry {supported_upr} UPR. The answer is given all the same.</source>
@@ -3238,6 +3226,202 @@
     <message>
         <source>profile, from {circle}</source>
         <translation>profil, od {circle}</translation>
+    </message>
+    <message>
+        <source>the points do not lie in sections across the axis</source>
+        <translation>punkty nie leżą w przekrojach poprzecznych do osi</translation>
+    </message>
+    <message>
+        <source>there are too few sections</source>
+        <translation>przekrojów jest za mało</translation>
+    </message>
+    <message>
+        <source>Harmonics above {carried_upr} UPR are left out: the points, up to {spacing_deg}° apart, do not carry them.</source>
+        <translation>Harmoniczne powyżej {carried_upr} UPR pominięto: nie pozwalają na nie punkty odległe od siebie nawet o {spacing_deg}°.</translation>
+    </message>
+    <message>
+        <source>Harmonics above {determined_upr} UPR are estimates beside the gaps: up to {leakage_percent} % of one may stand in another.</source>
+        <translation>Harmoniczne powyżej {determined_upr} UPR są z powodu luk oszacowane: do {leakage_percent} % jednej może znaleźć się w innej.</translation>
+    </message>
+    <message>
+        <source>The values change in steps of {resolution_um} µm; the uncertainty counts them as step/√12.</source>
+        <translation>Wartości zmieniają się skokami co {resolution_um} µm; niepewność uwzględnia je jako skok/√12.</translation>
+    </message>
+    <message>
+        <source>The noise of neighbours moves together over about {points} points. Assumed: what no harmonic explains is noise; the uncertainty allows for it.</source>
+        <translation>Szum sąsiednich punktów jest skorelowany na około {points} punktach. Założenie: szumem jest to, czego nie wyjaśnia żadna harmoniczna; niepewność to uwzględnia.</translation>
+    </message>
+    <message>
+        <source>Single points that stand out of the profile: {count}, by up to {largest_um} µm. They count in RONt and in its uncertainty; the outlier rule would leave them out.</source>
+        <translation>Pojedyncze punkty odstające od profilu: {count}, największe odstępstwo {largest_um} µm. Liczą się w RONt i w jego niepewności; reguła punktów odstających by je pominęła.</translation>
+    </message>
+    <message>
+        <source>No two-point size in {share_percent} % of the directions: a gap lies opposite.</source>
+        <translation>Brak wymiaru dwupunktowego w {share_percent} % kierunków: naprzeciw leży luka.</translation>
+    </message>
+    <message>
+        <source>The trace is {eccentricity_um} µm off centre: RONt depends on the radius of {radius_mm} mm it is laid on, by up to {effect_um} µm, which the uncertainty counts. Centre the part better, or state its radius.</source>
+        <translation>Zapis jest przesunięty od środka o {eccentricity_um} µm: RONt zależy od promienia {radius_mm} mm, na którym go położono, nawet o {effect_um} µm, co uwzględnia niepewność. Lepiej wycentruj część albo podaj jej promień.</translation>
+    </message>
+    <message>
+        <source>No straightness of the axis: {reason}. Sections found: {sections}, needed: {minimum}.</source>
+        <translation>Brak prostoliniowości osi: {reason}. Znalezione przekroje: {sections}, potrzebne: {minimum}.</translation>
+    </message>
+    <message>
+        <source>circles as .ds (a count and points) and .fit (7 numbers)</source>
+        <translation>okręgów w plikach .ds (liczba i punkty) i .fit (7 liczb)</translation>
+    </message>
+    <message>
+        <source>points out of the plane of a circle</source>
+        <translation>punkty poza płaszczyzną okręgu</translation>
+    </message>
+    <message>
+        <source>a direction across no coordinate plane</source>
+        <translation>kierunek nieprostopadły do żadnej płaszczyzny układu</translation>
+    </message>
+    <message>
+        <source>a file in place of a folder</source>
+        <translation>plik zamiast folderu</translation>
+    </message>
+    <message>
+        <source>no file in .ds</source>
+        <translation>brak plików .ds</translation>
+    </message>
+    <message>
+        <source>the source text of a program</source>
+        <translation>tekst źródłowy programu</translation>
+    </message>
+    <message>
+        <source>a Q-DAS file</source>
+        <translation>plik Q-DAS</translation>
+    </message>
+    <message>
+        <source>a JSON text</source>
+        <translation>tekst JSON</translation>
+    </message>
+    <message>
+        <source>a PLY scan</source>
+        <translation>skan PLY</translation>
+    </message>
+    <message>
+        <source>a PCD scan</source>
+        <translation>skan PCD</translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation>siatkę STL</translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation>siatkę OBJ</translation>
+    </message>
+    <message>
+        <source>an IGES file</source>
+        <translation>plik IGES</translation>
+    </message>
+    <message>
+        <source>a DXF drawing</source>
+        <translation>rysunek DXF</translation>
+    </message>
+    <message>
+        <source>a universal file (UFF)</source>
+        <translation>plik uniwersalny (UFF)</translation>
+    </message>
+    <message>
+        <source>an NC program</source>
+        <translation>program NC</translation>
+    </message>
+    <message>
+        <source>a text document</source>
+        <translation>dokument tekstowy</translation>
+    </message>
+    <message>
+        <source>nothing but zero bytes to the end</source>
+        <translation>same bajty zerowe aż do końca</translation>
+    </message>
+    <message>
+        <source>the source text of a program or JSON</source>
+        <translation>tekst źródłowy programu albo JSON</translation>
+    </message>
+    <message>
+        <source>{parameter} would overwrite {file}, which is an input. Name another file.</source>
+        <translation>{parameter} zastąpiłby plik {file}, który jest danymi wejściowymi. Podaj inny plik.</translation>
+    </message>
+    <message>
+        <source>{parameter}: {file} is named for two outputs, also as {other}.</source>
+        <translation>{parameter}: plik {file} podano dla dwóch wyjść, także jako {other}.</translation>
+    </message>
+    <message>
+        <source>Several columns may be meant: found “{found}”, where {candidates} could each be {meaning}.</source>
+        <translation>Może chodzić o kilka kolumn: w „{found}” każda z {candidates} może oznaczać {meaning}.</translation>
+    </message>
+    <message>
+        <source>This folder holds no reference data: found {found}, expected {expected}.</source>
+        <translation>Ten folder nie zawiera danych wzorcowych: znaleziono {found}, oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>{path}: columns read: {columns}.</source>
+        <translation>{path}: odczytane kolumny: {columns}.</translation>
+    </message>
+    <message>
+        <source>ply</source>
+        <translation>ply</translation>
+    </message>
+    <message>
+        <source>the angle</source>
+        <translation>kąt</translation>
+    </message>
+    <message>
+        <source>the deviation</source>
+        <translation>odchyłkę</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>promień</translation>
+    </message>
+    <message>
+        <source>x or y</source>
+        <translation>x lub y</translation>
+    </message>
+    <message>
+        <source>the angle or the radius</source>
+        <translation>kąt lub promień</translation>
+    </message>
+    <message>
+        <source>further bytes behind the last element</source>
+        <translation>kolejne bajty za ostatnim elementem</translation>
+    </message>
+    <message>
+        <source>points as text</source>
+        <translation>punkty zapisane jako tekst</translation>
+    </message>
+    <message>
+        <source> · form not measured</source>
+        <translation> · kształt niezmierzony</translation>
+    </message>
+    <message>
+        <source>All sets are built in; no folder with further ones was named.</source>
+        <translation>Wszystkie zestawy są wbudowane; nie wskazano folderu z dalszymi.</translation>
+    </message>
+    <message>
+        <source>The sections span {length_mm} mm of a workpiece of {diameter_mm} mm: too short for an axis, so there is no cylindricity.</source>
+        <translation>Przekroje obejmują {length_mm} mm przedmiotu o średnicy {diameter_mm} mm: za mało na oś, więc walcowości nie ma.</translation>
+    </message>
+    <message>
+        <source>Sections whose form is not measured: {count}. In section {section} RONt is {RONt_um} µm with an uncertainty of {expanded_uncertainty_um} µm: noise, drift or hum, not form. They are not judged.</source>
+        <translation>Przekroje, których kształt nie został zmierzony: {count}. W przekroju {section} RONt wynosi {RONt_um} µm przy niepewności {expanded_uncertainty_um} µm: to szum, dryft lub przydźwięk, nie kształt. Nie są oceniane.</translation>
+    </message>
+    <message>
+        <source>the name of a file; only --json writes to standard output</source>
+        <translation>nazwa pliku; na standardowe wyjście pisze tylko --json</translation>
+    </message>
+    <message>
+        <source>Reference data</source>
+        <translation>Dane wzorcowe</translation>
+    </message>
+    <message>
+        <source>Folder with NIST&apos;s circle sets (.ds, .fit), refitted beside the built-in ones.</source>
+        <translation>Folder z zestawami okręgów NIST (.ds, .fit), dopasowywanymi ponownie obok wbudowanych.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QProgressDialog>
 
 #include "app/gui/main_window.h"
+#include "widgets/core/number_edit.h"
 #include "widgets/core/report_files.h"
 
 namespace lathelier {
@@ -42,6 +43,7 @@ void MainWindow::writeProjectReport(const QString& suffix)
 
 void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString& suffix)
 {
+    takeOverTyping(this);
     if (!waitForPanels(docks, this)) return;
     std::vector<Document> parts;
     for (PanelDock* dock : docks)

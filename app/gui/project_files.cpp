@@ -11,6 +11,7 @@
 #include "app/gui/settings.h"
 #include "engine/project/sample.h"
 #include "widgets/core/language.h"
+#include "widgets/core/number_edit.h"
 #include "widgets/core/worker.h"
 
 namespace lathelier {
@@ -61,11 +62,13 @@ void ProjectFiles::opened(const Notes& notes, const QString& path)
 
 bool ProjectFiles::save()
 {
+    takeOverTyping(window_);
     return session_.path().isEmpty() ? saveAs() : write(session_.path());
 }
 
 bool ProjectFiles::saveAs()
 {
+    takeOverTyping(window_);
     QFileDialog dialog(window_, tr("Save the project"), session_.path(), filter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
@@ -89,6 +92,7 @@ bool ProjectFiles::write(const QString& path)
 
 bool ProjectFiles::mayLeave()
 {
+    takeOverTyping(window_);
     if (!session_.isModified()) return true;
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The project has unsaved changes."),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
@@ -138,6 +142,7 @@ void ProjectFiles::setAutosave(int minutes)
 void ProjectFiles::keepAside()
 {
     if (!recovery_) return;
+    takeOverTyping(window_);
     try {
         recovery_->keep(session_);
     } catch (const Error& error) {

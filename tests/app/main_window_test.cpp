@@ -14,6 +14,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/report_command.h"
 #include "tests/widgets/core/fake_panel.h"
+#include "widgets/core/number_edit.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {
@@ -273,6 +274,23 @@ private slots:
         QTRY_VERIFY(window_->activeDock()->panel().isCurrent());
         QCOMPARE(recentFiles(), QStringList{path});
         QVERIFY(window_->windowTitle().startsWith("p"));
+        QVERIFY(!session_->isModified());
+    }
+
+    void whatIsBeingTypedIsSaved()
+    {
+        const QString path = folder_.filePath("typed.lathelier");
+        session_->save(path);
+        auto* edit = dock("one")->findChild<NumberEdit*>();
+        QVERIFY(edit);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, "7.25");  // no Enter, no pause
+        QVERIFY(!session_->isModified());
+        QVERIFY(window_->files().save());
+        QFile saved(path);
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QVERIFY(saved.readAll().contains("7.25"));
         QVERIFY(!session_->isModified());
     }
 

@@ -221,4 +221,9 @@ void NumberEdit::changeEvent(QEvent* event)
     }
 }
 
+void takeOverTyping(const QWidget* window)
+{
+    for (NumberEdit* edit : window->findChildren<NumberEdit*>()) edit->takeOver();
+}
+
 }  // namespace lathelier

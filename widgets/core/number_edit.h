@@ -24,6 +24,7 @@ public:
     std::optional<double> number() const { return number_; }  ///< the last sound one
     void setNumber(std::optional<double> number);             ///< shows it, announces nothing
     bool isSound() const { return sound_; }
+    void takeOver() { announce(); }  ///< what is typed counts now, not after the pause
 
 signals:
     void numberChanged();  ///< by the user; number() is sound
@@ -59,5 +60,8 @@ private:
     std::vector<double> usual_;
     QTimer pause_;
 };
+
+/// Takes over what is being typed in any number field of `window`: before saving, closing, reporting, exporting.
+void takeOverTyping(const QWidget* window);
 
 }  // namespace lathelier

@@ -1,9 +1,12 @@
 // How a panel comes to its files and parameters, and how its result leaves it.
+#include <QCoreApplication>
 #include <QDragEnterEvent>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QPointer>
 #include <QUrl>
 #include <algorithm>
 
@@ -11,6 +14,7 @@
 #include "widgets/core/input_box.h"
 #include "widgets/core/input_column.h"
 #include "widgets/core/language.h"
+#include "widgets/core/number_edit.h"
 #include "widgets/core/panel_base.h"
 #include "widgets/core/scan_store.h"
 #include "widgets/core/session.h"
@@ -101,11 +105,16 @@ void PanelBase::fillExportMenu()
 
 void PanelBase::runExport(const PanelExport& item)
 {
+    takeOverTyping(this);
     QFileDialog dialog(this, item.label, {}, item.filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(item.suffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
+    // What was typed last is computed first.
+    const QPointer<PanelBase> alive(this);
+    while (alive && isBusy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    if (!alive) return;
     try {
         item.write(path);
         showAnswer();  // an earlier failure is over

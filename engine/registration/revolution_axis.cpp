@@ -196,14 +196,21 @@ Trial tryCandidate(const std::vector<Vector3d>& sample, const Eigen::Isometry3d&
 }
 
 /// A scanner with rows further apart than the bins leaves many short runs of empty bins; a real gap is one long run.
+/// Bins that hold only spurious points count as empty: beyond the part they would look like rows.
 bool isFinerThanRows(const MeridianBins& bins)
 {
+    std::vector<double> counts;
+    for (int i = 0; i < bins.side_count; ++i)
+        if (const double points = bins.bins[static_cast<std::size_t>(i)].points; points > 0) counts.push_back(points);
+    if (counts.empty()) return false;
+    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+    std::nth_element(counts.begin(), middle, counts.end());
+    const double least = 0.1 * *middle;
     int runs = 0;
     int filled = 0;
     bool previous = false;
     for (int i = 0; i < bins.side_count; ++i) {
-        const auto bin = static_cast<std::size_t>(i);
-        const bool here = bins.bins[bin].points > 0 || bins.face_of[bin] >= 0;
+        const bool here = bins.bins[static_cast<std::size_t>(i)].points > least;
         if (here) ++filled;
         if (here && !previous) ++runs;
         previous = here;

@@ -165,7 +165,7 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 const int e = edge_at[static_cast<std::size_t>(place)];
                 if (e < 0) continue;
                 const Edge& edge = edges[static_cast<std::size_t>(e)];
-                const Eigen::Vector3d p = fit.axis_T_scan * points[i];
+                const Eigen::Vector3d p = fit.onAxis(points[i]);
                 const double r = std::hypot(p.x(), p.y());
                 const double high = std::max(edge.before_mm, edge.after_mm);
                 const double height = heightOf(edge);

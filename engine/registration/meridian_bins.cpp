@@ -144,8 +144,12 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
 {
     constexpr double kGap_mm = 0.4;
     constexpr double kSharedSectors = 0.55;
+    constexpr std::size_t kStretches =
+        120;  // the walls are looked for in longer stretches than bins: a bore has few points
     const double none = std::numeric_limits<double>::quiet_NaN();
-    const std::size_t count = by_z.first.size() - 1;
+    const std::size_t bins = by_z.first.size() - 1;
+    const std::size_t merged = (bins + kStretches - 1) / kStretches;
+    const std::size_t count = (bins + merged - 1) / merged;
     std::vector<double> splits(count, none);
     std::vector<double> radii;
     const auto scatterOf = [&](std::size_t from, std::size_t to) {  // of sorted radii
@@ -155,37 +159,39 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
         return kToSigma * medianOf(off);
     };
     for (std::size_t b = 0; b < count; ++b) {
+        const std::size_t from = by_z.first[b * merged];
+        const std::size_t to = by_z.first[std::min(bins, (b + 1) * merged)];
         radii.clear();
-        for (std::size_t k = by_z.first[b]; k < by_z.first[b + 1]; ++k) radii.push_back(points[by_z.items[k]].r);
-        const std::size_t least = std::max<std::size_t>(6, radii.size() * 15 / 100);
+        for (std::size_t k = from; k < to; ++k) radii.push_back(points[by_z.items[k]].r);
+        const std::size_t least = std::max<std::size_t>(6, radii.size() * 8 / 100);
         if (radii.size() < 2 * least) continue;
         std::sort(radii.begin(), radii.end());
-        std::size_t place = 0;
-        double widest = 0;
-        for (std::size_t k = least; k + least <= radii.size(); ++k)
-            if (radii[k] - radii[k - 1] > widest) {
-                widest = radii[k] - radii[k - 1];
-                place = k;
+        const double gap = std::min(kGap_mm, 0.05 * largest);
+        for (std::size_t place = least; place + least <= radii.size(); ++place) {  // the innermost gap
+            const double wide = radii[place] - radii[place - 1];
+            if (wide < gap || wide < 8 * scatterOf(0, place)) continue;
+            const double split = (radii[place - 1] + radii[place]) / 2;
+            std::uint32_t inner = 0, outer = 0;
+            for (std::size_t k = from; k < to; ++k) {
+                const std::size_t i = by_z.items[k];
+                const Eigen::Vector3d p = axis_T_scan * sample[i];
+                const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
+                (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
             }
-        if (widest < std::min(kGap_mm, 0.05 * largest)) continue;
-        if (widest < 8 * std::max(scatterOf(0, place), scatterOf(place, radii.size()))) continue;
-        const double split = (radii[place - 1] + radii[place]) / 2;
-        std::uint32_t inner = 0, outer = 0;
-        for (std::size_t k = by_z.first[b]; k < by_z.first[b + 1]; ++k) {
-            const std::size_t i = by_z.items[k];
-            const Eigen::Vector3d p = axis_T_scan * sample[i];
-            const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
-            (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
+            if (std::popcount(inner & outer) >= kSharedSectors * std::popcount(inner)) {
+                splits[b] = split;
+                break;
+            }
         }
-        if (std::popcount(inner & outer) >= kSharedSectors * std::popcount(inner)) splits[b] = split;
     }
-    std::vector<double> kept(count, none);
+    std::vector<double> kept(bins, none);
     for (std::size_t b = 0; b < count; ++b) {
         if (std::isnan(splits[b])) continue;
         int others = 0;
         for (std::size_t k = b < 2 ? 0 : b - 2; k < std::min(count, b + 3); ++k)
             if (k != b && !std::isnan(splits[k])) ++others;
-        if (others >= 2) kept[b] = splits[b];
+        if (others < 2) continue;
+        for (std::size_t k = b * merged; k < std::min(bins, (b + 1) * merged); ++k) kept[k] = splits[b];
     }
     return kept;
 }
@@ -243,8 +249,13 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
     if (bored) {
         const Sorted bore = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? sideOf(i) : -1; });
+        std::vector<double> own_filled;
+        for (std::size_t b = 0; b < sides; ++b)
+            if (bore.first[b + 1] > bore.first[b])
+                own_filled.push_back(static_cast<double>(bore.first[b + 1] - bore.first[b]));
+        const double own_least = std::max(4.0, 0.15 * medianOf(own_filled));
         const std::vector<Scatter> own =
-            fillBins(result.bins.data() + sides, result.side_count, low, result.step_mm, bore, z_of, r_of, least);
+            fillBins(result.bins.data() + sides, result.side_count, low, result.step_mm, bore, z_of, r_of, own_least);
         scatters.insert(scatters.end(), own.begin(), own.end());
     }
     const double middle = typical(scatters);

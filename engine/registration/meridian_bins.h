@@ -69,6 +69,11 @@ void refineSlopes(MeridianBins& bins);
 double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                        const MeridianBins& bins, double noise_mm);
 
+/// Side bins of rough zones: they scatter too much to vote, but are round on the whole, their mean radius the same in
+/// every direction. A prism scatters as much, but its corners lie in some directions.
+std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                            const MeridianBins& bins);
+
 /// The same of points on bins alone, without shoulders and rough zones: a wrong axis makes much of the surface look
 /// like shoulders.
 double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,

@@ -59,6 +59,12 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
 MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points, const Progress& progress)
     : profile_(part.fit.profile)
 {
+    // Rough zones have no vote in the axis, but a surface to measure from.
+    for (std::size_t i = 0; i < std::min(profile_.size(), part.fit.rough_mm.size()); ++i)
+        if (std::isnan(profile_.radius_mm[i]) && !std::isnan(part.fit.rough_mm[i])) {
+            profile_.radius_mm[i] = part.fit.rough_mm[i];
+            profile_.slope[i] = 0;
+        }
     const double step = profile_.step_mm;
     std::vector<std::size_t> known;
     for (std::size_t i = 0; i < profile_.size(); ++i)

@@ -28,9 +28,7 @@ bool isOnBin(const MeridianBins& bins, int key, double z, double r, double wides
     return std::abs(error) < std::min(6 * bin.sigma, widest);
 }
 
-/// Runs of side bins that scatter too much to vote but are round on the whole: their mean radius is the same in every
-/// direction, within a good part of the scatter. A prism has the same scatter, but its corners in some directions.
-std::vector<bool> roughBins(const std::vector<Place>& places, const MeridianBins& bins)
+std::vector<bool> roughOf(const std::vector<Place>& places, const MeridianBins& bins)
 {
     constexpr int kLeastRun = 5;
     const auto sides = static_cast<std::size_t>(bins.side_count);
@@ -93,6 +91,12 @@ std::vector<Place> placesOf(const std::vector<Eigen::Vector3d>& sample, const Ei
 
 }  // namespace
 
+std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                            const MeridianBins& bins)
+{
+    return roughOf(placesOf(sample, axis_T_scan), bins);
+}
+
 double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                    const MeridianBins& bins, double noise_mm)
 {
@@ -126,7 +130,7 @@ double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::
         high[b] = std::max(high[b], after);
     }
     const std::vector<Place> places = placesOf(sample, axis_T_scan);
-    const std::vector<bool> rough = roughBins(places, bins);
+    const std::vector<bool> rough = roughOf(places, bins);
     std::size_t good = 0;
     for (const Place& p : places) {
         const int key = bins.find(p.z, p.r);

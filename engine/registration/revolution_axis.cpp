@@ -118,11 +118,13 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     RevolutionFit fit;
     const std::vector<Vector3d> small = samplePoints(points, kGuessPoints);
     Trial best;
+    std::vector<Trial> trials;
     int tried = 0;
     const AxisCandidates candidates = findAxisCandidates(small, progress);
     for (const Eigen::Isometry3d& candidate : candidates.axis_T_scan) {
         const Trial trial = tryCandidate(small, candidate, candidates.noise_mm, progress);
         if (trial.on_bins > best.on_bins) best = trial;
+        trials.push_back(trial);
         if ((best.consistent > 0.93 && best.on_bins > 0.6) || ++tried == 4) break;
     }
     std::vector<Vector3d> sample = samplePoints(points, kSamplePoints);
@@ -134,12 +136,20 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     };
     if (best.consistent < 0) return refused();
     progress.report(0.3);
+    const double round_mm = std::max(3 * candidates.noise_mm, 0.005 * best.bins.largest_mm);
+    if (best.consistent <= 0.93)  // a strong bend spoils all trials; round sections tell which one is right
+        for (const Trial& trial : trials) {
+            if (trial.consistent < 0) continue;
+            const Bend own = findBend(small, trial.pose, trial.bins);
+            if (!own.isSeen() || own.scatter_mm > round_mm) continue;
+            best = trial;
+            break;
+        }
 
     // A bend is taken out of the points, in two rounds: the radii of the first are those of a crooked part. Sections
     // that are not round have no centres to go by.
     Eigen::Isometry3d pose = best.pose;
     Bend bend = findBend(sample, pose, makeBins(sample, pose, 400));
-    const double round_mm = std::max(3 * candidates.noise_mm, 0.005 * best.bins.largest_mm);
     if (bend.isSeen() && bend.scatter_mm < round_mm) {
         const std::vector<Vector3d> first = straightened(sample, bend, progress);
         bend = Bend::sum(bend, findBend(first, pose, makeBins(first, pose, 400)));
@@ -182,6 +192,9 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.covariance = covarianceOf(all, pose, bins, step, progress);
     fit.profile = profileOf(bins, step.sums.bins, 0);
     if (bins.wall_count > bins.side_count) fit.bore = profileOf(bins, step.sums.bins, bins.side_count);
+    const std::vector<bool> rough = roughBins(sample, pose, bins);
+    for (std::size_t i = 0; i < rough.size(); ++i)
+        fit.rough_mm.push_back(rough[i] ? bins.bins[i].value : std::numeric_limits<double>::quiet_NaN());
     fit.not_turned = judgeRevolution(fit, sample, candidates.noise_mm);
     progress.report(1);
     return fit;
@@ -196,6 +209,7 @@ RevolutionFit reversed(const RevolutionFit& fit)
             std::reverse(values->begin(), values->end());
         for (double& slope : p->slope) slope = -slope;
     }
+    std::reverse(result.rough_mm.begin(), result.rough_mm.end());
     const Eigen::Vector3d turn(1, -1, -1);  // exactly, not by way of sin π
     result.axis_T_scan.matrix().topRows<3>() = turn.asDiagonal() * fit.axis_T_scan.matrix().topRows<3>();
     // y and the slope along x change their sign

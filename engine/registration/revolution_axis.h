@@ -40,9 +40,10 @@ inline constexpr double kLeastCoverage_deg = 60;
 /// What was found of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
 struct RevolutionFit {
     Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();
-    RadiusProfile profile;  ///< of the outside; of the bore where that alone is seen
-    RadiusProfile bore;     ///< in the same bins, where both are seen; empty without a bore
-    Bend bend;              ///< taken out of the points before the fit when it is seen
+    RadiusProfile profile;         ///< of the outside; of the bore where that alone is seen
+    RadiusProfile bore;            ///< in the same bins, where both are seen; empty without a bore
+    std::vector<double> rough_mm;  ///< median radius of bins too rough to vote (a thread, a knurl); NaN elsewhere
+    Bend bend;                     ///< taken out of the points before the fit when it is seen
     NotTurned not_turned = NotTurned::NotRound;
     double coverage_deg = 0;      ///< how much of the circle the data see
     double sigma_mm = 0;          ///< robust scatter of the points about the profile, along its normal

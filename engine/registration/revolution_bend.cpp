@@ -74,11 +74,16 @@ Bend Bend::sum(const Bend& first, const Bend& rest)
 Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, const MeridianBins& bins)
 {
     Bend bend;
+    // A strong bend spreads the radii of a bin, so that it has no vote in the fit; here it has.
+    const auto isSide = [&](int i) {
+        const auto b = static_cast<std::size_t>(i);
+        return bins.bins[b].active ||
+               (bins.bins[b].points >= 4 && bins.face_of[b] < 0 && bins.bins[b].own_mm < 0.1 * bins.largest_mm);
+    };
     int from = -1;
     int to = 0;
     for (int i = 0; i < bins.side_count; ++i) {
-        if (bins.bins[static_cast<std::size_t>(i)].points <= 0) continue;
-        if (!bins.bins[static_cast<std::size_t>(i)].active) continue;
+        if (!isSide(i)) continue;
         if (from < 0) from = i;
         to = i + 1;
     }
@@ -95,7 +100,8 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
         const auto side = static_cast<std::size_t>((p.z() - bins.z_start_mm) / bins.step_mm);
         if (side >= static_cast<std::size_t>(bins.side_count)) continue;
         const MeridianBin& bin = bins.bins[side];
-        if (!bin.active || std::abs(bin.slope) > 0.3) continue;  // beside an edge a centre is not that of the section
+        if (!isSide(static_cast<int>(side)) || std::abs(bin.slope) > 0.3)
+            continue;  // beside an edge a centre is not that of the section
         const double off = r - bin.value - bin.slope * (p.z() - bin.middle);
         if (std::abs(off) < reach) sections[static_cast<std::size_t>(place)].push_back({p.x() / r, p.y() / r, off});
     }

@@ -96,6 +96,20 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
     }
 }
 
+/// A covariance that is in no direction less than `least` nor, in the main directions of both, than `other`.
+Matrix4d noLess(const Matrix4d& least, const Matrix4d& other)
+{
+    const Eigen::LLT<Matrix4d> root(least);
+    if (root.info() != Eigen::Success) return least;
+    const Matrix4d lower = root.matrixL();
+    const Matrix4d half = lower.triangularView<Eigen::Lower>().solve(other);
+    const Matrix4d relative = lower.triangularView<Eigen::Lower>().solve(half.transpose());
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen((relative + relative.transpose()) / 2);
+    if (!eigen.eigenvalues().allFinite()) return least;
+    const Matrix4d turned = lower * eigen.eigenvectors();
+    return turned * eigen.eigenvalues().cwiseMax(1.0).asDiagonal() * turned.transpose();
+}
+
 }  // namespace
 
 Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, MeridianBins& bins, const Progress& progress)
@@ -148,7 +162,7 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
 Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose, const MeridianBins& bins,
                       const Step& step, const Progress& progress)
 {
-    constexpr int kSectors = 16, kStretches = 24;
+    constexpr int kSectors = 16, kStretches = 96;
     using Patches = std::vector<Vector4d>;
     const double length = bins.step_mm * bins.side_count;
     const Patches patches = parallelReduce(
@@ -176,17 +190,20 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
             for (std::size_t k = 0; k < all.size(); ++k) all[k] += part[k];
             return all;
         });
-    Matrix4d scatter = Matrix4d::Zero();
-    for (const Vector4d& patch : patches) scatter += patch * patch.transpose();
+    // Patches, for noise that goes together around a place; whole rings, for noise that goes on along a row.
+    Matrix4d places = Matrix4d::Zero();
+    Matrix4d rings = Matrix4d::Zero();
+    for (int stretch = 0; stretch < kStretches; ++stretch) {
+        Vector4d ring = Vector4d::Zero();
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const Vector4d& patch = patches[static_cast<std::size_t>(stretch * kSectors + sector)];
+            places += patch * patch.transpose();
+            ring += patch;
+        }
+        rings += ring * ring.transpose();
+    }
     const Matrix4d independent = step.hessian.inverse();
-    // In the directions in which independent residuals have unit variance, no variance is less than that.
-    const Eigen::LLT<Matrix4d> root(independent);
-    if (root.info() != Eigen::Success) return independent;
-    const Matrix4d lower = root.matrixL();
-    const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(lower.transpose() * scatter * lower);
-    if (!eigen.eigenvalues().allFinite()) return independent;
-    const Matrix4d turned = lower * eigen.eigenvectors();
-    return turned * eigen.eigenvalues().cwiseMax(1.0).asDiagonal() * turned.transpose();
+    return noLess(noLess(independent, independent * places * independent), independent * rings * independent);
 }
 
 }  // namespace lathelier

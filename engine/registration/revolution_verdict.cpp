@@ -42,8 +42,20 @@ double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample,
     std::vector<double> sorted = counts;
     std::sort(sorted.begin(), sorted.end());
     const double most = sorted[sorted.size() * 49 / 50];
-    const auto seen = std::count_if(counts.begin(), counts.end(), [&](double n) { return n > 0.1 * most; });
-    return 360.0 * static_cast<double>(seen) / static_cast<double>(sectors);
+    // Gaps of up to 10° are the scanner's steps of angle, not places that were not seen.
+    const std::size_t bridge = sectors * 10 / 360;
+    std::vector<bool> seen(sectors);
+    for (std::size_t k = 0; k < sectors; ++k) seen[k] = counts[k] > 0.1 * most;
+    std::vector<bool> closed = seen;
+    for (std::size_t k = 0; k < sectors; ++k) {
+        if (!seen[k]) continue;
+        std::size_t next = 1;
+        while (next <= bridge + 1 && !seen[(k + next) % sectors]) ++next;
+        if (next > bridge + 1) continue;
+        for (std::size_t i = 1; i < next; ++i) closed[(k + i) % sectors] = true;
+    }
+    const auto count = std::count(closed.begin(), closed.end(), true);
+    return 360.0 * static_cast<double>(count) / static_cast<double>(sectors);
 }
 
 /// A sphere through the points: all of them on it, and spread over it in all directions.

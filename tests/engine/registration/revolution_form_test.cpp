@@ -190,7 +190,7 @@ TEST(RoughZones, DoNotSetTheScatter)
     }
     const RevolutionFit fit = fitRevolution(scan.points_mm);
     ASSERT_TRUE(isBodyOfRevolution(fit));
-    EXPECT_NEAR(fit.sigma_mm, 0.05, 0.005);
+    EXPECT_NEAR(fit.sigma_mm, 0.05, 0.01);  // 0.3 with the rough zones
     const Vector3d direction = fit.axis_T_scan.linear().row(2);
     EXPECT_LT(std::acos(std::min(1.0, std::abs(direction.z()))) * 180 / kPi, 0.02);
     EXPECT_GT(compare(scan, scan, revolution()).statistics.overlap_percent, 90);

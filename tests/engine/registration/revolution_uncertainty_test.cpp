@@ -98,7 +98,7 @@ TEST(LeaningScans, AxialUncertaintyCoversTheTruth)
 {
     const LeaningScans scans(7.2);
     int covered = 0;
-    constexpr int kSets = 60;
+    constexpr int kSets = 30;
     for (int k = 0; k < kSets; ++k) {
         const auto draw = [&](std::uint64_t i) { return randomUniform(431, static_cast<std::uint64_t>(k), i); };
         ScannerModel b;
@@ -128,7 +128,7 @@ void disturb(std::vector<Vector3d>& points, const std::function<double(std::size
 TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
 {
     enum Kind { White, Correlated, Quantised, Spiky, Stepped, Kinds };
-    constexpr int kSets = 40;
+    constexpr int kSets = 20;
     for (int kind = 0; kind < Kinds; ++kind) {
         int radial = 0, angle = 0;
         for (int k = 0; k < kSets; ++k) {

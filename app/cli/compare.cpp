@@ -29,9 +29,16 @@ void runCompare(const Request& request, Inputs& inputs, const Progress& progress
     const ScanFile reference =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);
     const ScanFile copy = readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
-    auto result = std::make_shared<CompareResult>(
-        compare(reference.scan, copy.scan, fromValues<CompareParameters>(request.parameters),
-                progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing"))));
+    const auto result = std::make_shared<CompareResult>();
+    try {
+        *result = compare(reference.scan, copy.scan, fromValues<CompareParameters>(request.parameters),
+                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")));
+    } catch (Error& error) {  // the engine names the role of the scan at fault; here is its file
+        const Value* const role = find(error.values(), "role");
+        const auto* const name = role ? std::get_if<std::string>(role) : nullptr;
+        if (name) error.with("path", request.operands.at(*name == "copy" ? 1 : 0));
+        throw;
+    }
     answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
     result->notes = answer.notes;  // the report shows those of the files as well
     if (wanted)

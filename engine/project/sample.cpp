@@ -216,6 +216,7 @@ Scan scanShaft(const ShaftModel& shaft, const ScannerModel& scanner, const Progr
     parallelFor(found.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             const double height = bottom + scanner.row_pitch_mm * (static_cast<double>(row) + row_phase);
+            if (height < scanner.scan_z_from_mm || height > scanner.scan_z_to_mm) continue;
             found[row].reserve(static_cast<std::size_t>(columns));
             for (int column = 0; column < columns; ++column) {
                 const std::size_t ray = row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);

@@ -45,6 +45,8 @@ struct ScannerModel {
     double spurious_share = 0;     ///< of the remaining points, added evenly in a box around the part
     double part_z_from_mm = -1e9;  ///< only this stretch of the part is scanned
     double part_z_to_mm = 1e9;
+    double scan_z_from_mm = -1e9;  ///< only rows at these heights of the scanner are taken: what stands beyond is lost
+    double scan_z_to_mm = 1e9;
     Eigen::Isometry3d scan_T_part = Eigen::Isometry3d::Identity();   ///< how the part stands; near the scanner's axis
     Eigen::Isometry3d frame_T_scan = Eigen::Isometry3d::Identity();  ///< moves the finished cloud
     std::uint64_t seed = 1;

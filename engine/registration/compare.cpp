@@ -73,6 +73,48 @@ Note methodNote(const char* method, Text reason, const Plan& plan)
     return note;
 }
 
+/// What scripts read as `reason`.
+const char* keyOf(NotTurned reason)
+{
+    switch (reason) {
+        case NotTurned::Flat: return "flat";
+        case NotTurned::SeveralParts: return "several_parts";
+        case NotTurned::NoSingleAxis: return "no_single_axis";
+        case NotTurned::Bent: return "bent";
+        case NotTurned::SmallCoverage: return "coverage_too_small";
+        case NotTurned::Line: return "line";
+        case NotTurned::NotRound: return "not_round";
+        case NotTurned::No: return "";
+    }
+    return "";
+}
+
+[[noreturn]] void refuseRevolution(const RevolutionFit& fit, const char* role)
+{
+    if (fit.not_turned == NotTurned::SmallCoverage)
+        throw Error(
+            errors::coverageTooSmall,
+            {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", kLeastCoverage_deg}});
+    Values values{
+        {"role", std::string(role)}, {"reason", std::string(keyOf(fit.not_turned))}, {"residual_mm", fit.sigma_mm}};
+    if (fit.not_turned == NotTurned::Bent) values.emplace_back("bow_mm", fit.bend.size_mm());
+    throw Error(errors::notABodyOfRevolution, std::move(values));
+}
+
+/// What the fit says whatever the method: a line of noise is degenerate, a bend and a small arc are noted.
+void remark(const RevolutionFit& fit, const char* role, Notes& notes)
+{
+    if (fit.not_turned == NotTurned::Line)
+        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}, {"role", std::string(role)}});
+    if (fit.bend.isSeen() && (fit.not_turned == NotTurned::No || fit.not_turned == NotTurned::Bent))
+        notes.push_back({notes::partIsBent,
+                         {{"role", std::string(role)},
+                          {"bow_mm", fit.bend.size_mm()},
+                          {"bow_uncertainty_mm", 2 * fit.bend.sigma_mm}}});
+    if (fit.not_turned == NotTurned::No && fit.coverage_deg < 180)
+        notes.push_back({notes::coverageBelowHalf, {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}}});
+}
+
 /// Fits axes where they matter and decides. Error notABodyOfRevolution when one was asked for.
 Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy, const CompareParameters& asked,
               Notes& notes, const Progress& progress)
@@ -88,6 +130,8 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     }
     plan.reference.fit = fitRevolution(reference, progress.part(0, 0.5, LT_TEXT("Engine", "Axis of the reference")));
     plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
+    remark(plan.reference.fit, "reference", notes);
+    if (forced && !plan.reference_turned) refuseRevolution(plan.reference.fit, "reference");
     if (plan.reference_turned) faceForward(plan.reference.fit);
     if (!forced && (!is_auto || !plan.reference_turned)) {
         if (is_auto)
@@ -96,12 +140,9 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     }
     plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
     const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
+    remark(plan.copy.fit, "copy", notes);
+    if (forced && !copy_turned) refuseRevolution(plan.copy.fit, "copy");
     if (copy_turned) faceForward(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
-    if (forced && !(plan.reference_turned && copy_turned)) {
-        const RevolutionFit& fit = plan.reference_turned ? plan.copy.fit : plan.reference.fit;
-        throw Error(errors::notABodyOfRevolution, {{"role", std::string(plan.reference_turned ? "copy" : "reference")},
-                                                   {"residual_mm", fit.sigma_mm}});
-    }
     plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;
     if (is_auto)
         notes.push_back(copy_turned
@@ -229,7 +270,8 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         plan.copy.shoulders = std::move(shoulders.copy);
         result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
         if (!result.alignment.converged)
-            throw Error(errors::notConverged, {{"iterations", std::int64_t{result.alignment.iterations}}});
+            throw Error(errors::notConverged,
+                        {{"iterations", std::int64_t{result.alignment.iterations}}, {"role", std::string("copy")}});
     } else {
         prepared = prepareReference(reference_scan, aligning.part(0, 0.4));
         result.alignment = alignGeneral(*prepared, copy_scan, plan.method, parameters.initial, aligning.part(0.4, 1));

@@ -110,7 +110,8 @@ struct CompareResult {
 
 /// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.
 /// Errors: tooFewPoints, pointsDegenerate, partsDoNotMatch (with overlap_percent), notConverged,
-/// notABodyOfRevolution (when asked for method revolution). Throws Cancelled.
+/// notABodyOfRevolution with `reason` and coverageTooSmall (when asked for method revolution). Throws Cancelled.
+/// Where one of the two scans is at fault, the error names its `role`.
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
                       const Progress& progress = {});
 

@@ -1,15 +1,19 @@
 #include "engine/registration/meridian_bins.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace lathelier {
 namespace {
 
-constexpr double kToSigma = 1.4826;   // from the median absolute deviation of a normal distribution
-constexpr double kEdgeScatter = 2.5;  // a bin that scatters this much more than its fellows holds an edge
-constexpr double kFaceShare = 0.02;   // of the points: a face with fewer says less about the axis than its errors cost
+constexpr double kToSigma = 1.4826;    // from the median absolute deviation of a normal distribution
+constexpr double kEdgeScatter = 2.5;   // a bin that scatters this much more than its fellows holds an edge…
+constexpr double kRoughScatter = 1.7;  // …or is rough, where the scatter is that of the quiet bins
+constexpr double kFaceShare = 0.02;    // of the points: a face with fewer says less about the axis than its errors cost
 
 struct MeridianPoint {
     double z;
@@ -67,10 +71,37 @@ void slopesOf(MeridianBin* bins, int count, double step)
     }
 }
 
-/// Median and scatter of each bin; bins without enough points stay inactive. Gives the typical scatter.
+/// Scatter of a bin and the number of points it was found from.
+struct Scatter {
+    double sigma;
+    double points;
+};
+
+double typical(const std::vector<Scatter>& scatters)
+{
+    std::vector<double> values;
+    for (const Scatter& s : scatters) values.push_back(s.sigma);
+    return values.empty() ? 0.0 : medianOf(values);
+}
+
+/// Scatter of the quietest fifth of the bins when that is lower than the median by a third (then the median is that of
+/// a thread or a knurl); else 0. Bins with few points have no say: their scatter itself scatters by as much.
+double quiet(const std::vector<Scatter>& scatters, double middle)
+{
+    constexpr double kEnough = 20;
+    std::vector<double> values;
+    for (const Scatter& s : scatters)
+        if (s.points >= kEnough) values.push_back(s.sigma);
+    if (values.size() < 15) return 0;
+    const auto fifth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 5);
+    std::nth_element(values.begin(), fifth, values.end());
+    return 1.1 * *fifth < middle * 2 / 3 ? *fifth : 0;
+}
+
+/// Median and scatter of each bin; bins without enough points stay inactive.
 template <class Along, class Across>
-double fillBins(MeridianBin* bins, int count, double start, double step, const Sorted& sorted, Along along,
-                Across across, double least_points)
+std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double step, const Sorted& sorted,
+                              Along along, Across across, double least_points)
 {
     std::vector<double> values;
     for (int b = 0; b < count; ++b) {
@@ -85,7 +116,7 @@ double fillBins(MeridianBin* bins, int count, double start, double step, const S
         if (!values.empty()) bin.value = medianOf(values);
     }
     const auto measure = [&] {
-        std::vector<double> scatters;
+        std::vector<Scatter> scatters;
         for (int b = 0; b < count; ++b) {
             MeridianBin& bin = bins[b];
             const auto bin_index = static_cast<std::size_t>(b);
@@ -95,14 +126,74 @@ double fillBins(MeridianBin* bins, int count, double start, double step, const S
                 const std::size_t i = sorted.items[k];
                 values.push_back(std::abs(across(i) - bin.value - bin.slope * (along(i) - bin.middle)));
             }
-            bin.sigma = kToSigma * medianOf(values) * bin.cosine;
-            scatters.push_back(bin.sigma);
+            bin.sigma = bin.own_mm = kToSigma * medianOf(values) * bin.cosine;
+            scatters.push_back({bin.sigma, bin.points});
         }
-        return scatters.empty() ? 0.0 : medianOf(scatters);
+        return scatters;
     };
     measure();
     slopesOf(bins, count, step);
     return measure();
+}
+
+/// A scan that shows a bore and the outside: radii of one bin in two walls.
+/// The radius between them, NaN where there is one wall. A mark (the floor of a keyway) is no wall: its points lie
+/// where those of the other wall are absent. A shoulder is none either: its bins are few, a bore runs on.
+std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                               const std::vector<MeridianPoint>& points, const Sorted& by_z, double largest)
+{
+    constexpr double kGap_mm = 0.4;
+    constexpr double kSharedSectors = 0.55;
+    constexpr std::size_t kStretches =
+        120;  // the walls are looked for in longer stretches than bins: a bore has few points
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t bins = by_z.first.size() - 1;
+    const std::size_t merged = (bins + kStretches - 1) / kStretches;
+    const std::size_t count = (bins + merged - 1) / merged;
+    std::vector<double> splits(count, none);
+    std::vector<double> radii;
+    const auto scatterOf = [&](std::size_t from, std::size_t to) {  // of sorted radii
+        std::vector<double> off;
+        const double middle = radii[(from + to) / 2];
+        for (std::size_t k = from; k < to; ++k) off.push_back(std::abs(radii[k] - middle));
+        return kToSigma * medianOf(off);
+    };
+    for (std::size_t b = 0; b < count; ++b) {
+        const std::size_t from = by_z.first[b * merged];
+        const std::size_t to = by_z.first[std::min(bins, (b + 1) * merged)];
+        radii.clear();
+        for (std::size_t k = from; k < to; ++k) radii.push_back(points[by_z.items[k]].r);
+        const std::size_t least = std::max<std::size_t>(6, radii.size() * 8 / 100);
+        if (radii.size() < 2 * least) continue;
+        std::sort(radii.begin(), radii.end());
+        const double gap = std::min(kGap_mm, 0.05 * largest);
+        for (std::size_t place = least; place + least <= radii.size(); ++place) {  // the innermost gap
+            const double wide = radii[place] - radii[place - 1];
+            if (wide < gap || wide < 8 * scatterOf(0, place)) continue;
+            const double split = (radii[place - 1] + radii[place]) / 2;
+            std::uint32_t inner = 0, outer = 0;
+            for (std::size_t k = from; k < to; ++k) {
+                const std::size_t i = by_z.items[k];
+                const Eigen::Vector3d p = axis_T_scan * sample[i];
+                const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
+                (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
+            }
+            if (std::popcount(inner & outer) >= kSharedSectors * std::popcount(inner)) {
+                splits[b] = split;
+                break;
+            }
+        }
+    }
+    std::vector<double> kept(bins, none);
+    for (std::size_t b = 0; b < count; ++b) {
+        if (std::isnan(splits[b])) continue;
+        int others = 0;
+        for (std::size_t k = b < 2 ? 0 : b - 2; k < std::min(count, b + 3); ++k)
+            if (k != b && !std::isnan(splits[k])) ++others;
+        if (others < 2) continue;
+        for (std::size_t k = b * merged; k < std::min(bins, (b + 1) * merged); ++k) kept[k] = splits[b];
+    }
+    return kept;
 }
 
 }  // namespace
@@ -134,28 +225,55 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     result.side_count = static_cast<int>((high - low) / result.step_mm) + 1;
     result.face_columns = static_cast<int>(largest / result.step_mm) + 1;
     const auto sides = static_cast<std::size_t>(result.side_count);
-    result.bins.resize(sides);
-
-    const Sorted by_z = sortInto(sides, points.size(), [&](std::size_t i) {
+    const auto sideOf = [&](std::size_t i) {
         return std::min(result.side_count - 1, static_cast<int>((points[i].z - low) / result.step_mm));
-    });
+    };
+    Sorted by_z = sortInto(sides, points.size(), sideOf);
+    result.split_mm = findSplits(sample, axis_T_scan, points, by_z, largest);
+    const bool bored = std::any_of(result.split_mm.begin(), result.split_mm.end(), [](double s) { return s == s; });
+    if (!bored) result.split_mm.clear();
+    const auto inBore = [&](std::size_t i) {
+        return bored && points[i].r < result.split_mm[static_cast<std::size_t>(sideOf(i))];
+    };
+    result.wall_count = bored ? 2 * result.side_count : result.side_count;
+    result.bins.resize(static_cast<std::size_t>(result.wall_count));
+    if (bored) by_z = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? -1 : sideOf(i); });
     std::vector<double> filled;
     for (std::size_t b = 0; b < sides; ++b)
         if (by_z.first[b + 1] > by_z.first[b]) filled.push_back(static_cast<double>(by_z.first[b + 1] - by_z.first[b]));
-    const double typical = medianOf(filled);
     const auto z_of = [&](std::size_t i) { return points[i].z; };
     const auto r_of = [&](std::size_t i) { return points[i].r; };
-    const double least = std::max(4.0, 0.15 * typical);
+    const double least = std::max(4.0, 0.15 * medianOf(filled));
     const double floor = 1e-5 * extent;  // exact meshes: no surface is worth more than this
-    result.sigma_mm =
-        std::max(floor, fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least));
+    std::vector<Scatter> scatters =
+        fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
+    if (bored) {
+        const Sorted bore = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? sideOf(i) : -1; });
+        std::vector<double> own_filled;
+        for (std::size_t b = 0; b < sides; ++b)
+            if (bore.first[b + 1] > bore.first[b])
+                own_filled.push_back(static_cast<double>(bore.first[b + 1] - bore.first[b]));
+        const double own_least = std::max(4.0, 0.15 * medianOf(own_filled));
+        const std::vector<Scatter> own =
+            fillBins(result.bins.data() + sides, result.side_count, low, result.step_mm, bore, z_of, r_of, own_least);
+        scatters.insert(scatters.end(), own.begin(), own.end());
+    }
+    const double middle = typical(scatters);
+    const double calm = quiet(scatters, middle);
+    result.sigma_mm = std::max(floor, calm > 0 ? calm : middle);
+    const double most_scatter = (calm > 0 ? kRoughScatter : kEdgeScatter) * result.sigma_mm;
+    for (std::size_t b = sides; b < result.bins.size(); ++b) {
+        MeridianBin& bin = result.bins[b];
+        if (bin.active && bin.sigma > most_scatter) bin.active = false;
+        bin.sigma = result.sigma_mm;
+    }
 
     // Bins that scatter more than the others hold an edge or a face; runs of them become faces of their own.
     result.face_of.assign(sides, -1);
     std::vector<std::size_t> face_points;
     for (std::size_t b = 0; b < sides; ++b) {
         MeridianBin& bin = result.bins[b];
-        if (bin.active && bin.sigma > kEdgeScatter * result.sigma_mm) bin.active = false;
+        if (bin.active && bin.sigma > most_scatter) bin.active = false;
         bin.sigma = result.sigma_mm;
         if (bin.active || by_z.first[b + 1] - by_z.first[b] < least / 2) continue;
         const bool goes_on = b > 0 && result.face_of[b - 1] >= 0;
@@ -169,19 +287,28 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         if (static_cast<double>(face_points[f]) > kFaceShare * static_cast<double>(points.size())) kept[f] = faces++;
     for (int& face : result.face_of)
         if (face >= 0) face = kept[static_cast<std::size_t>(face)];
-    result.bins.resize(sides + static_cast<std::size_t>(faces * result.face_columns));
+    const std::size_t walls = result.bins.size();
+    result.bins.resize(walls + static_cast<std::size_t>(faces * result.face_columns));
     for (int f = 0; f < faces; ++f) {
-        MeridianBin* own = result.bins.data() + sides + static_cast<std::size_t>(f * result.face_columns);
+        MeridianBin* own = result.bins.data() + walls + static_cast<std::size_t>(f * result.face_columns);
         const Sorted by_r = sortInto(static_cast<std::size_t>(result.face_columns), points.size(), [&](std::size_t i) {
-            const int side = std::min(result.side_count - 1, static_cast<int>((points[i].z - low) / result.step_mm));
             const int column = static_cast<int>(points[i].r / result.step_mm);
-            return result.face_of[static_cast<std::size_t>(side)] == f && column < result.face_columns ? column : -1;
+            return !inBore(i) && result.face_of[static_cast<std::size_t>(sideOf(i))] == f &&
+                           column < result.face_columns
+                       ? column
+                       : -1;
         });
         const double scatter =
-            std::max(floor, fillBins(own, result.face_columns, 0, result.step_mm, by_r, r_of, z_of, 4));
+            std::max(floor, typical(fillBins(own, result.face_columns, 0, result.step_mm, by_r, r_of, z_of, 4)));
         for (int c = 0; c < result.face_columns; ++c) {
             if (own[c].sigma > kEdgeScatter * scatter) own[c].active = false;
             own[c].sigma = scatter;
+        }
+        // A long run beside quiet bins whose points lie anywhere along it is rough, not a face.
+        const auto length = std::count(result.face_of.begin(), result.face_of.end(), f);
+        if (calm > 0 && length > 8 && scatter > 0.2 * static_cast<double>(length) * result.step_mm) {
+            for (int c = 0; c < result.face_columns; ++c) own[c].active = false;
+            std::replace(result.face_of.begin(), result.face_of.end(), f, -1);
         }
     }
     return result;
@@ -190,49 +317,10 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
 void refineSlopes(MeridianBins& bins)
 {
     slopesOf(bins.bins.data(), bins.side_count, bins.step_mm);
-    for (std::size_t first = static_cast<std::size_t>(bins.side_count); first < bins.bins.size();
+    if (bins.wall_count > bins.side_count) slopesOf(bins.bins.data() + bins.side_count, bins.side_count, bins.step_mm);
+    for (std::size_t first = static_cast<std::size_t>(bins.wall_count); first < bins.bins.size();
          first += static_cast<std::size_t>(bins.face_columns))
         slopesOf(bins.bins.data() + first, bins.face_columns, bins.step_mm);
-}
-
-double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
-                       const MeridianBins& bins, double noise_mm)
-{
-    const double widest = std::max(0.02 * bins.largest_mm, 3 * noise_mm);
-    // Radii on either side of bins without one: a point between them lies on the shoulder.
-    const auto sides = static_cast<std::size_t>(bins.side_count);
-    std::vector<double> low(sides, 0), high(sides, 0);
-    double before = 0;
-    for (std::size_t b = 0; b < sides; ++b) {
-        if (bins.bins[b].active) before = bins.bins[b].value;
-        low[b] = high[b] = before;
-    }
-    double after = 0;
-    for (std::size_t b = sides; b-- > 0;) {
-        if (bins.bins[b].active) after = bins.bins[b].value;
-        low[b] = std::min(low[b], after);
-        high[b] = std::max(high[b], after);
-    }
-    std::size_t good = 0;
-    for (const Eigen::Vector3d& point : sample) {
-        const Eigen::Vector3d p = axis_T_scan * point;
-        const double r = std::hypot(p.x(), p.y());
-        const int key = bins.find(p.z(), r);
-        if (key >= 0) {
-            const MeridianBin& bin = bins.bins[static_cast<std::size_t>(key)];
-            const bool side = key < bins.side_count;
-            const double error =
-                bin.cosine * ((side ? r : p.z()) - bin.value - bin.slope * ((side ? p.z() : r) - bin.middle));
-            if (std::abs(error) < std::min(6 * bin.sigma, widest)) ++good;
-            continue;
-        }
-        const double place = (p.z() - bins.z_start_mm) / bins.step_mm;
-        if (place < 0 || place >= bins.side_count) continue;
-        const auto b = static_cast<std::size_t>(place);
-        const double reach = std::min(6 * bins.sigma_mm, widest);
-        if (!bins.bins[b].active && bins.bins[b].points > 0 && r > low[b] - reach && r < high[b] + reach) ++good;
-    }
-    return static_cast<double>(good) / static_cast<double>(sample.size());
 }
 
 }  // namespace lathelier

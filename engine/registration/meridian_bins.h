@@ -14,11 +14,12 @@ struct MeridianBin {
     double slope = 0;
     double cosine = 1;  ///< from the difference in value to the distance along the normal
     double sigma = 1;   ///< scatter along the normal
+    double own_mm = 0;  ///< scatter of this bin alone
     double points = 0;
     bool active = false;
 };
 
-/// Side bins first, then `face_columns` bins for each face.
+/// Side bins first; when the scan shows a bore too, as many bins for the bore; then `face_columns` bins for each face.
 struct MeridianBins {
     double z_start_mm = 0;
     double step_mm = 1;     ///< of side bins in z and of face bins in radius
@@ -26,8 +27,10 @@ struct MeridianBins {
     double sigma_mm = 0;    ///< scatter at the side
     double largest_mm = 0;  ///< radius that 99 % of the points stay within
     int side_count = 0;
+    int wall_count = 0;  ///< bins of side and bore together: what comes after them is faces
     int face_columns = 0;
-    std::vector<int> face_of;  ///< for each side bin: the face its points belong to when it is not active, or -1
+    std::vector<double> split_mm;  ///< for each side bin: points inside this radius lie on the bore; empty without bore
+    std::vector<int> face_of;      ///< for each side bin: the face its points belong to when it is not active, or -1
     std::vector<MeridianBin> bins;
 
     /// Index of the bin for a point at (z, r), or -1.
@@ -36,25 +39,44 @@ struct MeridianBins {
         const double place = (z - z_start_mm) / step_mm;
         if (!(place >= 0) || place >= side_count) return -1;
         const int side = static_cast<int>(place);
+        if (!split_mm.empty() && r < split_mm[static_cast<std::size_t>(side)]) {
+            const int bore = side_count + side;
+            return bins[static_cast<std::size_t>(bore)].active ? bore : -1;
+        }
         if (bins[static_cast<std::size_t>(side)].active) return side;
         const int face = face_of[static_cast<std::size_t>(side)];
         if (face < 0) return -1;
         const double column = r / step_mm;
         if (column >= face_columns) return -1;
-        const int key = side_count + face * face_columns + static_cast<int>(column);
+        const int key = wall_count + face * face_columns + static_cast<int>(column);
         return bins[static_cast<std::size_t>(key)].active ? key : -1;
     }
 };
 
-/// Robust bins (median, scatter) of a sample. `count` is the wished number of bins along the part.
+/// Robust bins (median, scatter) of a sample. `count` is the wished number of bins along the part. Where the radii of a
+/// bin fall into two walls with a gap between them, each wall has a bin. Rough zones (a thread, a knurl) do not set the
+/// scatter: when the quietest fifth of the bins scatters by a third less than their median, it does, and bins that
+/// scatter more than 1.7 times that stay inactive.
+/// Source of both rules: ../shared/reference/recognition.md, section 1.
 MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count);
 
 /// Slopes anew from the values of neighbouring bins.
 void refineSlopes(MeridianBins& bins);
 
 /// Share of the sample that lies on one surface of revolution: within 6 standard deviations of the bins, and these no
-/// wider than 3 times the noise seen between neighbours or 2 % of the radius. Points at shoulders count.
+/// wider than 3 times the noise seen between neighbours or 2 % of the radius. Points at shoulders count, and those of
+/// rough zones (a thread, a knurl) that are round on the whole.
 double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                        const MeridianBins& bins, double noise_mm);
+
+/// Side bins of rough zones: they scatter too much to vote, but are round on the whole, their mean radius the same in
+/// every direction. A prism scatters as much, but its corners lie in some directions.
+std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                            const MeridianBins& bins);
+
+/// The same of points on bins alone, without shoulders and rough zones: a wrong axis makes much of the surface look
+/// like shoulders.
+double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+                   const MeridianBins& bins, double noise_mm);
 
 }  // namespace lathelier

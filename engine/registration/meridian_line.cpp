@@ -59,6 +59,12 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
 MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points, const Progress& progress)
     : profile_(part.fit.profile)
 {
+    // Rough zones have no vote in the axis, but a surface to measure from.
+    for (std::size_t i = 0; i < std::min(profile_.size(), part.fit.rough_mm.size()); ++i)
+        if (std::isnan(profile_.radius_mm[i]) && !std::isnan(part.fit.rough_mm[i])) {
+            profile_.radius_mm[i] = part.fit.rough_mm[i];
+            profile_.slope[i] = 0;
+        }
     const double step = profile_.step_mm;
     std::vector<std::size_t> known;
     for (std::size_t i = 0; i < profile_.size(); ++i)
@@ -131,10 +137,15 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
 
     bin_start_ = z_first_ - step;
     bin_step_ = step;
-    const auto bins = static_cast<std::size_t>((z_last_ - z_first_) / step) + 3;
-    first_in_bin_.assign(bins, segments_.size());
-    last_in_bin_.assign(bins, 0);
-    for (std::size_t s = 0; s < segments_.size(); ++s) {
+    outside_ = indexOf(0, segments_.size());
+    if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
+}
+
+MeridianLine::Index MeridianLine::indexOf(std::size_t from, std::size_t to) const
+{
+    const auto bins = static_cast<std::size_t>((z_last_ - z_first_) / bin_step_) + 3;
+    Index index{std::vector<std::size_t>(bins, segments_.size()), std::vector<std::size_t>(bins, 0)};
+    for (std::size_t s = from; s < to; ++s) {
         const double low = std::min(segments_[s].from.x(), segments_[s].to.x());
         const double high = std::max(segments_[s].from.x(), segments_[s].to.x());
         const auto clampBin = [&](double z) {
@@ -142,10 +153,42 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
                 std::clamp((z - bin_start_) / bin_step_, 0.0, static_cast<double>(bins - 1)));
         };
         for (std::size_t b = clampBin(low); b <= clampBin(high); ++b) {
-            first_in_bin_[b] = std::min(first_in_bin_[b], s);
-            last_in_bin_[b] = std::max(last_in_bin_[b], s + 1);
+            index.first[b] = std::min(index.first[b], s);
+            index.last[b] = std::max(index.last[b], s + 1);
         }
     }
+    return index;
+}
+
+/// The bore's bins joined from the last to the first, so that the material lies on the other side; a step between bins
+/// is a shoulder, many unknown bins are a gap.
+void MeridianLine::addBore(const RadiusProfile& bore)
+{
+    const std::size_t first = segments_.size();
+    std::vector<Vector2d> line;
+    std::size_t before = bore.size();
+    for (std::size_t i = bore.size(); i-- > 0;) {
+        if (std::isnan(bore.radius_mm[i])) continue;
+        const Vector2d here(bore.middle_mm(i), bore.radius_mm[i]);
+        if (before < bore.size() && before - i > 10) {
+            addPiece(line);
+            line.clear();
+        } else if (before < bore.size() && std::abs(bore.radius_mm[before] - here.y()) > bore.step_mm) {
+            const double middle = (bore.middle_mm(before) + here.x()) / 2;
+            line.emplace_back(middle, bore.radius_mm[before]);
+            line.emplace_back(middle, here.y());
+        }
+        line.push_back(here);
+        before = i;
+        // Nearer to the bore than to the outside: no short cut for these points.
+        if (!std::isnan(profile_.radius_mm[i])) {
+            const double half = (profile_.radius_mm[i] - here.y()) / 2;
+            for (std::size_t k = i < 3 ? 0 : i - 3; k < std::min(clearance_.size(), i + 4); ++k)
+                clearance_[k] = std::min(clearance_[k], half);
+        }
+    }
+    if (!line.empty()) addPiece(line);
+    bore_ = indexOf(first, segments_.size());
 }
 
 void MeridianLine::addPiece(const std::vector<Vector2d>& line)
@@ -194,33 +237,35 @@ double MeridianLine::deviation_mm(double z, double r, double max_distance) const
 double MeridianLine::search(double z, double r, double reach) const
 {
     const Vector2d point(z, r);
-    const auto bins = static_cast<std::ptrdiff_t>(first_in_bin_.size());
+    const auto bins = static_cast<std::ptrdiff_t>(outside_.first.size());
     if (bins == 0) return kNone;
     const double place = std::floor((z - bin_start_) / bin_step_);
     if (!(std::abs(place) < 1e9)) return kNone;
     const auto centre = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place), 0, bins - 1);
     double nearest = reach * reach;
     double signed_distance = kNone;
+    const auto tryOne = [&](const Segment& segment) {
+        const Vector2d along = segment.to - segment.from;
+        const double t = (point - segment.from).dot(along) / along.squaredNorm();
+        const Vector2d foot = segment.from + std::clamp(t, 0.0, 1.0) * along;
+        const double distance = (point - foot).squaredNorm();
+        if (distance > nearest) return;
+        nearest = distance;
+        const Vector2d& normal = t <= 0 ? segment.from_normal : t >= 1 ? segment.to_normal : segment.normal;
+        const bool open = (t < 0 && segment.open_from) || (t > 1 && segment.open_to);
+        const double side = (point - foot).dot(normal);
+        signed_distance = open ? kNone : std::copysign(std::sqrt(distance), side);
+    };
     // Outward from the point's own bin, until the bins are further than what was found.
     for (std::ptrdiff_t ring = 0; ring < bins; ++ring) {
         const double gap = (static_cast<double>(ring) - 1) * bin_step_;
         if (gap > 0 && gap * gap > nearest) break;
         for (const std::ptrdiff_t bin : {centre - ring, centre + ring}) {
             if (bin < 0 || bin >= bins || (ring == 0 && bin != centre)) continue;
-            for (std::size_t s = first_in_bin_[static_cast<std::size_t>(bin)];
-                 s < last_in_bin_[static_cast<std::size_t>(bin)]; ++s) {
-                const Segment& segment = segments_[s];
-                const Vector2d along = segment.to - segment.from;
-                const double t = (point - segment.from).dot(along) / along.squaredNorm();
-                const Vector2d foot = segment.from + std::clamp(t, 0.0, 1.0) * along;
-                const double distance = (point - foot).squaredNorm();
-                if (distance > nearest) continue;
-                nearest = distance;
-                const Vector2d& normal = t <= 0 ? segment.from_normal : t >= 1 ? segment.to_normal : segment.normal;
-                const bool open = (t < 0 && segment.open_from) || (t > 1 && segment.open_to);
-                const double side = (point - foot).dot(normal);
-                signed_distance = open ? kNone : std::copysign(std::sqrt(distance), side);
-            }
+            const auto b = static_cast<std::size_t>(bin);
+            for (std::size_t s = outside_.first[b]; s < outside_.last[b]; ++s) tryOne(segments_[s]);
+            if (!bore_.first.empty())
+                for (std::size_t s = bore_.first[b]; s < bore_.last[b]; ++s) tryOne(segments_[s]);
             if (ring == 0) break;
         }
     }

@@ -7,7 +7,8 @@
 
 namespace lathelier {
 
-/// Profile, shoulders and end faces in one line, in order of z; the material lies on its lower side.
+/// Profile, shoulders and end faces in one line, in order of z; the material lies on its lower side. Where the scan
+/// shows a bore, a second line: the material lies on its upper side.
 class MeridianLine {
 public:
     /// `points` are those of the part, for its end faces.
@@ -27,14 +28,19 @@ private:
         Eigen::Vector2d from_normal, to_normal;   ///< summed with the neighbour's, for the sign at a corner
         bool open_from = false, open_to = false;  ///< the line ends here because the data do
     };
+    /// Segments that reach into each bin: index of the first, and one past the last.
+    struct Index {
+        std::vector<std::size_t> first, last;
+    };
     void addPiece(const std::vector<Eigen::Vector2d>& line);
+    void addBore(const RadiusProfile& bore);
+    Index indexOf(std::size_t from, std::size_t to) const;
     double search(double z, double r, double reach) const;
 
     RadiusProfile profile_;
     std::vector<double> clearance_;  ///< for each profile bin: how far it is from anything but smooth side
     std::vector<Segment> segments_;
-    std::vector<std::size_t> first_in_bin_;  ///< segments that reach into each bin: index of the first…
-    std::vector<std::size_t> last_in_bin_;   ///< …and one past the last
+    Index outside_, bore_;
     double bin_start_ = 0, bin_step_ = 1;
     double z_first_ = 0, z_last_ = 0;
 };

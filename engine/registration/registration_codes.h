@@ -14,7 +14,12 @@ inline constexpr ErrorCode partsDoNotMatch{
 
 inline constexpr ErrorCode notABodyOfRevolution{
     "not_a_body_of_revolution", ErrorKind::NoAnswer,
-    LT_TEXT("Engine", "The {role} is not a body of revolution (residual {residual_mm} mm).")};
+    LT_TEXT("Engine", "The {role} is not a body of revolution (reason: {reason}; residual {residual_mm} mm).")};
+
+inline constexpr ErrorCode coverageTooSmall{
+    "coverage_too_small", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "The {role} shows {coverage_deg}° of the circle; at least {minimum_deg}° are needed for an axis.")};
 
 }  // namespace errors
 
@@ -55,6 +60,17 @@ inline constexpr NoteCode signUndetermined{
 inline constexpr NoteCode notDistinguishable{
     "not_distinguishable", Severity::Warning,
     LT_TEXT("Engine", "The difference cannot be told from the scanner's accuracy of {scanner_accuracy_mm} mm.")};
+
+inline constexpr NoteCode coverageBelowHalf{
+    "coverage_below_half", Severity::Warning,
+    LT_TEXT("Engine",
+            "The {role} shows {coverage_deg}° of the circle, less than half: out-of-roundness passes for a shift.")};
+
+inline constexpr NoteCode partIsBent{
+    "part_is_bent", Severity::Warning,
+    LT_TEXT("Engine",
+            "The {role} is bent: its centre line bows by {bow_mm} ± {bow_uncertainty_mm} mm. The axis runs "
+            "straight through the section centres.")};
 
 }  // namespace notes
 

@@ -33,6 +33,14 @@ struct Sums {
     double deviation() const { return n > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1))) : kNone; }
 };
 
+/// Zones, meridian and map are those of the outside.
+bool isOnBore(const RevolutionFit& fit, std::size_t bin, double r)
+{
+    if (fit.bore.size() <= bin) return false;
+    const double bore = fit.bore.radius_mm[bin];
+    return !std::isnan(bore) && !(r > (bore + fit.profile.radius_mm[bin]) / 2);
+}
+
 /// Limits of zones in z of the profile: between shoulders, gaps and kinks, without the bins next to them.
 std::vector<Interval> findZones(const TurnedPart& part, const MeridianLine& line)
 {
@@ -155,6 +163,7 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                 const double v = result.deviation_mm[i];
                 const double place = (p.z() - profile.z_start_mm) / profile.step_mm;
                 if (place >= 0 && place < static_cast<double>(profile.size())) {
+                    if (isOnBore(reference.fit, static_cast<std::size_t>(place), p.head<2>().norm())) continue;
                     part.bins[static_cast<std::size_t>(place)].add(v);
                     const int zone = zone_of[static_cast<std::size_t>(place * 8)];
                     if (zone >= 0) part.zones[static_cast<std::size_t>(zone)].add(v);

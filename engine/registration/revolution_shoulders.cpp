@@ -29,7 +29,7 @@ public:
 
     const Edge& edge() const { return edge_.edge; }
     double widthGuess() const { return guess_; }
-    double leanSigma() const { return kLeanShare * edge_.lean_mm; }
+    double leanSigma() const { return edge_.lean_sigma_mm; }
     double density() const { return density_; }  ///< rays for each mm of height
 
     struct Place {
@@ -82,9 +82,6 @@ private:
         }
         return total - std::log(product);
     }
-
-    /// Rays are taken to point at the part's axis; one that passes it at 0.2 radii moves 2 % further along it.
-    static constexpr double kLeanShare = 0.02;
 
     EdgeRays edge_;
     std::vector<double> hits_before_;  ///< hits among the first k rays

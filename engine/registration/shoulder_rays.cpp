@@ -1,6 +1,5 @@
 #include "engine/registration/shoulder_rays.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/scanner_axis.h"
 
 namespace lathelier {
 namespace {
@@ -17,8 +17,8 @@ constexpr double kPi = std::numbers::pi;
 
 /// A point near a shoulder.
 struct EdgePoint {
-    double height;
-    double depth;  ///< below the larger radius, 0…1 of the shoulder
+    double height;  ///< of the point itself; where the scanner is known, of its ray
+    double depth;   ///< below the larger radius, 0…1 of the shoulder
     float cosine, sine;
     std::uint8_t sector;
 };
@@ -32,6 +32,12 @@ struct Lean {
 double heightOf(const Edge& edge)
 {
     return std::abs(edge.after_mm - edge.before_mm);
+}
+
+/// How far rays lean along the part's axis at most, in mm for each mm inward.
+double leanOf(const ScannerAxis& scanner)
+{
+    return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
 }
 
 /// Straight line through up to 8 known bins from `bin` in direction `step`, at `z`.
@@ -59,6 +65,13 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
 {
     const RadiusProfile& profile = fit.profile;
     const double least = std::max(8 * fit.sigma_mm, 0.02 * profile.step_mm);
+    const auto radiusAt = [&](std::ptrdiff_t bin) { return profile.radius_mm[static_cast<std::size_t>(bin)]; };
+    // How much the radius rises (times `sign`) over the bin beside `bin` that lies away from the edge.
+    const auto riseFrom = [&](std::ptrdiff_t bin, std::ptrdiff_t away, double sign) {
+        const std::ptrdiff_t next = bin + away;
+        if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size()) || std::isnan(radiusAt(next))) return 0.0;
+        return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away);
+    };
     std::vector<Edge> edges;
     std::ptrdiff_t before = -1;
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(profile.size()); ++i) {
@@ -77,9 +90,11 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
             edge.sign = rise > 0 ? 1 : -1;
             edge.from_mm = z1 - 3 * profile.step_mm;
             edge.to_mm = z2 + 3 * profile.step_mm;
-            // A steep but resolved slope is no shoulder: it has bins of its own.
-            if (height > least && height > 1.5 * (z2 - z1) / static_cast<double>(std::max<std::ptrdiff_t>(1, gap)))
-                edges.push_back(edge);
+            // A steep but resolved slope is no shoulder: it has bins of its own, and goes on as it rises here.
+            const double a_bin = 1 / static_cast<double>(gap);
+            const bool goes_on = std::abs(radiusAt(i) - radiusAt(before)) * a_bin <
+                                 2 * std::max(riseFrom(before, -1, edge.sign), riseFrom(i, 1, edge.sign));
+            if (height > least && height > 1.5 * (z2 - z1) * a_bin && !goes_on) edges.push_back(edge);
         }
         before = i;
     }
@@ -89,17 +104,52 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
     return edges;
 }
 
+/// The ray of the point `p` passes the radius `radius_mm` at this z.
+double heightAt(const Eigen::Vector3d& p, const Eigen::Vector3d& outward, double radius_mm)
+{
+    const double a = outward.x() * outward.x() + outward.y() * outward.y();
+    const double b = p.x() * outward.x() + p.y() * outward.y();
+    const double c = p.x() * p.x() + p.y() * p.y() - radius_mm * radius_mm;
+    return p.z() + outward.z() * (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+}
+
+/// How far inside the larger radius a point still counts as a hit.
+double missDepth(const Edge& edge, const RevolutionFit& fit)
+{
+    return std::min(0.5 * heightOf(edge), 5 * fit.sigma_mm);
+}
+
+/// Height of the ray that made `p`, and where it decides between hit and miss. A ray that leans toward the face strikes
+/// the face when it does not strike the larger radius, and counts as a hit while it does so within `missDepth`; one
+/// that leans away from the face passes the larger radius or strikes it.
+double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge, double miss_depth)
+{
+    const Eigen::Vector3d outward = scanner.outward(p);
+    const double high = std::max(edge.before_mm, edge.after_mm);
+    const bool toward_face = outward.z() * edge.sign < 0;
+    return heightAt(p, outward, toward_face ? high - miss_depth : high) * edge.sign;
+}
+
 std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
-                                            const std::vector<Edge>& edges, const Progress& progress)
+                                            const std::vector<Edge>& edges, const std::optional<ScannerAxis>& scanner,
+                                            const Progress& progress)
 {
     // Which edge a place along z belongs to, by bins as fine as the profile's.
     const RadiusProfile& profile = fit.profile;
     const double fine = profile.step_mm / 8;
     std::vector<std::int16_t> edge_at(profile.size() * 8, -1);
+    const double slope = scanner ? leanOf(*scanner) : 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
+        // A leaning ray moves along the axis between the larger radius and the smaller one, where it may end; but what
+        // lies beyond the middle between two edges belongs to the other.
+        const double lean = slope * heightOf(edges[e]);
+        const double from = std::max(edges[e].from_mm - lean,
+                                     e > 0 ? (edges[e - 1].z_mm + edges[e].z_mm) / 2 : edges[e].from_mm - lean);
+        const double to = std::min(edges[e].to_mm + lean, e + 1 < edges.size() ? (edges[e].z_mm + edges[e + 1].z_mm) / 2
+                                                                               : edges[e].to_mm + lean);
         const auto index = [&](double z) { return std::lround((z - profile.z_start_mm) / fine); };
-        const long last = std::min(index(edges[e].to_mm), static_cast<long>(edge_at.size()));
-        for (long k = std::max(0L, index(edges[e].from_mm)); k < last; ++k)
+        const long last = std::min(index(to), static_cast<long>(edge_at.size()));
+        for (long k = std::max(0L, index(from)); k < last; ++k)
             edge_at[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(e);
     }
     using Found = std::vector<std::vector<EdgePoint>>;
@@ -115,14 +165,21 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 const int e = edge_at[static_cast<std::size_t>(place)];
                 if (e < 0) continue;
                 const Edge& edge = edges[static_cast<std::size_t>(e)];
-                const Eigen::Vector3d p = fit.axis_T_scan * points[i];
+                const Eigen::Vector3d p = fit.onAxis(points[i]);
                 const double r = std::hypot(p.x(), p.y());
                 const double high = std::max(edge.before_mm, edge.after_mm);
                 const double height = heightOf(edge);
                 if (r > high + reach || r < high - height - reach || r == 0) continue;
                 const double turn = std::atan2(p.y(), p.x()) / (2 * kPi) + 0.5;
+                double own = z * edge.sign;
+                if (scanner) {
+                    own = rayHeight(p, *scanner, edge, missDepth(edge, fit));
+                    if (own < std::min(edge.from_mm * edge.sign, edge.to_mm * edge.sign) ||
+                        own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
+                        continue;
+                }
                 part[static_cast<std::size_t>(e)].push_back(
-                    {z * edge.sign, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
+                    {own, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
                      static_cast<float>(p.y() / r),
                      static_cast<std::uint8_t>(std::min(kSectors - 1.0, turn * kSectors))});
             }
@@ -194,38 +251,6 @@ Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pla
     return without - least > 12 * least / freedom ? best : Lean{};
 }
 
-/// The lean of the rays in a scan that comes row by row: rays and rows lie across the scanner's axis, the direction in
-/// which neighbours in the file do not differ. nullopt when there is no such direction.
-std::optional<Lean> leanOfRows(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit)
-{
-    constexpr std::size_t kPairs = 8000;
-    std::vector<Eigen::Vector3d> steps;
-    std::vector<double> lengths;
-    for (std::size_t k = 0; k < kPairs; ++k) {
-        const std::size_t i = k * (points.size() - 1) / kPairs;
-        steps.push_back(fit.axis_T_scan.linear() * (points[i + 1] - points[i]));
-        lengths.push_back(steps.back().norm());
-    }
-    std::nth_element(lengths.begin(), lengths.begin() + kPairs / 2, lengths.end());
-    const double typical = lengths[kPairs / 2];
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-    double least = 0;
-    double width = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < 6; ++round) {
-        Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-        for (const Eigen::Vector3d& step : steps)
-            if (step.norm() < 3 * typical && std::abs(step.dot(normal)) <= width) scatter += step * step.transpose();
-        normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
-        std::vector<double> off;
-        for (const Eigen::Vector3d& step : steps) off.push_back(std::abs(step.dot(normal)));
-        std::nth_element(off.begin(), off.begin() + kPairs / 2, off.end());
-        least = off[kPairs / 2];
-        width = 4 * least + 1e-12 * typical;
-    }
-    if (!(least < 0.01 * typical) || std::abs(normal.z()) < 0.5) return std::nullopt;
-    return Lean{normal.x() / normal.z(), normal.y() / normal.z()};
-}
-
 /// Lean from the shadows: the balance of each sector of each edge.
 Lean leanOfShadows(const std::vector<Edge>& edges, const std::vector<std::vector<EdgePoint>>& points)
 {
@@ -258,27 +283,31 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
 {
     const std::vector<Edge> edges = findEdges(fit);
     if (edges.empty()) return {};
-    const std::vector<std::vector<EdgePoint>> found = collect(points, fit, edges, progress);
-    const std::optional<Lean> lean = leanOfRows(points, fit);
-    const Lean shade = lean ? Lean{} : leanOfShadows(edges, found);
+    double largest = 0;
+    for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
+    const std::optional<ScannerAxis> scanner = findScannerAxis(points, fit.axis_T_scan, largest);
+    const std::vector<std::vector<EdgePoint>> found = collect(points, fit, edges, scanner, progress);
+    const Lean shade = scanner ? Lean{} : leanOfShadows(edges, found);
 
     std::vector<EdgeRays> result(edges.size());
     parallelFor(edges.size(), 1, progress, [&](std::size_t e, std::size_t) {
         const Edge& edge = edges[e];
-        // With the lean known every ray is placed exactly, and what is not on the larger radius has missed it. Without,
-        // the middle of the shoulder divides hits from misses: points on the shoulder itself then favour neither side.
-        const double miss = lean ? std::min(0.5, 5 * fit.sigma_mm / heightOf(edge)) : 0.5;
+        // With the scanner known every ray is placed exactly, and what is not on the larger radius has missed it.
+        // Without, the middle of the shoulder divides hits from misses: points on the shoulder favour neither side.
+        const double miss = scanner ? missDepth(edge, fit) / heightOf(edge) : 0.5;
         std::vector<Ray>& rays = result[e].rays;
         rays.reserve(found[e].size());
-        for (const EdgePoint& p : found[e]) {
-            const double shift = lean ? heightOf(edge) * edge.sign * (lean->a * p.cosine + lean->b * p.sine)
-                                      : shadow(edge, shade, p.cosine, p.sine);
-            rays.push_back({p.height - p.depth * shift, p.depth < miss});
-        }
+        for (const EdgePoint& p : found[e])
+            rays.push_back(
+                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < miss});
         std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
         result[e].edge = edge;
-        const Lean& known = lean ? *lean : shade;
-        result[e].lean_mm = heightOf(edge) * std::hypot(known.a, known.b);
+        // A ray that passes the part's axis at a distance e reaches the radius r turned by e / r, which on the mean
+        // over the turn moves half the rays, the misses, by e / (2 r) of the lean.
+        const double inner = std::max(std::min(edge.before_mm, edge.after_mm), heightOf(edge));
+        result[e].lean_sigma_mm =
+            scanner ? heightOf(edge) * leanOf(*scanner) * std::min(0.15, scanner->sigma_mm / inner) / 4
+                    : heightOf(edge) * std::hypot(shade.a, shade.b) * 0.15 / 4;
     });
     return result;
 }

@@ -25,16 +25,16 @@ struct Ray {
 
 struct EdgeRays {
     Edge edge;
-    std::vector<Ray> rays;  ///< in order of height
-    double lean_mm = 0;     ///< how far a leaning ray moves along the axis over the height of the shoulder, at most
+    std::vector<Ray> rays;     ///< in order of height
+    double lean_sigma_mm = 0;  ///< standard uncertainty of the heights as a whole from what is not known of the rays
 };
 
 /// The place with as many rays below it as there are misses in all; nullopt with too few hits or misses.
 std::optional<double> balance(const std::vector<Ray>& rays);
 
 /// All edges higher than 8 times the scatter with their rays.
-/// The lean of the rays is found from the rows of the scan when its points come row by row (neighbours in a row lie in
-/// one plane, across which no ray moves); else from the shadow that leaning rays leave beside a shoulder on the side
+/// The rays are those of the scanner's axis when the points come row by row (scanner_axis.h); else their lean is found
+/// from the shadow that leaning rays leave beside a shoulder on the side
 /// turned away, which displaces the balance there by half the shadow.
 std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                    const Progress& progress = {});

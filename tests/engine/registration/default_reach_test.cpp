@@ -41,8 +41,10 @@ TEST(DefaultReach, LetsPartsOfAnySizeBeCompared)
             for (auto& p : b.points_mm) p *= scale;
             const CompareResult result = compare(a, b);
             EXPECT_NEAR(static_cast<double>(result.statistics.points_used),
-                        static_cast<double>(base.statistics.points_used), 0.002 * static_cast<double>(b.points_mm.size()));
-            EXPECT_NEAR(result.statistics.rmse_mm, scale * base.statistics.rmse_mm, 0.03 * scale * base.statistics.rmse_mm);
+                        static_cast<double>(base.statistics.points_used),
+                        0.002 * static_cast<double>(b.points_mm.size()));
+            EXPECT_NEAR(result.statistics.rmse_mm, scale * base.statistics.rmse_mm,
+                        0.03 * scale * base.statistics.rmse_mm);
         }
     }
 }

@@ -109,15 +109,17 @@ TEST(SurfaceDeviation, OfAnInsideOutMeshHasTheSameSign)
     EXPECT_FLOAT_EQ(d.deviation_mm[1], -1);
 }
 
-TEST(SurfaceDeviation, OfAnOpenMeshHasNoSignAndSaysSo)
+TEST(SurfaceDeviation, OfAMeshWithOneFacetMissingIsThatOfTheWholeOne)
 {
     Scan mesh = cube(10);
     mesh.triangles.pop_back();
-    const SurfaceDeviation d = surfaceDeviation(mesh, {{5, 5, 12}, {5, 5, 9}}, 100);
-    EXPECT_FALSE(d.has_sign);
-    EXPECT_TRUE(contains(d.notes, notes::signUndetermined));
+    const SurfaceDeviation d = surfaceDeviation(mesh, {{5, 5, 12}, {5, 5, 9}, {11, 8, 8}, {9.5, 8, 7}}, 100);
+    EXPECT_TRUE(d.has_sign);
+    EXPECT_TRUE(contains(d.notes, notes::holesFilled));
     EXPECT_FLOAT_EQ(d.deviation_mm[0], 2);
-    EXPECT_FLOAT_EQ(d.deviation_mm[1], 1);
+    EXPECT_FLOAT_EQ(d.deviation_mm[1], -1);
+    EXPECT_FLOAT_EQ(d.deviation_mm[2], 1);
+    EXPECT_FLOAT_EQ(d.deviation_mm[3], -0.5);
 }
 
 TEST(SurfaceDeviation, OfAMeshWithoutSharedVerticesHasASign)

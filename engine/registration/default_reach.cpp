@@ -8,7 +8,8 @@ namespace lathelier {
 namespace {
 
 constexpr double near = 0.006;
-constexpr double farthest = 0.025;
+constexpr double farthest = 0.02;
+constexpr double no_surface = 0.01;
 
 double quantile(std::vector<double>& values, std::size_t tenths)
 {
@@ -34,7 +35,8 @@ double robustSize_mm(const std::vector<Eigen::Vector3d>& points_mm)
 
 double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm)
 {
-    return std::max({near * size_mm, 10 * noise_mm, std::min(10 * scatter_mm, farthest * size_mm)});
+    const double noise = noise_mm <= no_surface * size_mm ? noise_mm : 0;
+    return std::max({near * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
 }
 
 }  // namespace lathelier

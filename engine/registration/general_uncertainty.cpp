@@ -43,11 +43,21 @@ std::uint64_t interleave(const std::array<std::uint32_t, 3>& cell)
     return key;
 }
 
+// The largest of many estimates exceeds what independent residuals would give by about a seventh by chance: that much
+// is taken off, less and less where it exceeds it clearly.
+double allowForChance(double independent, double largest)
+{
+    if (!(largest > independent)) return independent;
+    const double excess = largest / independent;
+    const double chance = 0.15 * std::clamp((1.6 - excess) / 0.3, 0.0, 1.0);
+    return std::max(independent, largest / (1 + chance));
+}
+
 class Clusters {
 public:
     Clusters(const MotionSystem& system, const Observability& observability, double sigma_mm,
              const std::vector<MotionResidual>& residuals)
-        : system_(system), residuals_(residuals), largest_(uncertainty(system, observability, sigma_mm))
+        : system_(system), residuals_(residuals), independent_(uncertainty(system, observability, sigma_mm))
     {
         double weights = 0;
         double slopes = 0;
@@ -95,7 +105,12 @@ public:
         grow(std::move(runs), 1);
     }
 
-    AlignmentUncertainty result() const { return largest_; }
+    AlignmentUncertainty result() const
+    {
+        return {allowForChance(independent_.axial_um, largest_.axial_um),
+                allowForChance(independent_.radial_um, largest_.radial_um),
+                allowForChance(independent_.axis_deg, largest_.axis_deg)};
+    }
 
 private:
     AlignmentUncertainty of(const std::vector<Pull>& clusters) const
@@ -144,6 +159,7 @@ private:
     const std::vector<MotionResidual>& residuals_;
     std::vector<Vector6d> pulls_;
     Matrix6d bread_;
+    AlignmentUncertainty independent_;
     AlignmentUncertainty largest_;
 };
 

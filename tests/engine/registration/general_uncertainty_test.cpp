@@ -39,7 +39,7 @@ Coverage coverageOf(Noise kind, bool onto_mesh)
     for (int i = 0; i < cases; ++i) {
         const auto seed = static_cast<std::uint64_t>(1000 * static_cast<int>(kind) + i);
         if (!onto_mesh && i % 10 == 0) reference = prepareReference(noisyScan(mesh, kind, 18000, 0.05, 2 * seed + 2));
-        const Scan copy = noisyScan(mesh, kind, 900, 0.05, 2 * seed + 1);
+        const Scan copy = noisyScan(mesh, kind, 1500, 0.05, 2 * seed + 1);
         const Alignment a = alignGeneral(reference, copy, CompareMethod::Plane, InitialPose::Identity);
         Vector3d centre = Vector3d::Zero();
         for (const Vector3d& p : copy.points_mm) centre += p / static_cast<double>(copy.points_mm.size());
@@ -63,6 +63,7 @@ void expectHonest(const Coverage& c)
     EXPECT_GE(c.translation, 90);
     EXPECT_GE(c.rotation, 90);
     EXPECT_LE(c.translation, 99);
+    EXPECT_LE(c.rotation, 99);
     EXPECT_LT(c.stated_um, 4 * c.error_um);
     EXPECT_LT(c.stated_deg, 4 * c.error_deg);
 }

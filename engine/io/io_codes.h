@@ -97,6 +97,10 @@ inline constexpr NoteCode countDiffers{
     "count_differs", Severity::Warning,
     LT_TEXT("Engine", "{path}: {announced} rows are announced, {found} are there; all were read.")};
 
+inline constexpr NoteCode facetsDegenerate{
+    "facets_degenerate", Severity::Info,
+    LT_TEXT("Engine", "{path}: facets with two corners in one place, left out: {count}.")};
+
 inline constexpr NoteCode normalsUnusable{
     "normals_unusable", Severity::Warning,
     LT_TEXT("Engine", "{path}: normals without a direction: {count}; the normals are not used.")};

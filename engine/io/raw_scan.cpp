@@ -82,7 +82,10 @@ void dropDegenerate(RawScan& raw)
 {
     const std::size_t removed =
         std::erase_if(raw.scan.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-    if (removed > 0) set(raw.facts.details, "triangles_without_area", static_cast<std::int64_t>(removed));
+    if (removed == 0) return;
+    const auto count = static_cast<std::int64_t>(removed);
+    set(raw.facts.details, "triangles_without_area", count);
+    raw.notes.push_back({notes::facetsDegenerate, {{"count", count}}});
 }
 
 /// Gives normals unit length; drops them all when one has no direction, for a half-known side is of no use.

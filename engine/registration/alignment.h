@@ -23,8 +23,8 @@ struct FreeMotion {
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
 };
 
-/// Expanded uncertainty (k = 2) of the determined motions, from the residual scatter and the normal equations.
-/// Body of revolution: along and across its axis. General part: the largest translation, the largest across, rotation.
+/// Expanded uncertainty (k = 2) of the determined motions. Body of revolution: along and across its axis. General part:
+/// radius of the translation, the same across its largest direction, rotation (general_uncertainty.h).
 struct AlignmentUncertainty {
     double axial_um = 0;
     double radial_um = 0;

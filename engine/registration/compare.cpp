@@ -7,6 +7,8 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/cloud_distance.h"
+#include "engine/registration/default_reach.h"
+#include "engine/registration/facet_sagitta.h"
 #include "engine/registration/general.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
@@ -24,8 +26,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMeshSamples = 300000;
 constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
-constexpr double kNear_mm = 1;        // default reach, or 10 standard deviations when that is more…
-constexpr double kFarthest = 0.02;    // …but no more than this share of the part: a misfit is no noise
+constexpr double kCoarse = 2e-5;      // facets this share of the part's size off the round surface are worth a note
 
 /// Points that stand for the surface: the cloud itself, or samples of the mesh.
 struct SurfacePoints {
@@ -161,33 +162,40 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Is
     return result;
 }
 
-double extentOf(const std::vector<Vector3d>& points)
-{
-    Vector3d low = points.front();
-    Vector3d high = low;
-    for (const Vector3d& p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return (high - low).norm();
-}
-
 /// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud.
 void measure(const Scan& reference, const GeneralReference* prepared, const Plan& plan, const MeridianLine* line,
              const std::vector<Vector3d>& moved_copy, double max_distance_mm, CompareResult& result,
              const Progress& progress)
 {
-    if (!line || reference.isMesh()) {
-        SurfaceDeviation surface = prepared ? surfaceDeviation(*prepared, moved_copy, max_distance_mm, progress)
-                                            : surfaceDeviation(reference, moved_copy, max_distance_mm, progress);
-        if (surface.has_sign || !line) {
-            result.has_sign = surface.has_sign;
-            result.deviation_mm = std::move(surface.deviation_mm);
-            result.notes.insert(result.notes.end(), surface.notes.begin(), surface.notes.end());
-            return;
-        }
+    const auto toMeridian = [&] {
+        return meridianDeviation(plan.reference, *line, moved_copy, max_distance_mm, progress);
+    };
+    if (line && !reference.isMesh()) {
+        result.deviation_mm = toMeridian();
+        return;
     }
-    result.deviation_mm = meridianDeviation(plan.reference, *line, moved_copy, max_distance_mm, progress);
+    SurfaceDeviation surface = prepared ? surfaceDeviation(*prepared, moved_copy, max_distance_mm, progress)
+                                        : surfaceDeviation(reference, moved_copy, max_distance_mm, progress);
+    result.notes.insert(result.notes.end(), surface.notes.begin(), surface.notes.end());
+    result.has_sign = surface.has_sign;
+    result.deviation_mm = std::move(surface.deviation_mm);
+    if (surface.has_sign || !line) return;
+    // Facets of contradicting senses: the distance to them stands, the meridian tells the side.
+    const std::vector<float> sides = toMeridian();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        result.deviation_mm[i] = std::isnan(sides[i]) ? sides[i] : std::copysign(result.deviation_mm[i], sides[i]);
+    result.has_sign = true;
+    std::erase_if(result.notes, [](const Note& note) { return note.code == notes::signUndetermined; });
+}
+
+/// Facets of a coarse mesh are no form of the part: they are named, with what they amount to.
+void noteCoarseFacets(const Scan& scan, const char* role, const RevolutionFit& fit, double size_mm, Notes& notes,
+                      const Progress& progress)
+{
+    if (!scan.isMesh()) return;
+    const double sagitta = facetSagitta_mm(scan, fit.axis_T_scan, progress);
+    if (sagitta > kCoarse * size_mm)
+        notes.push_back({notes::facetsCoarse, {{"role", std::string(role)}, {"sagitta_mm", sagitta}}});
 }
 
 std::vector<float> finiteOf(const std::vector<float>& values)
@@ -294,26 +302,28 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     const std::vector<Vector3d> moved_copy = moved(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
     std::optional<MeridianLine> line;
     if (plan.reference_turned) line.emplace(plan.reference, reference_points, measuring);
-    const double farthest_mm = std::max(kNear_mm, kFarthest * extentOf(reference_points));
-    const auto reachFor = [&](double sigma_mm) { return std::clamp(10 * sigma_mm, kNear_mm, farthest_mm); };
-    double reach_mm = parameters.max_distance_mm.value_or(
-        plan.method == CompareMethod::Revolution
-            ? reachFor(std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm))
-            : kNear_mm);
+    const double size_mm = robustSize_mm(reference_points);
+    const double noise_mm = plan.method == CompareMethod::Revolution
+                                ? std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm)
+                                : prepared->surface->scatter_mm();
+    double reach_mm = parameters.max_distance_mm.value_or(defaultReach_mm(size_mm, noise_mm));
     const auto remeasure = [&](const Progress& own) {
         measure(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy, reach_mm,
                 result, own);
     };
     remeasure(measuring.part(0, 0.8));
-    if (plan.method != CompareMethod::Revolution && !parameters.max_distance_mm) {
-        // The scatter of a part of any shape is known only now.
-        const double scatter = scatterOf(finiteOf(result.deviation_mm));
-        if (reachFor(scatter) > reach_mm) {
-            reach_mm = reachFor(scatter);
-            result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
-            remeasure(measuring.part(0.8, 1));
-        }
+    // The scatter of a part of any shape is known only now, and what was out of reach adds to it.
+    for (int i = 0; i < 3 && plan.method != CompareMethod::Revolution && !parameters.max_distance_mm; ++i) {
+        const double reach = defaultReach_mm(size_mm, noise_mm, scatterOf(finiteOf(result.deviation_mm)));
+        if (reach < 1.05 * reach_mm) break;
+        reach_mm = reach;
+        result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
+        remeasure(measuring.part(0.8, 1));
     }
+    if (plan.reference_turned)
+        noteCoarseFacets(reference_scan, "reference", plan.reference.fit, size_mm, result.notes, measuring);
+    if (plan.method == CompareMethod::Revolution)
+        noteCoarseFacets(copy_scan, "copy", plan.copy.fit, size_mm, result.notes, measuring);
     LeftOut left_out;
     result.used.resize(moved_copy.size());
     for (std::size_t i = 0; i < moved_copy.size(); ++i) {

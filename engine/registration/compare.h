@@ -27,7 +27,7 @@ struct CompareParameters {
     std::optional<double> tolerance_mm;         ///< band ±T; without it there is no verdict
     double pass_percent = 95;                   ///< pass when at least this share is within the band
     std::optional<double> scanner_accuracy_mm;  ///< one standard deviation of the scanner
-    std::optional<double> max_distance_mm;      ///< points further away are left out; default max(1 mm, 10 σ)
+    std::optional<double> max_distance_mm;      ///< points further away are left out; default: default_reach.h
     std::vector<Interval> exclude_z_mm;         ///< clamping areas, along the reference's axis from its first data
 };
 

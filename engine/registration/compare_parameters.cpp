@@ -37,12 +37,12 @@ const std::vector<Field<CompareParameters>>& fields<CompareParameters>()
         field("scanner_accuracy_mm", &P::scanner_accuracy_mm, Range{0, 100},
               Label{LT_TEXT("Engine", "Scanner accuracy"), LT_TEXT("Engine", "One standard deviation of the scanner."),
                     LT_TEXT("Engine", "mm")}),
-        field(
-            "max_distance_mm", &P::max_distance_mm, Range{1e-6, 100000},
-            Label{LT_TEXT("Engine", "Largest distance"),
-                  LT_TEXT("Engine",
-                          "Points further from the reference are left out; by default 1 mm or 10 standard deviations."),
-                  LT_TEXT("Engine", "mm"), true}),
+        field("max_distance_mm", &P::max_distance_mm, Range{1e-6, 100000},
+              Label{LT_TEXT("Engine", "Largest distance"),
+                    LT_TEXT("Engine",
+                            "Points further from the reference are left out; by default 0.6 % of its size or 10 "
+                            "standard deviations."),
+                    LT_TEXT("Engine", "mm"), true}),
         field("exclude_z_mm", &P::exclude_z_mm, Range{-100000, 100000},
               Label{LT_TEXT("Engine", "Excluded zones"),
                     LT_TEXT("Engine", "Clamping areas along the axis, counted from the reference's first data."),

@@ -20,25 +20,21 @@ constexpr double coarse_cells = 60;  // along the part's size (about 10 000 poin
 constexpr std::size_t candidates = 6;
 constexpr double rough_share = 0.02;  // residuals of this share of the part's size: other parts; few points tell it
 
-Points inOrder(const Points& points, const Progress& progress)
-{
-    Points result;
-    result.reserve(points.size());
-    for (std::uint32_t i : hilbertOrder(points, progress)) result.push_back(points[i]);
-    return result;
-}
-
 class GeneralAlignment {
 public:
     GeneralAlignment(const GeneralReference& reference, const Scan& copy, bool point_to_point, const Progress& progress)
         : reference_(reference.points),
-          copy_(centrePoints(copy, progress)),
+          copy_(centrePoints(copy, "copy", progress)),
           surface_(*reference.surface),
           initial_(Eigen::Translation3d(copy_.middle_mm - reference_.middle_mm)),
           size_mm_(std::max(reference_.size_mm, copy_.size_mm)),
           point_to_point_(point_to_point)
     {
-        copy_.points_mm = inOrder(copy_.points_mm, progress);
+        copy_order_ = hilbertOrder(copy_.points_mm, progress);
+        Points ordered;
+        ordered.reserve(copy_order_.size());
+        for (const std::uint32_t i : copy_order_) ordered.push_back(copy_.points_mm[i]);
+        copy_.points_mm = std::move(ordered);
         points_ = surface_.points();
         if (points_ == nullptr && point_to_point_) {
             samples_ = std::make_unique<Neighbours>(reference_.points_mm, progress);
@@ -81,7 +77,8 @@ private:
     // The best of the coarse poses, judged on the surface itself.
     Eigen::Isometry3d findPose(const Progress& progress)
     {
-        const std::vector<Eigen::Isometry3d> poses = coarsePoses(progress.part(0, 0.8));
+        std::vector<Eigen::Isometry3d> poses = coarsePoses(progress.part(0, 0.8));
+        poses.push_back(initial_);  // where several poses fit equally well, parts that lie right already stay there
         const Points sample = everyNth(copy_.points_mm, 2000);
         struct Candidate {
             Eigen::Isometry3d pose;
@@ -132,6 +129,7 @@ private:
             options.search_mm = search;
             options.reach_mm = search / 2;
             options.max_iterations = last ? 60 : 40;
+            options.keep_residuals = last;
             options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
             const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
             if (level == 0 || fine.sigma_mm < rough_share * size_mm_) points = level_sizes[level];
@@ -155,9 +153,10 @@ private:
         RefineOptions options;
         options.search_mm = search;
         options.tolerance_mm = 1e-6 * size_mm_;
-        const RefineResult home =
+        options.keep_residuals = true;
+        RefineResult home =
             refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_, options, progress);
-        if (home.converged && home.used_share > 0.95 * fine.used_share) fine = home;
+        if (home.converged && home.used_share > 0.95 * fine.used_share) fine = std::move(home);
     }
 
     // A copy that holds the reference's very points is aligned exactly, not only within their noise.
@@ -188,7 +187,7 @@ private:
         if (exact.sigma_mm < 1e-6 * size_mm_) pose = exact.reference_T_copy;
     }
 
-    void describe(const RefineResult& fine, std::size_t points, Alignment& alignment) const
+    void describe(RefineResult& fine, std::size_t points, Alignment& alignment) const
     {
         // Noise of the reference's own points adds to that of the copy's points used.
         double share = 1;
@@ -196,7 +195,11 @@ private:
             const double used = fine.used_share * static_cast<double>(std::min(points, copy_.points_mm.size()));
             share += used / static_cast<double>(surface_.pointCount());
         }
-        alignment.uncertainty = uncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share));
+        const std::size_t all = copy_order_.size();
+        for (MotionResidual& r : fine.residuals)  // from its place in the sample to that in the file
+            r.copy_input = copy_order_[all <= points ? r.copy_input : r.copy_input * all / points];
+        alignment.uncertainty =
+            clusteredUncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share), fine.residuals);
         const auto kindText = [](const FreeMotion& m) {
             return m.kind == FreeMotion::Kind::Rotation ? LT_TEXT("Engine", "rotation")
                                                         : LT_TEXT("Engine", "translation");
@@ -216,6 +219,7 @@ private:
 
     const CentredPoints& reference_;
     CentredPoints copy_;
+    std::vector<std::uint32_t> copy_order_;  ///< place in the file of each point of copy_
     const Surface& surface_;
     Eigen::Isometry3d initial_;  ///< the poses as they are, between the centred clouds
     double size_mm_;

@@ -18,9 +18,11 @@ namespace lathelier {
 /// Result: `converged` false when the steps did not settle. Motions the geometry leaves open are listed in
 /// `free_motions` with the note motionNotDetermined, weak ones noted as motionWeak; along free ones the copy stays as
 /// near to where it was as it can. Several poses that fit equally well: the smallest rotation, note severalPosesFit.
-/// Uncertainty (k = 2): residual scatter over the normal equations, for independent noise of the points used and of the
-/// reference's; `axial_um` the largest translation of the part's centre, `radial_um` the largest across it.
-/// Errors: tooFewPoints (fewer than 4), pointsDegenerate (on one point or line). Throws Cancelled.
+/// Uncertainty (k = 2, general_uncertainty.h): of the translation of the centre of the points used (`axial_um`, the
+/// radius that holds it; `radial_um` the same across its largest direction) and of the rotation (`axis_deg`), for
+/// residuals that may be alike among neighbours and along scan lines.
+/// Errors, with `role` (reference, copy): tooFewPoints (fewer than 4), pointsDegenerate (on one point or line). Throws
+/// Cancelled.
 Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress = {});
 

@@ -15,7 +15,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr std::size_t mesh_samples = 200000;
 constexpr std::size_t enough_for_median = 100000;
 
-void refuseDegenerate(const Points& points)
+void refuseDegenerate(const Points& points, const char* role)
 {
     const auto count = static_cast<double>(points.size());
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -24,9 +24,11 @@ void refuseDegenerate(const Points& points)
     for (const auto& p : points) spread += (p - mean) * (p - mean).transpose() / count;
     const Eigen::Vector3d sizes =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-    if (!(sizes[2] > 1e-24)) throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "in one place")}});
-    if (!(sizes[1] > 1e-12 * sizes[2]))
-        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+    const auto refuse = [role](Text found) {
+        throw Error(errors::pointsDegenerate, {{"found", found}, {"role", std::string(role)}});
+    };
+    if (!(sizes[2] > 1e-24)) refuse(LT_TEXT("Engine", "in one place"));
+    if (!(sizes[1] > 1e-12 * sizes[2])) refuse(LT_TEXT("Engine", "on a line"));
 }
 
 double upperPart(std::vector<double> values, std::size_t numerator, std::size_t denominator)
@@ -47,13 +49,14 @@ std::vector<Eigen::Vector3d> everyNth(const std::vector<Eigen::Vector3d>& points
     return result;
 }
 
-CentredPoints centrePoints(const Scan& scan, const Progress& progress)
+CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& progress)
 {
     CentredPoints result;
     result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
     if (result.points_mm.size() < 4)
-        throw Error(errors::tooFewPoints,
-                    {{"found", static_cast<std::int64_t>(result.points_mm.size())}, {"minimum", std::int64_t{4}}});
+        throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(result.points_mm.size())},
+                                           {"minimum", std::int64_t{4}},
+                                           {"role", std::string(role)}});
     const Points some = everyNth(result.points_mm, enough_for_median);
     std::vector<double> values(some.size());
     for (int a = 0; a < 3; ++a) {
@@ -65,14 +68,14 @@ CentredPoints centrePoints(const Scan& scan, const Progress& progress)
     result.size_mm = upperPart(values, 9, 10);
     progress.check();
     for (auto& p : result.points_mm) p -= result.middle_mm;
-    refuseDegenerate(result.points_mm);
+    refuseDegenerate(result.points_mm, role);
     return result;
 }
 
 GeneralReference prepareReference(const Scan& reference, const Progress& progress)
 {
     GeneralReference result;
-    result.points = centrePoints(reference, progress);
+    result.points = centrePoints(reference, "reference", progress);
     progress.report(0.1);
     Scan shifted;
     shifted.normals = reference.normals;

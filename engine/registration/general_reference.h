@@ -18,8 +18,9 @@ struct CentredPoints {
     double size_mm = 0;                                   ///< nine tenths of the points are nearer to the middle
 };
 
-/// The points of a cloud, or samples of a mesh by area. Errors: tooFewPoints (fewer than 4), pointsDegenerate.
-CentredPoints centrePoints(const Scan& scan, const Progress& progress);
+/// The points of a cloud, or samples of a mesh by area. Errors, with `role`: tooFewPoints (fewer than 4),
+/// pointsDegenerate.
+CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& progress);
 
 /// Up to `count` of the points, spread evenly over the list.
 std::vector<Eigen::Vector3d> everyNth(const std::vector<Eigen::Vector3d>& points_mm, std::size_t count);

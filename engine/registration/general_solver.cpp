@@ -76,6 +76,23 @@ double weightOf(const Residual& r, double reach_mm)
     return t * t < 1 ? (1 - t * t) * (1 - t * t) : 0;
 }
 
+// What the uncertainty is found from.
+std::vector<MotionResidual> keep(const std::vector<Residual>& all, double reach_mm,
+                                 const std::vector<std::uint32_t>& places, const Neighbours* reference)
+{
+    std::vector<MotionResidual> result;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double w = weightOf(all[i], reach_mm);
+        if (w == 0) continue;
+        const double t = all[i].distance_mm / reach_mm;
+        MotionResidual r{all[i].point_mm, all[i].normal, all[i].distance_mm, w, (1 - t * t) * (1 - 5 * t * t)};
+        r.copy_input = static_cast<std::uint32_t>(i);
+        if (reference != nullptr && places[i] != Surface::no_hint) r.reference_input = reference->input(places[i]);
+        result.push_back(r);
+    }
+    return result;
+}
+
 struct Frame {
     double weight = 0;
     double weighted_squares = 0;
@@ -204,14 +221,16 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
     if (copy_mm.empty()) return result;
     double widest = options.reach_mm;
     std::vector<std::uint32_t> hints;
+    std::vector<Residual> all;
+    double reach = 0;
     while (result.iterations < options.max_iterations) {
         progress.report(static_cast<double>(result.iterations) / options.max_iterations);
-        const std::vector<Residual> all = residuals(target, copy_mm, result.reference_T_copy, options, hints, progress);
+        all = residuals(target, copy_mm, result.reference_T_copy, options, hints, progress);
         // Not less than rounding leaves: exact data would otherwise weigh nothing.
         const double floor = 1e-9 * (1 + all[0].point_mm.norm()) + 1e-3 * options.tolerance_mm;
         const double sigma = std::max(robustSigma(all), floor);
         // Narrowed step by step: most points may fit already while the few that hold one motion are still far off.
-        const double reach = std::max(tukey * sigma, widest);
+        reach = std::max(tukey * sigma, widest);
         const bool is_narrow = reach > widest;
         widest /= 2;
         const Frame frame = measure(all, reach, progress);
@@ -238,6 +257,7 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
             break;
         }
     }
+    if (options.keep_residuals) result.residuals = keep(all, reach, hints, target.points);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/registration/general_uncertainty.h"
 #include "engine/registration/neighbours.h"
 #include "engine/registration/observability.h"
 #include "engine/registration/surface.h"
@@ -19,6 +20,7 @@ struct RefineOptions {
     int max_iterations = 40;
     double tolerance_mm = 1e-4;  ///< converged when no point of the part moves further than this in one step
     bool point_to_point = false;
+    bool keep_residuals = false;
 };
 
 struct RefineResult {
@@ -29,6 +31,7 @@ struct RefineResult {
     double used_share = 0;  ///< of the points, with a weight above 0
     MotionSystem system;
     Observability observability;
+    std::vector<MotionResidual> residuals;  ///< of the last step, when asked for; `copy_input` numbers `copy_mm`
 };
 
 /// What copies are measured against: the surface, and for point-to-point its points.

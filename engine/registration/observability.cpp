@@ -50,6 +50,19 @@ std::vector<FreeMotion> describe(const std::vector<Vector6d>& basis, const Motio
     return result;
 }
 
+// Radius that holds a normal vector of these variances with 95.45 %: the sum of squares as a scaled chi-square of equal
+// mean and variance (F. E. Satterthwaite, Biometrics Bulletin 2, 1946), its quantile after Wilson and Hilferty.
+double expandedRadius(const Eigen::Vector3d& variances)
+{
+    const Eigen::Vector3d v = variances.cwiseMax(0);
+    const double mean = v.sum();
+    if (!(mean > 0)) return 0;
+    const double freedom = mean * mean / v.squaredNorm();
+    constexpr double quantile = 1.717;  // 1.690, corrected so that one degree of freedom gives 2² exactly
+    const double root = 1 - 2 / (9 * freedom) + quantile * std::sqrt(2 / (9 * freedom));
+    return std::sqrt(mean * root * root * root);
+}
+
 }  // namespace
 
 Observability analyse(const MotionSystem& system)
@@ -98,17 +111,20 @@ Vector6d difference(const MotionSystem& system, const Eigen::Isometry3d& from, c
     return x;
 }
 
-AlignmentUncertainty uncertainty(const MotionSystem& system, const Observability& observability, double sigma_mm)
+AlignmentUncertainty uncertaintyOf(const MotionSystem& system, const Matrix6d& covariance)
 {
-    const Matrix6d covariance = sigma_mm * sigma_mm * observability.inverse;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> shift(covariance.bottomRightCorner<3, 3>());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> turn(covariance.topLeftCorner<3, 3>());
-    const auto expanded = [](double variance) { return 2 * std::sqrt(std::max(0.0, variance)); };
     AlignmentUncertainty result;
-    result.axial_um = 1000 * expanded(shift.eigenvalues()[2]);
-    result.radial_um = 1000 * expanded(shift.eigenvalues()[1]);
-    result.axis_deg = expanded(turn.eigenvalues()[2]) / system.gyration_mm * 180 / std::numbers::pi;
+    result.axial_um = 1000 * expandedRadius(shift.eigenvalues());
+    result.radial_um = 1000 * expandedRadius(Eigen::Vector3d(shift.eigenvalues()[0], shift.eigenvalues()[1], 0));
+    result.axis_deg = expandedRadius(turn.eigenvalues()) / system.gyration_mm * 180 / std::numbers::pi;
     return result;
+}
+
+AlignmentUncertainty uncertainty(const MotionSystem& system, const Observability& observability, double sigma_mm)
+{
+    return uncertaintyOf(system, sigma_mm * sigma_mm * observability.inverse);
 }
 
 }  // namespace lathelier

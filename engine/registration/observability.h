@@ -40,8 +40,12 @@ Eigen::Isometry3d motion(const MotionSystem& system, const Vector6d& x);
 /// The x whose motion turns `from` into `to`; the rotation is below 180°.
 Vector6d difference(const MotionSystem& system, const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
 
-/// Expanded uncertainty (k = 2) for residuals of standard deviation `sigma_mm`: largest translation, largest across it,
-/// largest rotation.
+/// Expanded uncertainty (k = 2) of a motion x with this covariance: the radius that holds the translation of the centre
+/// with 95.45 % (twice the standard deviation where one direction rules), the same across its largest direction, and of
+/// the rotation.
+AlignmentUncertainty uncertaintyOf(const MotionSystem& system, const Matrix6d& covariance);
+
+/// The same for independent residuals of standard deviation `sigma_mm`.
 AlignmentUncertainty uncertainty(const MotionSystem& system, const Observability& observability, double sigma_mm);
 
 }  // namespace lathelier

@@ -57,6 +57,19 @@ inline constexpr NoteCode signUndetermined{
     "sign_undetermined", Severity::Warning,
     LT_TEXT("Engine", "Inside and outside are not known (no normals, no closed surface): the deviation has no sign.")};
 
+inline constexpr NoteCode facetsTurned{
+    "facets_turned", Severity::Info,
+    LT_TEXT("Engine", "Facets of the reference that run round the other way than their neighbours, turned: {count}.")};
+
+inline constexpr NoteCode holesFilled{
+    "holes_filled", Severity::Info,
+    LT_TEXT("Engine", "Small holes of the reference's mesh, filled: {count}, up to {largest_mm} mm wide.")};
+
+inline constexpr NoteCode facetsCoarse{
+    "facets_coarse", Severity::Warning,
+    LT_TEXT("Engine",
+            "The mesh of the {role} is coarse: its facets lie up to {sagitta_mm} mm inside the round surface.")};
+
 inline constexpr NoteCode notDistinguishable{
     "not_distinguishable", Severity::Warning,
     LT_TEXT("Engine", "The difference cannot be told from the scanner's accuracy of {scanner_accuracy_mm} mm.")};

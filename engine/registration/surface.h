@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 #include "engine/registration/neighbours.h"
@@ -19,7 +20,7 @@ struct SurfacePlace {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit; out of the material once the surface is oriented
     double slope_variance =
         0;                ///< of the normal's tangent in each direction, from the noise of the surface's own points
-    bool border = false;  ///< the nearest surface point lies on the rim of the surface: the point is beside it
+    bool border = false;  ///< the point lies beside the surface, where nothing is known of it
 
     bool found() const { return distance_mm == distance_mm; }
 };
@@ -50,6 +51,9 @@ public:
 
     /// How far from a place of the surface its points typically lie; 0 for a mesh.
     virtual double spacing_mm() const = 0;
+
+    /// What was mended before the surface could be used.
+    virtual Notes notes() const { return {}; }
 
     static constexpr std::size_t bundle = 8;
 };

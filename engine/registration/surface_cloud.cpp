@@ -64,8 +64,9 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     : points_(cloud.points_mm, progress.part(0, 0.15)), given_normals_(cloud.normals)
 {
     if (points_.size() < 4)
-        throw Error(errors::tooFewPoints,
-                    {{"found", static_cast<std::int64_t>(points_.size())}, {"minimum", std::int64_t{4}}});
+        throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(points_.size())},
+                                           {"minimum", std::int64_t{4}},
+                                           {"role", std::string("reference")}});
     progress.report(0.15);
     std::vector<Member> members = fitAll(progress);
     progress.report(0.7);

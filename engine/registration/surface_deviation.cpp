@@ -16,7 +16,7 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
                          double max_distance_mm, const Progress& progress)
 {
     SurfaceDeviation result;
-    const bool is_cloud = surface.points() != nullptr;
+    result.notes = surface.notes();
     result.has_sign = surface.orient(progress.part(0, 0.3));
     if (!result.has_sign) result.notes.push_back({notes::signUndetermined, {}});
     progress.report(0.3);
@@ -39,7 +39,7 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
             surface.place(std::span(queries).first(count), max_distance_mm, places, hints);
             for (std::size_t q = 0; q < count; ++q) {
                 const double d = places[q].distance_mm;
-                if (!(std::abs(d) <= max_distance_mm) || (places[q].border && is_cloud)) continue;
+                if (!(std::abs(d) <= max_distance_mm) || places[q].border) continue;
                 result.deviation_mm[targets[q]] = static_cast<float>(result.has_sign ? d : std::abs(d));
             }
         }

@@ -19,9 +19,10 @@ struct SurfaceDeviation {
 };
 
 /// Deviation along the surface normal, + where the copy has material in excess. Mesh reference: exact distance to its
-/// triangles, signed when it is closed (or carries normals). Cloud reference: distance to a quadric through about 48
-/// neighbours, split at sharp edges, signed when it carries normals or is evidently closed. Points that are not finite
-/// get NaN. Errors: tooFewPoints, for a reference cloud of fewer than 4 points. Throws Cancelled.
+/// triangles, signed by the sense of its facets (or by its normals); NaN beside an opening that was not filled
+/// (mesh_repair.h), and no sign where the facets' senses contradict each other. Cloud reference: distance to a quadric
+/// through about 48 neighbours, split at sharp edges, signed when it carries normals or is evidently closed. Points
+/// that are not finite get NaN. Errors: tooFewPoints, for a reference cloud of fewer than 4 points. Throws Cancelled.
 SurfaceDeviation surfaceDeviation(const Scan& reference,
                                   const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
                                   double max_distance_mm, const Progress& progress = {});

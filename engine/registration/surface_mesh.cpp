@@ -3,38 +3,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
-#include "engine/core/parallel.h"
+#include "engine/registration/mesh_repair.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/registration_codes.h"
 
 namespace lathelier {
 namespace {
 
+constexpr double rim_margin = 1e-4;  // of the mesh's extent
+
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
     return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-// One number for all vertices with the same coordinates.
-std::vector<std::uint32_t> numberCorners(const std::vector<Eigen::Vector3d>& points, std::uint32_t& count)
-{
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        return std::tie(points[a].x(), points[a].y(), points[a].z(), a) <
-               std::tie(points[b].x(), points[b].y(), points[b].z(), b);
-    };
-    std::sort(order.begin(), order.end(), before);
-    std::vector<std::uint32_t> numbers(points.size());
-    count = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && points[order[i]] != points[order[i - 1]]) ++count;
-        numbers[order[i]] = count;
-    }
-    count = points.empty() ? 0 : count + 1;
-    return numbers;
 }
 
 }  // namespace
@@ -46,83 +27,95 @@ Eigen::Vector3d MeshSurface::Triangle::normal() const
 
 MeshSurface::MeshSurface(const Scan& mesh, const Progress& progress)
 {
-    std::uint32_t corner_count = 0;
-    const std::vector<std::uint32_t> numbers = numberCorners(mesh.points_mm, corner_count);
+    build(mesh, mesh.triangles, numberCorners(mesh.points_mm), progress.part(0, 0.7));
+    if (closed_ && conflicts_ == 0) return;
+    const RepairedMesh repaired = repairMesh(mesh, progress.part(0.7, 0.8));
+    if (repaired.facets_turned > 0) notes_.push_back({notes::facetsTurned, {{"count", repaired.facets_turned}}});
+    if (repaired.holes_filled > 0)
+        notes_.push_back(
+            {notes::holesFilled, {{"count", repaired.holes_filled}, {"largest_mm", repaired.largest_hole_mm}}});
+    build(mesh, repaired.triangles, repaired.corners, progress.part(0.8, 1));
+}
+
+void MeshSurface::build(const Scan& mesh, std::span<const TriangleCorners> triangles, const CornerNumbers& numbers,
+                        const Progress& progress)
+{
     progress.report(0.2);
+    given_normals_ = 0;
     std::vector<Eigen::Vector3d> centres;
-    centres.reserve(mesh.triangles.size());
-    for (const auto& t : mesh.triangles)
+    centres.reserve(triangles.size());
+    for (const auto& t : triangles)
         centres.push_back((mesh.points_mm[t[0]] + mesh.points_mm[t[1]] + mesh.points_mm[t[2]]) / 3);
     const std::vector<std::uint32_t> order = hilbertOrder(centres, progress);
-    triangles_.resize(order.size());
+    triangles_.assign(order.size(), {});
     std::vector<Box> boxes((order.size() + leaf_size - 1) / leaf_size);
+    Box all;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto& t = mesh.triangles[order[i]];
+        const auto& t = triangles[order[i]];
         Triangle& triangle = triangles_[i];
+        triangle.corners = numbers.of(t);
         for (std::size_t k = 0; k < 3; ++k) {
             triangle.corners_mm[k] = mesh.points_mm[t[k]];
-            triangle.corners[k] = numbers[t[k]];
             boxes[i / leaf_size].add(triangle.corners_mm[k]);
+            all.add(triangle.corners_mm[k]);
             if (mesh.hasNormals()) given_normals_ += mesh.normals[t[k]].cast<double>().dot(triangle.normal());
         }
     }
+    rim_margin_mm_ = triangles_.empty() ? 0 : rim_margin * (all.high_mm - all.low_mm).norm();
     progress.report(0.6);
     boxes_ = BoxTree(boxes, progress);
-    corner_normals_.assign(corner_count, Eigen::Vector3d::Zero());
-    corner_on_rim_.assign(corner_count, false);
+    corner_normals_.assign(numbers.count, Eigen::Vector3d::Zero());
+    corner_on_rim_.assign(numbers.count, false);
     connect(progress);
 }
 
 void MeshSurface::connect(const Progress& progress)
 {
-    struct Edge {
-        std::uint64_t corners;  // smaller number in the upper half
-        std::uint32_t triangle;
-        std::uint8_t side;
-        bool forward;
-    };
-    std::vector<Edge> edges;
-    edges.reserve(3 * triangles_.size());
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-        Triangle& triangle = triangles_[t];
+    volume_mm3_ = 0;
+    area_mm2_ = 0;
+    std::vector<TriangleCorners> numbered;
+    numbered.reserve(triangles_.size());
+    for (Triangle& triangle : triangles_) {
+        numbered.push_back(triangle.corners);
         const Eigen::Vector3d product = triangle.normal();
         const Eigen::Vector3d unit = product.norm() > 0 ? product.normalized() : Eigen::Vector3d::Zero();
         volume_mm3_ += (triangle.corners_mm[0] - triangles_[0].corners_mm[0]).dot(product) / 6;
+        area_mm2_ += product.norm() / 2;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangle.corners[k];
-            const std::uint32_t b = triangle.corners[(k + 1) % 3];
             const Eigen::Vector3d& p = triangle.corners_mm[k];
-            corner_normals_[a] +=
+            corner_normals_[triangle.corners[k]] +=
                 angle(triangle.corners_mm[(k + 1) % 3] - p, triangle.corners_mm[(k + 2) % 3] - p) * unit;
             triangle.edge_normals[k] = unit.cast<float>();
-            if (a != b)
-                edges.push_back(
-                    {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), t, static_cast<std::uint8_t>(k), a < b});
         }
     }
     progress.report(0.75);
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return std::tie(a.corners, a.triangle, a.side) < std::tie(b.corners, b.triangle, b.side);
-    });
+    const std::vector<MeshEdge> edges = edgesOf(numbered);
     progress.report(0.95);
     closed_ = true;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t j = i;
+    edges_ = 0;
+    conflicts_ = 0;
+    rim_mm_ = 0;
+    forEachEdge(edges, [&](std::size_t first, std::size_t last) {
         int sense = 0;
         Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-        for (; j < edges.size() && edges[j].corners == edges[i].corners; ++j) {
-            sense += edges[j].forward ? 1 : -1;
-            sum += triangles_[edges[j].triangle].edge_normals[edges[j].side];
+        for (std::size_t e = first; e < last; ++e) {
+            sense += edges[e].forward ? 1 : -1;
+            sum += triangles_[edges[e].triangle].edge_normals[edges[e].side];
         }
         if (sense != 0) closed_ = false;
-        for (std::size_t e = i; e < j; ++e) triangles_[edges[e].triangle].edge_normals[edges[e].side] = sum;
-        if (j - i == 1) {
-            triangles_[edges[i].triangle].rim |= static_cast<std::uint8_t>(1U << edges[i].side);
-            corner_on_rim_[edges[i].corners >> 32] = true;
-            corner_on_rim_[edges[i].corners & 0xffffffff] = true;
+        for (std::size_t e = first; e < last; ++e) triangles_[edges[e].triangle].edge_normals[edges[e].side] = sum;
+        if (last - first == 2) {
+            ++edges_;
+            conflicts_ += sense != 0 ? 1 : 0;
+        } else if (last - first == 1) {
+            Triangle& triangle = triangles_[edges[first].triangle];
+            const std::size_t side = edges[first].side;
+            triangle.rim |= static_cast<std::uint8_t>(1U << side);
+            rim_mm_ += (triangle.corners_mm[(side + 1) % 3] - triangle.corners_mm[side]).norm();
+            corner_on_rim_[edges[first].low()] = true;
+            corner_on_rim_[edges[first].high()] = true;
         }
-        i = j;
-    }
+    });
 }
 
 SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_distance_mm, std::uint32_t& hint) const
@@ -154,9 +147,12 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
         normal = corner_normals_[triangle.corners[part]];
     else if (part < 6)
         normal = triangle.edge_normals[part - 3].cast<double>();
-    place.border =
+    const bool on_rim =
         part < 3 ? corner_on_rim_[triangle.corners[part]] : part < 6 && (triangle.rim >> (part - 3) & 1) != 0;
     const Eigen::Vector3d offset = query_mm - best.point_mm;
+    // Beside an opening the distance to its rim is no deviation of the surface.
+    const Eigen::Vector3d out = normal.stableNormalized();
+    place.border = on_rim && (offset - out.dot(offset) * out).norm() > rim_margin_mm_;
     const double side = sense_ * offset.dot(normal) < 0 ? -1 : 1;
     const double distance = std::sqrt(bound);
     place.distance_mm = side * distance;
@@ -180,13 +176,12 @@ void MeshSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_
 
 bool MeshSurface::orient(const Progress&)
 {
+    if (conflicts_ > edges_ / 1000) return false;
     if (given_normals_ != 0)
         sense_ = given_normals_ < 0 ? -1 : 1;
-    else if (closed_ && volume_mm3_ != 0)
-        sense_ = volume_mm3_ < 0 ? -1 : 1;
     else
-        return false;
-    return true;
+        sense_ = (closed_ || isNearlyClosed()) && volume_mm3_ < 0 ? -1 : 1;
+    return area_mm2_ > 0;
 }
 
 }  // namespace lathelier

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <tuple>
 
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours.h"
+#include "engine/registration/senses.h"
 
 namespace lathelier {
 namespace {
@@ -23,52 +23,6 @@ struct Link {
     std::uint32_t from;
     std::uint32_t to;
     bool opposite;
-};
-
-// Sets of elements whose senses are known relative to each other.
-class Senses {
-public:
-    explicit Senses(std::size_t count) : parent_(count), flipped_(count, 0)
-    {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-
-    std::uint32_t root(std::uint32_t i, bool& flipped)
-    {
-        std::uint32_t top = i;
-        bool sense = false;
-        while (parent_[top] != top) {
-            sense ^= flipped_[top] != 0;
-            top = parent_[top];
-        }
-        flipped = sense;
-        while (parent_[i] != top && i != top) {  // shorten the path for the next time
-            const std::uint32_t next = parent_[i];
-            const bool own = flipped_[i] != 0;
-            parent_[i] = top;
-            flipped_[i] = sense;
-            sense ^= own;
-            i = next;
-        }
-        return top;
-    }
-
-    void join(std::uint32_t a, std::uint32_t b, bool opposite)
-    {
-        bool flip_a = false;
-        bool flip_b = false;
-        const std::uint32_t root_a = root(a, flip_a);
-        const std::uint32_t root_b = root(b, flip_b);
-        if (root_a == root_b) return;
-        const std::uint32_t low = std::min(root_a, root_b);
-        const std::uint32_t high = std::max(root_a, root_b);
-        parent_[high] = low;
-        flipped_[high] = flip_a ^ flip_b ^ opposite;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-    std::vector<std::uint8_t> flipped_;
 };
 
 struct Graph {

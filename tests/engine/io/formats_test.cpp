@@ -198,6 +198,25 @@ TEST(Stl, asciiSolidsShareEqualCorners)
         EXPECT_EQ(errorOf(text.substr(0, cut)).code(), errors::malformed) << cut;
 }
 
+TEST(Stl, facetsThatBoundNothingAreCountedInANote)
+{
+    const std::string flat =
+        "facet normal 0 0 0\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nvertex 4 5 6\nendloop\nendfacet\n";
+    std::string text = asciiStl("a");
+    const std::size_t end = text.rfind("endsolid");
+    const std::size_t sound = readText(text).scan.triangles.size();
+    text.insert(end, flat + flat);
+    const ScanFile file = readText(text);
+    EXPECT_EQ(file.scan.triangles.size(), sound);
+    ASSERT_TRUE(contains(file.notes, notes::facetsDegenerate));
+    for (const Note& note : file.notes)
+        if (note.code == notes::facetsDegenerate) {
+            EXPECT_EQ(std::get<std::int64_t>(*find(note.values, "count")), 2);
+            EXPECT_NE(find(note.values, "path"), nullptr);
+        }
+    EXPECT_FALSE(contains(readText(asciiStl("a")).notes, notes::facetsDegenerate));
+}
+
 TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
 {
     for (const std::string start : {"solid facet endsolid", "exported", "UNITS=mm"}) {

@@ -1,0 +1,42 @@
+#include "engine/registration/default_reach.h"
+
+#include <algorithm>
+
+#include "engine/registration/general_reference.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double near = 0.006;
+constexpr double farthest = 0.02;
+constexpr double no_surface = 0.01;
+
+double quantile(std::vector<double>& values, std::size_t tenths)
+{
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * tenths / 10);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+}  // namespace
+
+double robustSize_mm(const std::vector<Eigen::Vector3d>& points_mm)
+{
+    const std::vector<Eigen::Vector3d> some = everyNth(points_mm, 20000);
+    Eigen::Vector3d middle;
+    std::vector<double> values(some.size());
+    for (int a = 0; a < 3; ++a) {
+        std::transform(some.begin(), some.end(), values.begin(), [a](const auto& p) { return p[a]; });
+        middle[a] = quantile(values, 5);
+    }
+    std::transform(some.begin(), some.end(), values.begin(), [&](const auto& p) { return (p - middle).norm(); });
+    return 2 * quantile(values, 9);
+}
+
+double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm)
+{
+    const double noise = noise_mm <= no_surface * size_mm ? noise_mm : 0;
+    return std::max({near * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
+}
+
+}  // namespace lathelier

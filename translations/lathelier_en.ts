@@ -76,10 +76,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {role} is not a body of revolution (residual {residual_mm} mm).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is not enough memory for this.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -809,10 +805,6 @@
     </message>
     <message>
         <source>Largest distance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points further from the reference are left out; by default 1 mm or 10 standard deviations.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3421,6 +3413,70 @@
     </message>
     <message>
         <source>Folder with NIST&apos;s circle sets (.ds, .fit), refitted beside the built-in ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: facets with two corners in one place, left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points further from the reference are left out; by default 0.6 % of its size or 10 standard deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {role} shows {coverage_deg}° of the circle; at least {minimum_deg}° are needed for an axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facets of the reference that run round the other way than their neighbours, turned: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small holes of the reference&apos;s mesh, filled: {count}, up to {largest_mm} mm wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mesh of the {role} is coarse: its facets lie up to {sagitta_mm} mm inside the round surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {role} shows {coverage_deg}° of the circle, less than half: out-of-roundness passes for a shift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {role} is bent: its centre line bows by {bow_mm} ± {bow_uncertainty_mm} mm. The axis runs straight through the section centres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are several parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no single axis fits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is bent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little of the circle is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its sections are not round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {role} is not a body of revolution: {why} (residual {residual_mm} mm).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

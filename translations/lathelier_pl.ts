@@ -76,10 +76,6 @@
         <translation>Brak stabilnego rozwiązania po {iterations} iteracjach.</translation>
     </message>
     <message>
-        <source>The {role} is not a body of revolution (residual {residual_mm} mm).</source>
-        <translation>{role}: to nie jest bryła obrotowa (reszta {residual_mm} mm).</translation>
-    </message>
-    <message>
         <source>There is not enough memory for this.</source>
         <translation>Za mało pamięci.</translation>
     </message>
@@ -810,10 +806,6 @@
     <message>
         <source>Largest distance</source>
         <translation>Największa odległość</translation>
-    </message>
-    <message>
-        <source>Points further from the reference are left out; by default 1 mm or 10 standard deviations.</source>
-        <translation>Punkty dalsze od oryginału są pomijane; domyślnie 1 mm lub 10 odchyleń standardowych.</translation>
     </message>
     <message>
         <source>Excluded zones</source>
@@ -3422,6 +3414,70 @@
     <message>
         <source>Folder with NIST&apos;s circle sets (.ds, .fit), refitted beside the built-in ones.</source>
         <translation>Folder z zestawami okręgów NIST (.ds, .fit), dopasowywanymi ponownie obok wbudowanych.</translation>
+    </message>
+    <message>
+        <source>{path}: facets with two corners in one place, left out: {count}.</source>
+        <translation>{path}: pominięte trójkąty z dwoma wierzchołkami w jednym miejscu: {count}.</translation>
+    </message>
+    <message>
+        <source>Points further from the reference are left out; by default 0.6 % of its size or 10 standard deviations.</source>
+        <translation>Punkty dalsze od oryginału są pomijane; domyślnie 0,6 % jego wielkości lub 10 odchyleń standardowych.</translation>
+    </message>
+    <message>
+        <source>The {role} shows {coverage_deg}° of the circle; at least {minimum_deg}° are needed for an axis.</source>
+        <translation>Skan ({role}) obejmuje {coverage_deg}° okręgu; do wyznaczenia osi potrzeba co najmniej {minimum_deg}°.</translation>
+    </message>
+    <message>
+        <source>Facets of the reference that run round the other way than their neighbours, turned: {count}.</source>
+        <translation>Odwrócone trójkąty oryginału, obiegane inaczej niż sąsiednie: {count}.</translation>
+    </message>
+    <message>
+        <source>Small holes of the reference&apos;s mesh, filled: {count}, up to {largest_mm} mm wide.</source>
+        <translation>Wypełnione małe otwory siatki oryginału: {count}, o szerokości do {largest_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The mesh of the {role} is coarse: its facets lie up to {sagitta_mm} mm inside the round surface.</source>
+        <translation>Siatka ({role}) jest zgrubna: jej trójkąty leżą do {sagitta_mm} mm wewnątrz okrągłej powierzchni.</translation>
+    </message>
+    <message>
+        <source>The {role} shows {coverage_deg}° of the circle, less than half: out-of-roundness passes for a shift.</source>
+        <translation>Skan ({role}) obejmuje {coverage_deg}° okręgu, mniej niż połowę: odchyłka okrągłości może udawać przesunięcie.</translation>
+    </message>
+    <message>
+        <source>The {role} is bent: its centre line bows by {bow_mm} ± {bow_uncertainty_mm} mm. The axis runs straight through the section centres.</source>
+        <translation>Część ({role}) jest wygięta: jej linia środkowa ma strzałkę {bow_mm} ± {bow_uncertainty_mm} mm. Oś biegnie prosto przez środki przekrojów.</translation>
+    </message>
+    <message>
+        <source>it is flat</source>
+        <translation>jest płaski</translation>
+    </message>
+    <message>
+        <source>there are several parts</source>
+        <translation>zawiera kilka części</translation>
+    </message>
+    <message>
+        <source>no single axis fits</source>
+        <translation>nie pasuje żadna pojedyncza oś</translation>
+    </message>
+    <message>
+        <source>it is bent</source>
+        <translation>jest wygięty</translation>
+    </message>
+    <message>
+        <source>too little of the circle is there</source>
+        <translation>widać zbyt małą część okręgu</translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation>punkty leżą na prostej</translation>
+    </message>
+    <message>
+        <source>its sections are not round</source>
+        <translation>jego przekroje nie są okrągłe</translation>
+    </message>
+    <message>
+        <source>The {role} is not a body of revolution: {why} (residual {residual_mm} mm).</source>
+        <translation>Skan ({role}) nie jest bryłą obrotową: {why} (reszta {residual_mm} mm).</translation>
     </message>
 </context>
 <context>

@@ -90,14 +90,32 @@ const char* keyOf(NotTurned reason)
     return "";
 }
 
+/// What people read.
+Text phraseOf(NotTurned reason)
+{
+    switch (reason) {
+        case NotTurned::Flat: return LT_TEXT("Engine", "it is flat");
+        case NotTurned::SeveralParts: return LT_TEXT("Engine", "there are several parts");
+        case NotTurned::NoSingleAxis: return LT_TEXT("Engine", "no single axis fits");
+        case NotTurned::Bent: return LT_TEXT("Engine", "it is bent");
+        case NotTurned::SmallCoverage: return LT_TEXT("Engine", "too little of the circle is there");
+        case NotTurned::Line: return LT_TEXT("Engine", "the points lie on a line");
+        case NotTurned::NotRound: return LT_TEXT("Engine", "its sections are not round");
+        case NotTurned::No: return {};
+    }
+    return {};
+}
+
 [[noreturn]] void refuseRevolution(const RevolutionFit& fit, const char* role)
 {
     if (fit.not_turned == NotTurned::SmallCoverage)
         throw Error(
             errors::coverageTooSmall,
             {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", kLeastCoverage_deg}});
-    Values values{
-        {"role", std::string(role)}, {"reason", std::string(keyOf(fit.not_turned))}, {"residual_mm", fit.sigma_mm}};
+    Values values{{"role", std::string(role)},
+                  {"reason", std::string(keyOf(fit.not_turned))},
+                  {"why", phraseOf(fit.not_turned)},
+                  {"residual_mm", fit.sigma_mm}};
     if (fit.not_turned == NotTurned::Bent) values.emplace_back("bow_mm", fit.bend.size_mm());
     throw Error(errors::notABodyOfRevolution, std::move(values));
 }

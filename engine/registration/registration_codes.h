@@ -14,7 +14,7 @@ inline constexpr ErrorCode partsDoNotMatch{
 
 inline constexpr ErrorCode notABodyOfRevolution{
     "not_a_body_of_revolution", ErrorKind::NoAnswer,
-    LT_TEXT("Engine", "The {role} is not a body of revolution (reason: {reason}; residual {residual_mm} mm).")};
+    LT_TEXT("Engine", "The {role} is not a body of revolution: {why} (residual {residual_mm} mm).")};
 
 inline constexpr ErrorCode coverageTooSmall{
     "coverage_too_small", ErrorKind::NoAnswer,

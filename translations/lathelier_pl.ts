@@ -3479,6 +3479,10 @@
         <source>The {role} is not a body of revolution: {why} (residual {residual_mm} mm).</source>
         <translation>Skan ({role}) nie jest bryłą obrotową: {why} (reszta {residual_mm} mm).</translation>
     </message>
+    <message>
+        <source>The points go round {revolutions} times: the revolutions lie over each other and were evaluated as one profile, their differences as noise.</source>
+        <translation>Punkty obiegają okrąg {revolutions} razy: obroty nakładają się i zostały ocenione jako jeden profil, a ich różnice jako szum.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>

@@ -32,6 +32,12 @@ inline constexpr NoteCode anglesUneven{
 inline constexpr NoteCode duplicatePoints{"duplicate_points", Severity::Info,
                                           LT_TEXT("Engine", "Points that lie where others do: {count}.")};
 
+inline constexpr NoteCode revolutionsOverlaid{
+    "revolutions_overlaid", Severity::Warning,
+    LT_TEXT("Engine",
+            "The points go round {revolutions} times: the revolutions lie over each other and were evaluated as one "
+            "profile, their differences as noise.")};
+
 inline constexpr NoteCode outliersRemoved{"outliers_removed", Severity::Info,
                                           LT_TEXT("Engine", "Outliers left out (Hampel): {count}.")};
 

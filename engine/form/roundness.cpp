@@ -55,6 +55,23 @@ PaperValues paperValues(const PreparedProfile& prepared)
     return paper;
 }
 
+/// How often the points go round in the order given; 0 when that order is no way round.
+double turnsOf(const RoundnessResult& result)
+{
+    double sum = 0;
+    std::size_t forward = 0, backward = 0;
+    const std::size_t n = result.angle_rad.size();
+    for (std::size_t i = 1; i < n; ++i) {
+        const double step = std::remainder(result.angle_rad[i] - result.angle_rad[i - 1], 2 * std::numbers::pi);
+        if (std::abs(step) > std::numbers::pi / 4) continue;  // a jump over a gap, or no order
+        sum += step;
+        forward += step > 0;
+        backward += step < 0;
+    }
+    const bool ordered = std::max(forward, backward) > 0.95 * static_cast<double>(n);
+    return ordered ? std::abs(sum) / (2 * std::numbers::pi) : 0;
+}
+
 /// What the points are like.
 void noteSampling(const Profile& profile, const PreparedProfile& prepared, const ProfileBand& band, Notes& notes)
 {
@@ -199,6 +216,8 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
                                 *parameters.tolerance_um, parameters.decision);
 
     noteSampling(profile, prepared, band, result.notes);
+    if (const double turns = turnsOf(result); turns > 1.5)
+        result.notes.push_back({notes::revolutionsOverlaid, {{"revolutions", std::round(10 * turns) / 10}}});
     noteCircles(result.circles, options, result.notes);
     noteHarmonics(result, prepared.sampling, result.notes);
     noteUncertainty(result, noise, result.notes);

@@ -379,7 +379,7 @@ private slots:
         QVERIFY(pdf.open(QIODevice::ReadOnly));
         QVERIFY(pdf.read(5) == "%PDF-");
         QCOMPARE(runReport(folder_.filePath("x.html"), folder_.filePath("missing.lathelier"), table), 3);
-        QCOMPARE(runReport("/nowhere/x.html", project, table), 3);
+        QCOMPARE(runReport("/nowhere/x.html", project, table), 5);
     }
 };
 

@@ -129,6 +129,7 @@ TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
 {
     enum Kind { White, Correlated, Quantised, Spiky, Stepped, Kinds };
     constexpr int kSets = 20;
+    int all_radial = 0, all_angle = 0;
     for (int kind = 0; kind < Kinds; ++kind) {
         int radial = 0, angle = 0;
         for (int k = 0; k < kSets; ++k) {
@@ -169,9 +170,14 @@ TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
             if (place.head<2>().norm() <= 2 * std::sqrt(c(0, 0) + c(1, 1))) ++radial;
             if (direction.head<2>().norm() <= 2 * std::sqrt(c(2, 2) + c(3, 3))) ++angle;
         }
-        EXPECT_GE(radial, kSets * 90 / 100) << "noise of kind " << kind;
-        EXPECT_GE(angle, kSets * 90 / 100) << "noise of kind " << kind;
+        // Of 20 sets at a coverage of 95 in 100, fewer than 16 hold the truth once in 400.
+        EXPECT_GE(radial, kSets * 80 / 100) << "noise of kind " << kind;
+        EXPECT_GE(angle, kSets * 80 / 100) << "noise of kind " << kind;
+        all_radial += radial;
+        all_angle += angle;
     }
+    EXPECT_GE(all_radial, Kinds * kSets * 90 / 100);
+    EXPECT_GE(all_angle, Kinds * kSets * 90 / 100);
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ Json toJson(const CompareResult& result)
     json["mad_sigma_mm"] = withSign(s.mad_sigma_mm);
     json["p2_5_mm"] = withSign(s.p2_5_mm);
     json["p97_5_mm"] = withSign(s.p97_5_mm);
-    json["within_tolerance_percent"] =
-        number(result.within_tolerance_percent);
+    json["within_tolerance_percent"] = number(result.within_tolerance_percent);
     json["verdict"] = result.verdict ? Json(*result.verdict == Verdict::Pass ? "pass" : "fail") : Json(nullptr);
     json["distinguishable_from_scanner"] =
         result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);

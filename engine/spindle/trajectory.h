@@ -77,10 +77,10 @@ struct TrajectorySection {
     std::vector<double> envelope_min_mm, envelope_max_mm;           ///< of the images of single revolutions
     std::vector<double> revolution_RONt_um;                         ///< RONt(LSCI) of each single revolution's image
     Profile image;                                                  ///< the geometric image, size nominal
-    double run_out_um = 0;      ///< max R_i - min R_i about the spindle axis: the paper's
-    RoundnessResult roundness;  ///< its verdict is Undecided where the form is not measured
-    bool form_measured = true;  ///< false: RONt is no larger than its uncertainty, or drift or asynchronous motion drown it
-    ErrorMotion spindle;        ///< of the sensitive direction (X3)
+    double run_out_um = 0;                    ///< max R_i - min R_i about the spindle axis: the paper's
+    RoundnessResult roundness;                ///< its verdict is Undecided where the form is not measured
+    bool form_measured = true;                ///< false: noise, drift or asynchronous motion drown RONt
+    ErrorMotion spindle;                      ///< of the sensitive direction (X3)
     std::array<ErrorMotion, 4> error_motion;  ///< of every probe
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
 };

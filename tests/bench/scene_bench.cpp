@@ -34,8 +34,8 @@ std::vector<SceneObject> twoScans()
 void frame(SceneView& view, double right_deg)
 {
     view.turn(right_deg, 0);
-    QCoreApplication::processEvents();  // draws
-    QCoreApplication::processEvents();  // paints
+    QCoreApplication::processEvents();         // draws
+    QCoreApplication::processEvents();         // paints
     view.screen()->grabWindow(0, 0, 0, 1, 1);  // answered after all that was sent before
 }
 

@@ -138,8 +138,7 @@ QString XyView::readoutAt(double x, double y) const
     const auto number = [&](double value) { return readable(value, range.width(), locale()); };
     QStringList parts;
     if (!nearest->name.isEmpty()) parts << nearest->name;
-    if (sample < nearest->along.size())
-        parts << readable(nearest->along[sample], 100, locale()) + data.along.unit;
+    if (sample < nearest->along.size()) parts << readable(nearest->along[sample], 100, locale()) + data.along.unit;
     parts << "X " + number(px) << "Y " + number(py);
     parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), data.x.unit);
     return parts.join(" · ");

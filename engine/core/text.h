@@ -4,10 +4,8 @@
 #include <string_view>
 
 /// Marks an English literal for translation. lupdate reads it as QT_TRANSLATE_NOOP (see translations/CMakeLists.txt).
-// clang-format off
 #define LT_TEXT(context, english) \
     ::lathelier::Text { english }
-// clang-format on
 
 namespace lathelier {
 

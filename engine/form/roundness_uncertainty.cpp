@@ -24,7 +24,7 @@ constexpr double reach_sigma = 12;     ///< points further inside the zone than 
 /// So many draws that the work stays about the same.
 std::size_t drawsFor(std::size_t points)
 {
-    return std::clamp<std::size_t>(800000 / points, 16, 200);
+    return std::clamp<std::size_t>(800000 / points, 10, 200);
 }
 
 /// The form without its noise, filtered. A second measurement of the measured points would lay noise on noise, and the
@@ -70,8 +70,9 @@ public:
         return noise_.beyond_rounding_um / 1000 * randomNormal(seed, draw, i);
     }
 
-    std::vector<double> operator()(std::uint64_t draw) const
+    std::vector<double> operator()(std::uint64_t draw, const Progress& progress) const
     {
+        progress.check();
         std::vector<double> drawn(n_);
         if (noise_.power_um2.empty()) {
             for (std::size_t i = 0; i < n_; ++i) drawn[i] = plain_mm(draw, i);
@@ -82,9 +83,11 @@ public:
                                                                       randomNormal(seed, draw, 2 * m + 1));
             drawn = transform_.series(spectrum);
         }
+        progress.check();
         if (!noise_.spikes_um.empty()) addSpikes(draw, drawn);
         if (noise_.resolution_um > 0) roundOff(draw, drawn);
-        return band_.isAll() ? drawn : filtered(drawn);
+        progress.check();
+        return band_.isAll() ? drawn : filtered(drawn, progress);
     }
 
 private:
@@ -108,9 +111,10 @@ private:
         }
     }
 
-    std::vector<double> filtered(const std::vector<double>& drawn) const
+    std::vector<double> filtered(const std::vector<double>& drawn, const Progress& progress) const
     {
         std::vector<std::complex<double>> spectrum = transform_.forward(drawn);
+        progress.check();
         for (std::size_t m = 0; m < spectrum.size(); ++m) spectrum[m] *= transmission_[m] / static_cast<double>(n_);
         return transform_.series(spectrum);
     }
@@ -214,11 +218,12 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
             progress.check();
             std::vector<double> drawn(plain ? n : 0);
             if (!plain)
-                drawn = draw(k);
+                drawn = draw(k, progress);
             else if (which == ReferenceCircle::LSCI)
                 for (std::size_t i = 0; i < n; ++i) drawn[i] = draw.plain_mm(k, i);
             else
                 for (const std::size_t i : zone.near) drawn[i] = draw.plain_mm(k, i);
+            progress.check();
             changes[k] = 1000 * (drawnDeviation(zone, drawn, which, half) - quiet);
         }
     });

@@ -116,12 +116,11 @@ std::vector<double> periodogram(std::span<const double> values)
 }
 
 struct Form {
-    std::vector<double> values;            ///< at the points
-    std::vector<std::uint8_t> isLine;      ///< by order
-    std::vector<double> squaredAmplitude;  ///< what noise alone has on average, by order
+    std::vector<double> values;        ///< at the points
+    std::vector<std::uint8_t> isLine;  ///< by order
 };
 
-/// The harmonics that stand out. `rest`: what an earlier form left, without spikes, to be added to its coefficients.
+/// The harmonics that stand out.
 Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& coefficients, const Progress& progress)
 {
     Form form;
@@ -131,8 +130,8 @@ Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& co
     // them.
     form.isLine.assign(coefficients.size(), 0);
     for (const double first : {10., 4.}) {
-        form.squaredAmplitude = floorOf(power, form.isLine, first).at;
-        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > standsOut * form.squaredAmplitude[k];
+        const std::vector<double> floor = floorOf(power, form.isLine, first).at;
+        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > standsOut * floor[k];
     }
     std::vector<Complex> lines(coefficients.size());
     for (std::size_t k = 1; k < lines.size(); ++k)

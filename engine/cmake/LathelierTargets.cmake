@@ -5,6 +5,17 @@ target_compile_options(lathelier_options INTERFACE -Wall -Wextra -Wpedantic -Wsh
                        -Werror -Werror=switch)
 # The same bits on every machine: no contraction of a*b+c into one rounding.
 target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
+# Hardened, where no sanitizer checks more: guarded stack frames, checked calls of the C library, addresses that change
+# from run to run, tables of the linker that cannot be written once the program runs. tests/hardening.cmake looks at
+# the binaries.
+include(CheckPIESupported)
+check_pie_supported()
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT LATHELIER_SANITIZE AND NOT LATHELIER_FUZZ)
+    target_compile_options(lathelier_options INTERFACE -fstack-protector-strong -fstack-clash-protection
+                           $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
+endif()
+add_link_options(LINKER:-z,relro,-z,now)
 if(LATHELIER_SANITIZE)
     add_compile_options(-fsanitize=${LATHELIER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${LATHELIER_SANITIZE})

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 namespace lathelier {
+
+template <class E>
+concept Enumeration = std::is_enum_v<E>;
 
 /// Range for numbers, inclusive.
 struct Range {
@@ -27,7 +31,8 @@ double asDouble(const Value& value);  ///< an integer counts as a number
 template <class P>
 Field<P> field(const char* key, double P::*member, Range range, const Label& label)
 {
-    return {detail::makeInfo(key, FieldInfo::Kind::Number, label, range), [member](const P& p) -> Value { return p.*member; },
+    return {detail::makeInfo(key, FieldInfo::Kind::Number, label, range),
+            [member](const P& p) -> Value { return p.*member; },
             [member](P& p, const Value& v) { p.*member = detail::asDouble(v); }};
 }
 
@@ -38,8 +43,10 @@ Field<P> field(const char* key, std::optional<double> P::*member, Range range, c
     info.optional = true;
     return {info, [member](const P& p) -> Value { return p.*member ? Value(*(p.*member)) : Value(); },
             [member](P& p, const Value& v) {
-                if (std::holds_alternative<std::monostate>(v)) (p.*member).reset();
-                else p.*member = detail::asDouble(v);
+                if (std::holds_alternative<std::monostate>(v))
+                    (p.*member).reset();
+                else
+                    p.*member = detail::asDouble(v);
             }};
 }
 
@@ -74,13 +81,13 @@ Field<P> field(const char* key, std::vector<Interval> P::*member, Range range, c
 }
 
 /// An enum whose enumerators are 0, 1, 2… in the order of `choices`.
-template <class P, class E>
-    requires std::is_enum_v<E>
+template <class P, Enumeration E>
 Field<P> field(const char* key, E P::*member, const std::vector<FieldChoice>& choices, const Label& label)
 {
     FieldInfo info = detail::makeInfo(key, FieldInfo::Kind::Choice, label);
     info.choices = choices;
-    return {info, [member, choices](const P& p) -> Value { return choices.at(static_cast<std::size_t>(p.*member)).key; },
+    return {info,
+            [member, choices](const P& p) -> Value { return choices.at(static_cast<std::size_t>(p.*member)).key; },
             [member, choices](P& p, const Value& v) {
                 for (std::size_t i = 0; i < choices.size(); ++i)
                     if (choices[i].key == std::get<std::string>(v)) p.*member = static_cast<E>(i);

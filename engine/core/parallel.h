@@ -21,7 +21,8 @@ template <class T, class Map, class Fold>
 T parallelReduce(std::size_t count, std::size_t grain, const Progress& progress, T start, Map map, Fold fold)
 {
     std::vector<T> parts((count + grain - 1) / grain, start);
-    parallelFor(count, grain, progress, [&](std::size_t begin, std::size_t end) { parts[begin / grain] = map(begin, end); });
+    parallelFor(count, grain, progress,
+                [&](std::size_t begin, std::size_t end) { parts[begin / grain] = map(begin, end); });
     for (const T& part : parts) start = fold(start, part);
     return start;
 }

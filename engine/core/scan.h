@@ -13,7 +13,7 @@ namespace lathelier {
 /// vertices and `triangles` their indices, anticlockwise seen from outside the material.
 struct Scan {
     std::vector<Eigen::Vector3d> points_mm;
-    std::vector<Eigen::Vector3f> normals;                 ///< empty, or one unit vector for each point, out of the material
+    std::vector<Eigen::Vector3f> normals;  ///< empty, or one unit vector for each point, out of the material
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< empty for a cloud
 
     bool isMesh() const { return !triangles.empty(); }

@@ -4,8 +4,9 @@
 #include <string_view>
 
 /// Marks an English literal for translation. lupdate reads it as QT_TRANSLATE_NOOP (see translations/CMakeLists.txt).
-#define LT_TEXT(context, english) \
-    ::lathelier::Text { english }
+// clang-format off
+#define LT_TEXT(context, english) ::lathelier::Text{english}
+// clang-format on
 
 namespace lathelier {
 

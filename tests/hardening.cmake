@@ -1,0 +1,32 @@
+# The hardening of a program as a test: cmake -D READELF=… -D PROGRAM=… -P hardening.cmake
+# Position independent, read-only relocations bound at start, guarded stack frames, checked calls of the C library.
+cmake_policy(VERSION 3.25)
+execute_process(COMMAND ${READELF} --wide --file-header --program-headers --dynamic --dyn-syms ${PROGRAM}
+                OUTPUT_VARIABLE elf RESULT_VARIABLE failed)
+if(failed)
+    message(FATAL_ERROR "${READELF} cannot read ${PROGRAM}")
+endif()
+set(missing "")
+foreach(pair "Type: +DYN|position independent (PIE)" "GNU_RELRO|read-only relocations (RELRO)"
+        "FLAGS.* NOW|bound at start (BIND_NOW)" "__stack_chk_fail|guarded stack frames (stack protector)"
+        "__[a-z]+_chk|checked calls of the C library (_FORTIFY_SOURCE)")
+    string(REGEX MATCH "^(.*)[|]([^|]*)$" whole "${pair}")
+    set(sign "${CMAKE_MATCH_1}")
+    set(meaning "${CMAKE_MATCH_2}")
+    if(sign MATCHES "_chk")
+        string(REPLACE "__stack_chk_fail" "" text "${elf}")
+    else()
+        set(text "${elf}")
+    endif()
+    if(NOT text MATCHES "${sign}")
+        list(APPEND missing "${meaning}")
+    endif()
+endforeach()
+string(REGEX MATCH "GNU_STACK[^\n]*RWE" executable_stack "${elf}")
+if(executable_stack)
+    list(APPEND missing "a stack that cannot be executed")
+endif()
+if(missing)
+    list(JOIN missing "; " text)
+    message(FATAL_ERROR "${PROGRAM} lacks: ${text}")
+endif()

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* deviationsOption = "--deviations";
 
-void runCompare(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+void runCompare(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto deviations = request.outputs.find(deviationsOption);
     const bool wanted = deviations != request.outputs.end();

@@ -12,7 +12,7 @@
 namespace lathelier::cli {
 namespace {
 
-void runCylindricity(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+void runCylindricity(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const ScanFile file =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);

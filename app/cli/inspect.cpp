@@ -50,17 +50,21 @@ Section factsSection(const std::vector<FileFacts>& files)
 }
 
 /// What is in a file decides who reads it; whatever looks like nothing else is a cloud.
-FileFacts readFacts(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+FileFacts readFacts(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                     Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
-    switch (kindOf(path, bytes, request)) {
-        case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
-        case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;
-        case RecordKind::Qdas: return readDfqFacts(path, bytes);
-        case RecordKind::None: break;
-    }
-    return readScan(path, bytes, request, progress, answer).facts;
+    const auto facts = [&]() -> FileFacts {
+        switch (kindOf(path, bytes, request)) {
+            case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
+            case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;
+            case RecordKind::Qdas: return readDfqFacts(path, bytes);
+            case RecordKind::None: break;
+        }
+        return readScan(path, bytes, request, progress, answer).facts;
+    }();
+    inputs.drop();
+    return facts;
 }
 
 std::vector<Option> readingOptions()
@@ -71,7 +75,7 @@ std::vector<Option> readingOptions()
     return options;
 }
 
-void runInspect(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+void runInspect(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     auto files = std::make_shared<std::vector<FileFacts>>();
     answer.json = [files] {

@@ -16,7 +16,7 @@ void addNotes(const Notes& notes, Answer& answer)
 
 }  // namespace
 
-ProfileFile readProfile(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ProfileFile readProfile(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                         Answer& answer)
 {
     return readProfile(path, inputs.open(path, progress), request, progress, answer);
@@ -32,28 +32,18 @@ ProfileFile readProfile(const std::string& path, std::string_view bytes, const R
     return file;
 }
 
-ProbeFile readRecord(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ProbeFile readRecord(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                      Answer& answer)
 {
     return readRecord(path, inputs.open(path, progress), request, inputs, progress, answer);
 }
 
-ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, Inputs& inputs,
+ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, InputFiles& inputs,
                      const Progress& progress, Answer& answer)
 {
     const Values& given = request.parameters;
-    const RecordFiles files = findRecordFiles(path, bytes);
-    requirePartner(files);
-    ProbeFile file;
-    if (files.kind == RecordFiles::Kind::Table) {
-        file = readProbeTable(path, bytes, fromValues<ImportOptions>(given), progress);
-    } else {
-        const bool isPar = files.par == path;
-        const std::string_view partner = inputs.open(isPar ? files.dat : files.par, progress);
-        file = readLGraph(files.par, isPar ? bytes : partner, isPar ? partner : bytes,
-                          fromValues<RecorderOptions>(given), progress, files.dat);
-        file.facts.path = path;
-    }
+    ProbeFile file = readProbeRecord(path, bytes, inputs, fromValues<ImportOptions>(given),
+                                     fromValues<RecorderOptions>(given), progress);
     addNotes(file.notes, answer);
     return file;
 }

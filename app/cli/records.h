@@ -8,7 +8,7 @@
 namespace lathelier::cli {
 
 /// Reads one profile as the request's options say; what the reader notes goes into the answer.
-ProfileFile readProfile(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ProfileFile readProfile(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                         Answer& answer);
 
 /// The same for a file that is open already.
@@ -16,11 +16,11 @@ ProfileFile readProfile(const std::string& path, std::string_view bytes, const R
                         const Progress& progress, Answer& answer);
 
 /// Reads one record, with the partner of an L-Graph file.
-ProbeFile readRecord(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ProbeFile readRecord(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                      Answer& answer);
 
 /// The same for a file that is open already.
-ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, Inputs& inputs,
+ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, InputFiles& inputs,
                      const Progress& progress, Answer& answer);
 
 /// What a file holds; None: a cloud, a mesh, or nothing that is known.

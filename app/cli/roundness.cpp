@@ -98,8 +98,8 @@ std::vector<std::string> measuredTimes(const std::vector<std::string>& paths)
 }
 
 void superimposeOther(const Request& request, const std::string& path, const Profile& first,
-                      const RoundnessParameters& parameters, Inputs& inputs, const Progress& progress, Answer& answer,
-                      Found& found)
+                      const RoundnessParameters& parameters, InputFiles& inputs, const Progress& progress,
+                      Answer& answer, Found& found)
 {
     const ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
     SuperimposeParameters wanted;
@@ -115,7 +115,7 @@ void superimposeOther(const Request& request, const std::string& path, const Pro
     answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
 }
 
-void runRoundness(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+void runRoundness(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<RoundnessParameters>(request.parameters);
     checkCombination(request, parameters);

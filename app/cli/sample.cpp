@@ -28,7 +28,7 @@ const std::vector<Field<cli::SampleParameters>>& fields<cli::SampleParameters>()
 namespace cli {
 namespace {
 
-void runSample(const Request& request, Inputs&, const Progress& progress, Answer& answer)
+void runSample(const Request& request, InputFiles&, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<SampleParameters>(request.parameters);
     const std::vector<std::string> files =

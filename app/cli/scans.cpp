@@ -2,10 +2,12 @@
 
 namespace lathelier::cli {
 
-ScanFile readScan(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ScanFile readScan(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                   Answer& answer)
 {
-    return readScan(path, inputs.open(path, progress), request, progress, answer);
+    ScanFile file = readScan(path, inputs.open(path, progress), request, progress, answer);
+    inputs.drop();
+    return file;
 }
 
 ScanFile readScan(const std::string& path, std::string_view bytes, const Request& request, const Progress& progress,

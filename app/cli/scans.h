@@ -7,7 +7,7 @@
 namespace lathelier::cli {
 
 /// Reads one scan as the request's options say; what the reader notes goes into the answer.
-ScanFile readScan(const std::string& path, const Request& request, Inputs& inputs, const Progress& progress,
+ScanFile readScan(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                   Answer& answer);
 
 /// The same for a file that is open already.

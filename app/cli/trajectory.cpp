@@ -32,7 +32,7 @@ std::vector<Option> trajectoryOptions()
     return options;
 }
 
-void runTrajectory(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer)
+void runTrajectory(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<TrajectoryParameters>(request.parameters);
     checkNoFilter(request, parameters.form);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/inputs.h"
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
 #include "engine/core/progress.h"
+#include "engine/io/input_files.h"
 #include "engine/report/document.h"
 
 namespace lathelier::cli {
@@ -61,7 +61,7 @@ struct Verb {
     std::vector<Option> reading;  ///< options that settle what an input file leaves open
     std::vector<OutputOption> outputs;
     bool has_report = false;
-    void (*run)(const Request& request, Inputs& inputs, const Progress& progress, Answer& answer);
+    void (*run)(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer);
 };
 
 /// The options of a parameter struct, with the defaults of a fresh one.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* referenceKey = "reference_data";
 
-void runVerify(const Request& request, Inputs&, const Progress& progress, Answer& answer)
+void runVerify(const Request& request, InputFiles&, const Progress& progress, Answer& answer)
 {
     const Value* directory = find(request.parameters, referenceKey);
     const auto* word = directory ? std::get_if<std::string>(directory) : nullptr;

@@ -4,8 +4,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
+#include <set>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
@@ -14,6 +19,8 @@
 
 namespace lathelier {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t bufferSize = std::size_t{1} << 18;
 
@@ -65,21 +72,67 @@ struct RemoveOnFailure {
 std::string followLinks(const std::string& path)
 {
     std::error_code failure;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(path, failure);
+    const fs::path target = fs::weakly_canonical(path, failure);
     return failure || target.empty() ? path : target.string();
 }
+
+constexpr std::string_view partHead = ".lathelier-";
+constexpr std::string_view partTail = ".part";
 
 std::string nameBeside(const std::string& path)
 {
     static std::atomic<unsigned> counter{0};
-    const std::string name = ".lathelier-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
-    return (std::filesystem::path(path).parent_path() / name).string();
+    const std::string name = std::string(partHead) + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+    return (fs::path(path).parent_path() / (name + std::string(partTail))).string();
+}
+
+fs::path folderOf(const std::string& path)
+{
+    const fs::path folder = fs::path(path).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+/// The process that a file beside belongs to, by its name; 0: it is none of ours.
+pid_t ownerOf(const std::string& name)
+{
+    if (!name.starts_with(partHead) || !name.ends_with(partTail)) return 0;
+    const char* const from = name.data() + partHead.size();
+    const char* const to = name.data() + name.size() - partTail.size();
+    long number = 0;
+    const auto [end, problem] = std::from_chars(from, to, number);
+    return problem == std::errc() && end != to && *end == '-' && number > 0 ? static_cast<pid_t>(number) : 0;
+}
+
+/// Removes what processes that ended in the middle of writing have left in `folder`: once for each folder, and only
+/// files that nobody has written to for an hour, for the process may live on another machine.
+void sweep(const fs::path& folder)
+{
+    static std::mutex mutex;
+    static std::set<std::string> swept;
+    {
+        const std::lock_guard lock(mutex);
+        if (!swept.insert(folder.string()).second) return;
+    }
+    std::error_code problem;
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const pid_t owner = ownerOf(entry->path().filename().string());
+        if (owner == 0 || ::kill(owner, 0) == 0 || errno != ESRCH) continue;
+        std::error_code unknown;
+        if (entry->last_write_time(unknown) < old && !unknown) fs::remove(entry->path(), unknown);
+    }
+}
+
+/// A rename is safe from a power cut once its folder is written. File systems that know no such thing are left alone.
+void syncFolder(const fs::path& folder)
+{
+    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (descriptor.isOpen()) ::fsync(descriptor.number());
 }
 
 }  // namespace
 
-void writeFile(const std::string& path,
-               const std::function<void(const std::function<void(std::string_view)>& append)>& write)
+void writeFile(const std::string& path, const std::function<void(const Append& append)>& write)
 {
     const std::string target = followLinks(path);
     struct stat status {};
@@ -102,6 +155,7 @@ void writeFile(const std::string& path,
         return;
     }
 
+    sweep(folderOf(target));
     std::string beside = nameBeside(target);
     int number = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     while (number < 0 && errno == EEXIST) {  // left by a crashed program of the same process number
@@ -117,11 +171,12 @@ void writeFile(const std::string& path,
     if (!file.close()) throwNotWritable(path, errno);
     if (::rename(beside.c_str(), target.c_str()) != 0) throwNotWritable(path, errno);
     cleanup.done = true;
+    syncFolder(folderOf(target));
 }
 
 void writeFile(const std::string& path, std::string_view content)
 {
-    writeFile(path, [content](const std::function<void(std::string_view)>& append) { append(content); });
+    writeFile(path, [content](const Append& append) { append(content); });
 }
 
 }  // namespace lathelier

@@ -17,6 +17,14 @@ inline constexpr ErrorCode fileNotReadable{"file_not_readable", ErrorKind::Input
 inline constexpr ErrorCode notAFile{"not_a_file", ErrorKind::InputRejected,
                                     LT_TEXT("Engine", "Expected a file, found {found}.")};
 
+inline constexpr ErrorCode fileTooLarge{
+    "file_too_large", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The file has {found_MiB} MiB; the memory that is free allows for {maximum_MiB} MiB.")};
+
+inline constexpr ErrorCode fileChanged{
+    "changed_while_reading", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Another program changed the file while it was read. Read it again when it is complete.")};
+
 inline constexpr ErrorCode fileEmpty{"file_empty", ErrorKind::InputRejected, LT_TEXT("Engine", "The file is empty.")};
 
 inline constexpr ErrorCode fileNotWritable{"file_not_writable", ErrorKind::OutputFailed,

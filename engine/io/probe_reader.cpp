@@ -57,7 +57,7 @@ std::optional<std::string> findBeside(const std::string& path, const std::string
 bool isLGraphPar(const std::string& path)
 {
     try {
-        return hasLGraphSignature(FileBytes(path).view());
+        return hasLGraphSignature(fileHead(path, headForKind));
     } catch (const Error&) {
         return false;
     }
@@ -99,8 +99,8 @@ void requirePartner(const RecordFiles& files)
 bool isProbeRecord(const std::string& path)
 {
     try {
-        const FileBytes file(path);
-        return findRecordFiles(path, file.view()).kind == RecordFiles::Kind::LGraph || isProbeTable(file.view());
+        const std::string head = fileHead(path, headForKind);
+        return findRecordFiles(path, head).kind == RecordFiles::Kind::LGraph || isProbeTable(head);
     } catch (const Error&) {
         return false;
     }
@@ -109,14 +109,21 @@ bool isProbeRecord(const std::string& path)
 ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options, const RecorderOptions& recorder,
                           const Progress& progress)
 {
-    const FileBytes file(path, progress);
-    const RecordFiles files = findRecordFiles(path, file.view());
-    if (files.kind == RecordFiles::Kind::Table) return readProbeTable(path, file.view(), options, progress);
+    InputFiles inputs(false);
+    return readProbeRecord(path, inputs.open(path, progress), inputs, options, recorder, progress);
+}
+
+ProbeFile readProbeRecord(const std::string& path, std::string_view bytes, InputFiles& inputs,
+                          const ImportOptions& options, const RecorderOptions& recorder, const Progress& progress)
+{
+    const RecordFiles files = findRecordFiles(path, bytes);
+    if (files.kind == RecordFiles::Kind::Table)
+        return readProbeTable(path, bytes, options, progress, [&](std::size_t count) { inputs.release(path, count); });
     requirePartner(files);
     const bool isPar = files.par == path;
-    const FileBytes partner(isPar ? files.dat : files.par, progress);
-    ProbeFile record = readLGraph(files.par, isPar ? file.view() : partner.view(), isPar ? partner.view() : file.view(),
-                                  recorder, progress, files.dat);
+    const std::string_view partner = inputs.open(isPar ? files.dat : files.par, progress);
+    ProbeFile record =
+        readLGraph(files.par, isPar ? bytes : partner, isPar ? partner : bytes, recorder, progress, files.dat);
     record.facts.path = path;
     return record;
 }

@@ -1,6 +1,7 @@
 // Reading probe records: CSV tables and the recorder program L-Graph.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/io/import.h"
+#include "engine/io/input_files.h"
 #include "engine/io/probe_record.h"
 
 namespace lathelier {
@@ -64,13 +66,18 @@ bool isProbeTable(std::string_view bytes, const ImportOptions& options = {});
 ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options = {},
                           const RecorderOptions& recorder = {}, const Progress& progress = {});
 
+/// The same of a file that `inputs` has opened, with its content `bytes`; the partner is opened there as well. What was
+/// parsed of a large table is released: `bytes` are not to be read again.
+ProbeFile readProbeRecord(const std::string& path, std::string_view bytes, InputFiles& inputs,
+                          const ImportOptions& options, const RecorderOptions& recorder, const Progress& progress);
+
 /// An L-Graph pair from memory; `name` stands for the path of the .par in messages, `datName` for that of the .dat.
 ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
                      const RecorderOptions& recorder = {}, const Progress& progress = {},
                      const std::string& datName = {});
 
-/// A table from memory.
+/// A table from memory. `parsed` hears from time to time how many of the bytes are not needed any more.
 ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},
-                         const Progress& progress = {});
+                         const Progress& progress = {}, const std::function<void(std::size_t)>& parsed = {});
 
 }  // namespace lathelier

@@ -1,5 +1,6 @@
 // Reading a probe record from a table: which shape it has, and what all shapes share.
 #include "engine/io/probe_table.h"
+#include "engine/core/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,8 @@ bool isForeignTable(const std::vector<ProbeColumn>& columns)
                 {{"line", layout.bodyLine}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedKind}});
 }
 
-void readValues(std::string_view text, bool averaged, const Progress& progress, ProbeTable& table)
+void readValues(std::string_view text, bool averaged, const std::function<void(std::size_t)>& parsed,
+                const Progress& progress, ProbeTable& table)
 {
     std::vector<WantedColumn> wanted;
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -59,13 +61,18 @@ void readValues(std::string_view text, bool averaged, const Progress& progress, 
         const bool mayBeMissing = !averaged && role != Role::Time;
         wanted.push_back({k, std::numeric_limits<double>::infinity(), mayBeMissing});
     }
-    table.rows = readRows(
-        text, table.layout, wanted,
-        [&table](std::size_t count) {
-            table.values = std::unique_ptr<double[]>(new double[count * table.width()]);  // not zeroed: it is large
-            return table.values.get();
-        },
-        progress);
+    table.values.resize(table.width());
+    // Room for all at once, which is not touched before it is filled: growing would hold everything twice.
+    const auto expect = [&table](std::size_t rows) {
+        for (std::vector<double>& column : table.values) column.reserve(rows);
+    };
+    const auto take = [&table, width = table.width()](const double* values, std::size_t rows) {
+        parallelFor(width, 1, {}, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                for (std::size_t i = 0; i < rows; ++i) table.values[k].push_back(values[i * width + k]);
+        });
+    };
+    table.rows = readRows(text, table.layout, wanted, RowSink{expect, take, parsed}, progress);
 }
 
 std::string channelList(const ProbeRecord& record)
@@ -86,7 +93,7 @@ std::string channelList(const ProbeRecord& record)
 }
 
 ProbeFile readTable(const std::string& name, const DecodedText& text, const ImportOptions& options,
-                    const Progress& progress)
+                    const std::function<void(std::size_t)>& parsed, const Progress& progress)
 {
     ProbeFile file;
     ProbeTable table{name, findLayout(text.view(), probeExpectation(), options), {}, {}, {}, {}, {}, options};
@@ -95,7 +102,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
     const bool averaged = isAveraged(table.columns);
     if (!hasProbeNames(table.layout) && isForeignTable(table.columns))
         throwNoRecord(table.layout, LT_TEXT("Engine", "coordinates"));
-    readValues(text.view(), averaged, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), table);
+    readValues(text.view(), averaged, parsed, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), table);
     if (table.rows.rows == 0) throw Error(errors::noPoints, {});
     describeTable(table.layout, table.rows, text.encoding(), file.facts, file.notes);
     const auto rows = static_cast<std::int64_t>(table.rows.rows);
@@ -160,10 +167,16 @@ Error malformedRow(const ProbeTable& table, std::size_t row, std::size_t k, Text
 }
 
 ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options,
-                         const Progress& progress)
+                         const Progress& progress, const std::function<void(std::size_t)>& parsed)
 {
     try {
-        return readTable(name, readableTable(name, bytes, options.encoding, expectedKind, progress), options, progress);
+        const DecodedText text = readableTable(name, bytes, options.encoding, expectedKind, progress);
+        // Where the text is the file itself, what was read of it is not needed any more.
+        const char* const begin = text.view().data();
+        const bool isFile = begin >= bytes.data() && begin < bytes.data() + bytes.size();
+        const std::size_t mark = isFile ? static_cast<std::size_t>(begin - bytes.data()) : 0;
+        const auto inFile = [&](std::size_t offset) { parsed(mark + offset); };
+        return readTable(name, text, options, parsed && isFile ? inFile : std::function<void(std::size_t)>(), progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;

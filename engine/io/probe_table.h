@@ -1,7 +1,7 @@
 // The two shapes of probe records in text tables.
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "engine/io/probe_columns.h"
 #include "engine/io/probe_reader.h"
@@ -12,20 +12,21 @@ namespace lathelier {
 struct ProbeTable {
     std::string name;  ///< stands for the path in messages
     TableLayout layout;
-    std::vector<ProbeColumn> columns;  ///< of the file
-    std::vector<std::size_t> read;     ///< places of the columns that were read
-    std::unique_ptr<double[]> values;  ///< row by row
+    std::vector<ProbeColumn> columns;         ///< of the file
+    std::vector<std::size_t> read;            ///< places of the columns that were read
+    std::vector<std::vector<double>> values;  ///< of each column that was read
     TableRows rows;
     Values header;
     const ImportOptions& options;
 
     std::size_t width() const { return read.size(); }
-    double at(std::size_t row, std::size_t k) const { return values[row * width() + k]; }
+    double at(std::size_t row, std::size_t k) const { return values[k][row]; }
     const ProbeColumn& column(std::size_t k) const { return columns[read[k]]; }
 };
 
-/// A continuous recording. Errors columnsUnknown, malformed (times that go back).
-ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& progress);
+/// A continuous recording, which takes the values out of the table. Errors columnsUnknown, malformed (times that go
+/// back).
+ProbeRecord toRawRecord(ProbeTable& table, Notes& notes, const Progress& progress);
 
 /// Sections of averages. Errors columnsUnknown, malformed, unitUnknown.
 AveragedRecord toAveragedRecord(const ProbeTable& table, const Progress& progress);

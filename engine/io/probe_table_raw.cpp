@@ -42,15 +42,14 @@ bool isDisplacement(const ProbeColumn& column)
 
 /// A column on its way to a channel.
 struct Taken {
-    std::size_t column = 0;  ///< among those that were read
     double scale = 1;
     ProbeChannel channel;
 };
 
-Taken startChannel(const ProbeTable& table, std::size_t k, Notes& notes)
+Taken startChannel(ProbeTable& table, std::size_t k, Notes& notes)
 {
     const ProbeColumn& column = table.column(k);
-    Taken taken{k, 1, {}};
+    Taken taken;
     ProbeChannel& channel = taken.channel;
     channel.name = column.name.empty() ? "channel " + std::to_string(table.read[k] + 1) : column.name;
     std::optional<QuantityUnit> unit = column.unit;
@@ -59,37 +58,29 @@ Taken startChannel(const ProbeTable& table, std::size_t k, Notes& notes)
     applyUnit(unit, channel, taken.scale);
     if (channel.unit == ProbeChannel::Unit::Unknown)
         notes.push_back({notes::channelUnitUnknown, {{"channel", channel.name}}});
-    channel.values.resize(table.rows.rows);
+    channel.values = std::move(table.values[k]);
     return taken;
 }
 
-/// Turns rows into channels, a block of rows at a time, and notes the holes.
-void fillChannels(const ProbeTable& table, std::vector<Taken>& channels, Notes& notes, const Progress& progress)
+/// Brings the channels to their units and notes the holes.
+void scaleChannels(std::vector<Taken>& channels, Notes& notes, const Progress& progress)
 {
-    using Counts = std::vector<std::int64_t>;
-    const Counts missing = parallelReduce(
-        table.rows.rows, grain, progress, Counts(channels.size(), 0),
-        [&](std::size_t begin, std::size_t end) {
-            Counts counts(channels.size(), 0);
-            for (std::size_t k = 0; k < channels.size(); ++k) {
-                const std::size_t width = table.width();
-                const double scale = channels[k].scale;
-                const double* from = &table.values[begin * width + channels[k].column];
-                double* const to = channels[k].channel.values.data();
-                for (std::size_t i = begin; i < end; ++i, from += width) {
-                    to[i] = *from * scale;
-                    counts[k] += std::isnan(to[i]) ? 1 : 0;
+    for (Taken& taken : channels) {
+        std::vector<double>& values = taken.channel.values;
+        const std::int64_t missing = parallelReduce(
+            values.size(), grain, progress, std::int64_t{0},
+            [&](std::size_t begin, std::size_t end) {
+                std::int64_t count = 0;
+                for (std::size_t i = begin; i < end; ++i) {
+                    values[i] *= taken.scale;
+                    count += std::isnan(values[i]) ? 1 : 0;
                 }
-            }
-            return counts;
-        },
-        [](Counts sum, const Counts& counts) {
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
-            return sum;
-        });
-    for (std::size_t k = 0; k < channels.size(); ++k)
-        if (missing[k] > 0)
-            notes.push_back({notes::samplesMissing, {{"count", missing[k]}, {"channel", channels[k].channel.name}}});
+                return count;
+            },
+            [](std::int64_t sum, std::int64_t count) { return sum + count; });
+        if (missing > 0)
+            notes.push_back({notes::samplesMissing, {{"count", missing}, {"channel", taken.channel.name}}});
+    }
 }
 
 /// Seconds per unit of the column of times: its heading's, the header's `unit_time`, else 1 with a note.
@@ -118,42 +109,38 @@ double resolutionOf(const std::vector<double>& times)
     return resolution;
 }
 
-/// The median of at most a million of the steps.
-double medianOf(const std::vector<double>& steps)
+/// The median of at most a million of the steps between times.
+double medianStep(const std::vector<double>& times)
 {
-    const std::size_t stride = steps.size() / 1'000'000 + 1;
+    const std::size_t stride = (times.size() - 1) / 1'000'000 + 1;
     std::vector<double> some;
-    for (std::size_t i = 0; i < steps.size(); i += stride) some.push_back(steps[i]);
+    for (std::size_t i = 1; i < times.size(); i += stride) some.push_back(times[i] - times[i - 1]);
     const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
     std::nth_element(some.begin(), middle, some.end());
     return *middle;
 }
 
 /// Sets times and rate from column `k`.
-void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& notes, const Progress& progress)
+void takeTimes(ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& notes, const Progress& progress)
 {
     const std::size_t count = table.rows.rows;
     const double scale = timeScale(table, k, notes);
-    std::vector<double> written(count);
-    parallelFor(count, grain, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) written[i] = table.at(i, k);
-    });
     if (count < 2) return;
+    std::vector<double>& written = table.values[k];
     const double mean = (written.back() - written.front()) / static_cast<double>(count - 1);
     const double resolution = resolutionOf(written);
     double farthest = 0;
-    std::vector<double> steps(count - 1);
+    const auto step = [&written](std::size_t i) { return written[i] - written[i - 1]; };
     for (std::size_t i = 1; i < count; ++i) {
         if (i % grain == 0) progress.check();
-        steps[i - 1] = written[i] - written[i - 1];
-        if (steps[i - 1] < 0) throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
+        if (step(i) < 0) throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
         farthest = std::max(farthest, std::abs(written[i] - (written.front() + static_cast<double>(i) * mean)));
     }
-    const double period = medianOf(steps);
+    const double period = medianStep(written);
     const double rounding = 1e-6 * period + 1e-15 * std::abs(written.back());
-    const auto isPeriod = [=](double step) { return std::abs(step - period) <= rounding; };
-    const auto equal = std::count_if(steps.begin(), steps.end(), isPeriod);
-    const bool areExact = static_cast<double>(equal) >= 0.9 * static_cast<double>(steps.size());
+    std::size_t equal = 0;
+    for (std::size_t i = 1; i < count; ++i) equal += std::abs(step(i) - period) <= rounding ? 1 : 0;
+    const bool areExact = static_cast<double>(equal) >= 0.9 * static_cast<double>(count - 1);
     // Times rounded to more than a tenth of a step are worth less than the rate that they give together.
     const bool isCoarse = !areExact && resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;
     if (isCoarse) {
@@ -165,9 +152,8 @@ void takeTimes(const ProbeTable& table, std::size_t k, ProbeRecord& record, Note
     std::int64_t irregular = 0;
     std::size_t first = 0;
     for (std::size_t i = 1; i < count; ++i) {
-        if (steps[i - 1] == 0)
-            throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
-        if (std::abs(steps[i - 1] - period) <= tolerance) continue;
+        if (step(i) == 0) throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
+        if (std::abs(step(i) - period) <= tolerance) continue;
         if (irregular++ == 0) first = i;
     }
     record.rate_hz = 1 / ((irregular == 0 ? mean : period) * scale);
@@ -197,7 +183,7 @@ void takeStatedRate(ProbeRecord& record, Notes& notes)
 
 }  // namespace
 
-ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& progress)
+ProbeRecord toRawRecord(ProbeTable& table, Notes& notes, const Progress& progress)
 {
     ProbeRecord record;
     record.name = table.name.substr(table.name.find_last_of('/') + 1);
@@ -218,7 +204,7 @@ ProbeRecord toRawRecord(const ProbeTable& table, Notes& notes, const Progress& p
                                              {"column", std::int64_t{1}},
                                              {"found", LT_TEXT("Engine", "no column of signals")},
                                              {"expected", LT_TEXT("Engine", "channels such as marker_V, X3_um")}});
-    fillChannels(table, channels, notes, progress);
+    scaleChannels(channels, notes, progress);
     for (Taken& taken : channels) record.channels.push_back(std::move(taken.channel));
     if (!hasTimes) takeStatedRate(record, notes);
     if (const auto skew = headerNumber(record.header, "channel_skew_s"); skew && *skew >= 0)

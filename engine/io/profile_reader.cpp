@@ -100,7 +100,7 @@ ProfileFile readProfile(const std::string& path, const ImportOptions& options, c
 bool isProfileTable(std::string_view bytes, const ImportOptions& options, ProfileColumns columns)
 {
     try {
-        const std::string_view head = bytes.substr(0, std::size_t{1} << 20);
+        const std::string_view head = bytes.substr(0, headForKind);
         const DecodedText text = readableTable({}, head, options.encoding, expectedKind, {});
         const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
         return chooseProfileColumns(layout, columns).shape != Shape::Xyz;
@@ -113,8 +113,8 @@ bool isProfile(const std::string& path)
 {
     try {
         refuseForeignName(path, true, expectedKind);
-        const FileBytes file(path);
-        return !hasScanFormat(file.view()) && !isProbeRecord(path) && isProfileTable(file.view());
+        const std::string head = fileHead(path, headForKind);
+        return !hasScanFormat(head) && !isProbeRecord(path) && isProfileTable(head);
     } catch (const Error&) {
         return false;
     }

@@ -15,13 +15,8 @@ namespace lathelier {
 namespace {
 
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
+constexpr std::size_t chunksAtOnce = 16;
 constexpr std::size_t listedRows = 100;
-
-/// A line passed over that is an error as soon as another row follows it.
-struct TextLine {
-    SkippedRow row;
-    std::size_t offset = 0;
-};
 
 struct Chunk {
     std::size_t begin = 0;  ///< its first line starts here
@@ -33,7 +28,7 @@ struct Chunk {
     std::int64_t skippedCount = 0;
     std::int64_t footers = 0;
     std::vector<SkippedRow> skipped;
-    std::optional<TextLine> firstText;  ///< the first line of text
+    std::optional<Error> firstText;  ///< the first line of text: broken as soon as a row follows it
     bool rowsBeforeText = false;
     bool rowsAfterText = false;  ///< rows behind `firstText`
     std::optional<Error> error;
@@ -227,7 +222,8 @@ private:
             return skip(chunk, lines.number(), LT_TEXT("Engine", "heading"));
         }
         if (!isText(cells)) throw columnsDiffer(lines.number(), line, cells, slotOf_.size());
-        if (!chunk.firstText) chunk.firstText = TextLine{{lines.number(), {}}, lines.offset()};
+        if (!chunk.firstText)
+            chunk.firstText = malformed(lines.number(), line, line, LT_TEXT("Engine", "a row of numbers"));
         ++chunk.footers;
         skip(chunk, lines.number(), LT_TEXT("Engine", "text below the rows"));
     }
@@ -276,59 +272,96 @@ std::vector<Chunk> cutIntoChunks(std::string_view text, const TableLayout& layou
 }
 
 /// A line of text with rows behind it is a broken row.
-void checkText(std::string_view text, const std::vector<Chunk>& chunks)
+void checkText(const std::vector<Chunk>& chunks, std::size_t count)
 {
-    const TextLine* first = nullptr;
-    for (const Chunk& chunk : chunks) {
+    const Error* first = nullptr;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Chunk& chunk = chunks[i];
         const bool rowsFollow = first ? chunk.rows > 0 : chunk.firstText && chunk.rowsAfterText;
         if (!first && chunk.firstText) first = &*chunk.firstText;
-        if (first && rowsFollow) {
-            Lines lines(text, first->offset, first->row.line);
-            lines.next();
-            throw malformed(lines.number(), lines.line(), lines.line(), LT_TEXT("Engine", "a row of numbers"));
-        }
+        if (first && rowsFollow) throw *first;
     }
 }
 
-}  // namespace
-
-TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
-                   const std::function<double*(std::size_t rows)>& allocate, const Progress& progress)
-{
-    std::vector<Chunk> chunks = cutIntoChunks(text, layout, progress);
-    const std::size_t width = wanted.size();
-    const std::size_t capacity = chunks.empty() ? 0 : chunks.back().firstRow + mostRows(chunks.back(), layout);
-    double* const values = allocate(capacity);
-    const RowReader reader(text, layout, wanted);
-    std::atomic<std::size_t> firstBroken{chunks.size()};
-    std::atomic<std::size_t> done{0};
-    const std::size_t size = text.size() - layout.bodyOffset;
-    parallelFor(size, chunkBytes, progress, [&](std::size_t begin, std::size_t end) {
-        const std::size_t index = begin / chunkBytes;
-        if (index > firstBroken.load()) return;  // only the first broken row is reported
-        Chunk& chunk = chunks[index];
-        try {
-            reader.read(chunk, layout.bodyOffset + end, values + chunk.firstRow * width);
-        } catch (const Error& error) {
-            chunk.error = error;
-            std::size_t known = firstBroken.load();
-            while (index < known && !firstBroken.compare_exchange_weak(known, index)) {
-            }
-        }
-        progress.report(static_cast<double>(++done) / static_cast<double>(chunks.size()));
-    });
-    const std::size_t broken = firstBroken.load();
-    if (broken < chunks.size()) {
-        // Text above the broken row in the same or an earlier chunk, with rows behind it, came first.
-        checkText(text, {chunks.begin(), chunks.begin() + static_cast<std::ptrdiff_t>(broken) + 1});
-        throw *chunks[broken].error;
+/// A table on its way, some chunks at a time.
+class TableReader {
+public:
+    TableReader(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                const Progress& progress)
+        : layout_(layout),
+          progress_(progress),
+          width_(wanted.size()),
+          size_(text.size() - layout.bodyOffset),
+          chunks_(cutIntoChunks(text, layout, progress)),
+          reader_(text, layout, wanted)
+    {
     }
-    checkText(text, chunks);
 
+    std::size_t chunkCount() const { return chunks_.size(); }
+
+    /// Where the text of chunk `i` begins.
+    std::size_t offsetOf(std::size_t i) const { return layout_.bodyOffset + std::min(i * chunkBytes, size_); }
+
+    /// Rows that the chunks [first, last) may have.
+    std::size_t capacity(std::size_t first, std::size_t last) const
+    {
+        if (first == last) return 0;
+        return chunks_[last - 1].firstRow + mostRows(chunks_[last - 1], layout_) - chunks_[first].firstRow;
+    }
+
+    /// Reads the chunks [first, last) into `values`, without gaps, and gives the number of rows. Throws for the first
+    /// broken row.
+    std::size_t read(std::size_t first, std::size_t last, double* values)
+    {
+        const std::size_t base = first < last ? chunks_[first].firstRow : 0;
+        std::atomic<std::size_t> firstBroken{last};
+        parallelFor(last - first, 1, progress_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t index = first + begin; index < first + end; ++index) {
+                if (index > firstBroken.load()) return;  // only the first broken row is reported
+                Chunk& chunk = chunks_[index];
+                try {
+                    reader_.read(chunk, offsetOf(index + 1), values + (chunk.firstRow - base) * width_);
+                } catch (const Error& error) {
+                    chunk.error = error;
+                    std::size_t known = firstBroken.load();
+                    while (index < known && !firstBroken.compare_exchange_weak(known, index)) {
+                    }
+                }
+                progress_.report(static_cast<double>(++done_) / static_cast<double>(chunks_.size()));
+            }
+        });
+        const std::size_t broken = firstBroken.load();
+        // Text above the broken row, with rows behind it, came first.
+        checkText(chunks_, std::min(broken + 1, last));
+        if (broken < last) throw *chunks_[broken].error;
+
+        std::size_t rows = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const Chunk& chunk = chunks_[i];
+            const double* const from = values + (chunk.firstRow - base) * width_;
+            if (chunk.firstRow - base != rows) std::copy(from, from + chunk.rows * width_, values + rows * width_);
+            rows += chunk.rows;
+        }
+        return rows;
+    }
+
+    /// What happened to all rows. Error truncated.
+    TableRows summary() const;
+
+private:
+    const TableLayout& layout_;
+    const Progress& progress_;
+    std::size_t width_;
+    std::size_t size_;
+    std::vector<Chunk> chunks_;
+    RowReader reader_;
+    std::atomic<std::size_t> done_{0};
+};
+
+TableRows TableReader::summary() const
+{
     TableRows result;
-    for (const Chunk& chunk : chunks) {
-        const double* const from = values + chunk.firstRow * width;
-        if (chunk.firstRow != result.rows) std::copy(from, from + chunk.rows * width, values + result.rows * width);
+    for (const Chunk& chunk : chunks_) {
         result.rows += chunk.rows;
         result.notFinite += chunk.notFinite;
         result.footers += chunk.footers;
@@ -338,17 +371,45 @@ TableRows readRows(std::string_view text, const TableLayout& layout, const std::
     }
     const std::int64_t found = static_cast<std::int64_t>(result.rows) + result.notFinite;
     const std::int64_t lastLine =
-        layout.bodyLine - 1 +
-        std::accumulate(chunks.begin(), chunks.end(), std::int64_t{0}, [](std::int64_t sum, const Chunk& chunk) {
+        layout_.bodyLine - 1 +
+        std::accumulate(chunks_.begin(), chunks_.end(), std::int64_t{0}, [](std::int64_t sum, const Chunk& chunk) {
             return sum + static_cast<std::int64_t>(chunk.lines);
         });
-    if (layout.announcedRows && *layout.announcedRows > found)
+    if (layout_.announcedRows && *layout_.announcedRows > found)
         throw Error(errors::truncated, {{"line", lastLine},
                                         {"column", std::int64_t{1}},
                                         {"found", found},
-                                        {"expected", *layout.announcedRows},
+                                        {"expected", *layout_.announcedRows},
                                         {"items", LT_TEXT("Engine", "rows")}});
     return result;
+}
+
+}  // namespace
+
+TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                   const std::function<double*(std::size_t rows)>& allocate, const Progress& progress)
+{
+    TableReader reader(text, layout, wanted, progress);
+    const std::size_t count = reader.chunkCount();
+    reader.read(0, count, allocate(reader.capacity(0, count)));
+    return reader.summary();
+}
+
+TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                   const RowSink& sink, const Progress& progress)
+{
+    TableReader reader(text, layout, wanted, progress);
+    sink.expect(reader.capacity(0, reader.chunkCount()));
+    std::vector<double> values;
+    for (std::size_t first = 0; first < reader.chunkCount(); first += chunksAtOnce) {
+        const std::size_t last = std::min(first + chunksAtOnce, reader.chunkCount());
+        values.resize(std::max(values.size(), reader.capacity(first, last) * wanted.size()));
+        const std::size_t rows = reader.read(first, last, values.data());
+        sink.take(values.data(), rows);
+        // A line that begins in the last chunk may end behind it, but it has been read.
+        if (sink.done) sink.done(reader.offsetOf(last));
+    }
+    return reader.summary();
 }
 
 }  // namespace lathelier

@@ -76,6 +76,22 @@ struct TableRows {
 TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
                    const std::function<double*(std::size_t rows)>& allocate, const Progress& progress);
 
+/// Where rows go while a large table is read.
+struct RowSink {
+    /// Hears first how many rows there are at most.
+    std::function<void(std::size_t rows)> expect;
+
+    /// Gets the rows of a step, row by row and in their order.
+    std::function<void(const double* values, std::size_t rows)> take;
+
+    /// Hears up to which byte of the text the rows have been taken; may be empty.
+    std::function<void(std::size_t offset)> done;
+};
+
+/// The same in steps of some megabytes of text, for tables that fill the memory.
+TableRows readRows(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                   const RowSink& sink, const Progress& progress);
+
 /// Error malformed for a row with the wrong number of columns (`found_columns`, `expected_columns`), at its end or at
 /// the first cell too many.
 Error columnsDiffer(std::int64_t number, std::string_view line, const std::vector<Cell>& cells, std::size_t expected);

@@ -11,6 +11,7 @@
 #include "engine/core/text.h"
 #include "engine/core/texts.h"
 #include "engine/core/value.h"
+#include "engine/io/input_files.h"
 
 namespace lathelier {
 
@@ -123,13 +124,6 @@ struct Headline {
 };
 
 using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;
-
-/// An input of the report, for the audit.
-struct InputFile {
-    std::string path;
-    std::int64_t bytes = 0;
-    std::string sha256;
-};
 
 struct Section {
     Caption title;

@@ -17,6 +17,8 @@
 namespace lathelier {
 namespace {
 
+using Records = std::vector<const ProbeFile*>;
+
 /// What has to be evaluated for one section.
 struct Task {
     const PreparedRecord* raw = nullptr;
@@ -40,16 +42,16 @@ std::string pathOf(const ProbeFile& file)
 }
 
 /// The diameter asked for, or that of the records, which have to agree.
-double diameterOf(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters)
+double diameterOf(const Records& records, const TrajectoryParameters& parameters)
 {
     if (parameters.workpiece_diameter_mm) return *parameters.workpiece_diameter_mm;
     std::optional<double> first;
-    for (const ProbeFile& file : records) {
-        auto stated = headerNumber(headerOf(file), "D_mm");
-        if (!stated) stated = headerNumber(headerOf(file), "workpiece_diameter_mm");
-        if (!stated || !(*stated > 0)) throw Error(errors::diameterMissing, {{"path", pathOf(file)}});
+    for (const ProbeFile* file : records) {
+        auto stated = headerNumber(headerOf(*file), "D_mm");
+        if (!stated) stated = headerNumber(headerOf(*file), "workpiece_diameter_mm");
+        if (!stated || !(*stated > 0)) throw Error(errors::diameterMissing, {{"path", pathOf(*file)}});
         if (first && *first != *stated)
-            throw Error(errors::recordsDiffer, {{"path", pathOf(file)},
+            throw Error(errors::recordsDiffer, {{"path", pathOf(*file)},
                                                 {"parameter", LT_TEXT("Engine", "the workpiece's diameter")},
                                                 {"first", *first},
                                                 {"found", *stated}});
@@ -134,7 +136,7 @@ void noteFormNotMeasured(TrajectoryResult& result)
                              {"asynchronous_um", rounded(worst->spindle.asynchronous_um)}}});
 }
 
-std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<PreparedRecord>& prepared,
+std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prepared,
                        const TrajectoryParameters& parameters, Notes& notes, const Progress& progress)
 {
     if (parameters.feed_mm_rev && (records.size() != 1 || !parameters.z_mm.empty()))
@@ -146,8 +148,8 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
     prepared.reserve(records.size());  // tasks point into it
     for (std::size_t i = 0; i < records.size(); ++i) {
         progress.report(static_cast<double>(i) / static_cast<double>(records.size()));
-        const std::string path = pathOf(records[i]);
-        if (const auto* averaged = std::get_if<AveragedRecord>(&records[i].record)) {
+        const std::string path = pathOf(*records[i]);
+        if (const auto* averaged = std::get_if<AveragedRecord>(&records[i]->record)) {
             const int revolutions =
                 static_cast<int>(std::clamp(headerNumber(averaged->header, "n_rev").value_or(0), 0.0, 1e9));
             for (const AveragedSection& section : averaged->sections) {
@@ -158,7 +160,7 @@ std::vector<Task> plan(const std::vector<ProbeFile>& records, std::vector<Prepar
             notes.push_back({notes::averagesOnly, {{"path", path}}});
             continue;
         }
-        const auto& record = std::get<ProbeRecord>(records[i].record);
+        const auto& record = std::get<ProbeRecord>(records[i]->record);
         const PreparedRecord& ready = prepared.emplace_back(prepare(record, path, parameters, notes));
         std::vector<Stretch> stretches;
         if (const auto cutting = records.size() == 1 ? cuttingOf(record, parameters, notes) : std::nullopt) {
@@ -266,15 +268,15 @@ std::optional<std::size_t> TrajectoryResult::worstSection() const
     return static_cast<std::size_t>(worst - sections.begin());
 }
 
-TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters,
+TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const TrajectoryParameters& parameters,
                             const Progress& progress)
 {
     TrajectoryResult result;
     result.parameters = parameters;
     if (records.empty()) return result;
     result.workpiece_diameter_mm = diameterOf(records, parameters);
-    for (const ProbeFile& file : records)
-        for (const auto& [key, value] : headerOf(file))
+    for (const ProbeFile* file : records)
+        for (const auto& [key, value] : headerOf(*file))
             if (!find(result.cutting, key)) result.cutting.emplace_back(key, value);
 
     std::vector<PreparedRecord> prepared;
@@ -294,6 +296,14 @@ TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const Traject
     result.verdict = worstVerdict(result.sections);
     progress.report(1);
     return result;
+}
+
+TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters,
+                            const Progress& progress)
+{
+    Records pointers;
+    for (const ProbeFile& file : records) pointers.push_back(&file);
+    return trajectory(pointers, parameters, progress);
 }
 
 }  // namespace lathelier

@@ -125,6 +125,8 @@ struct TrajectoryResult {
 /// fewerRevolutions, revolutionsIncomplete, speedDiffers, Channel…, displacementsLarge, motionOutliers, averagesOnly,
 /// formNotMeasured, zUnknown or tooFewSections (no longitudinal section), valueAssumed, sizeReferenced, mandrelFloor;
 /// those of roundness() once each. Throws Cancelled.
+TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const TrajectoryParameters& parameters = {},
+                            const Progress& progress = {});
 TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});
 

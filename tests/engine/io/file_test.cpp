@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -75,6 +76,109 @@ TEST_F(FileTest, anEmptyFileIsFine)
 {
     writeFile(path("empty"), "");
     EXPECT_EQ(read(path("empty")), "");
+}
+
+/// Another program that keeps writing into a file in place, until this ends.
+class Rewriter {
+public:
+    Rewriter(const std::string& path, std::size_t size, bool truncates) : process_(::fork())
+    {
+        if (process_ != 0) return;
+        const int file = ::open(path.c_str(), O_WRONLY);
+        for (char letter = 'a';; letter = letter == 'z' ? 'a' : static_cast<char>(letter + 1)) {
+            const std::string content(size, letter);
+            if (truncates && ::ftruncate(file, 0) != 0) ::_exit(1);
+            if (::pwrite(file, content.data(), content.size(), 0) < 0) ::_exit(1);
+        }
+    }
+    ~Rewriter()
+    {
+        ::kill(process_, SIGKILL);
+        ::waitpid(process_, nullptr, 0);
+    }
+    Rewriter(const Rewriter&) = delete;
+    Rewriter& operator=(const Rewriter&) = delete;
+
+private:
+    pid_t process_;
+};
+
+class RewrittenFile : public FileTest, public testing::WithParamInterface<bool> {};
+
+TEST_P(RewrittenFile, isReadWholeOrRefused)
+{
+    constexpr std::size_t size = 8'000'000;
+    writeFile(path("a"), std::string(size, 'A'));
+    const Rewriter writer(path("a"), size, GetParam());
+    int refused = 0;
+    for (int i = 0; i < 40 || (i < 2000 && refused == 0); ++i) {
+        try {
+            const FileBytes bytes(path("a"));
+            const std::string_view text = bytes.view();
+            // What is gone after it was read does not matter, nor what comes after.
+            EXPECT_EQ(text.find_first_not_of(text.empty() ? 'A' : text.front()), std::string_view::npos);
+            EXPECT_TRUE(text.size() == size || text.empty());
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::fileChanged);
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 0) << "the writer was never met";
+}
+
+INSTANTIATE_TEST_SUITE_P(InPlaceOrTruncated, RewrittenFile, testing::Bool());
+
+TEST_F(FileTest, aFileLargerThanTheMemoryIsRefusedBeforeItIsRead)
+{
+    writeFile(path("sparse"), "x");
+    fs::resize_file(path("sparse"), std::uintmax_t{1} << 42);
+    const Error error = errorOf([&] { FileBytes file(path("sparse")); });
+    EXPECT_EQ(error.code(), errors::fileTooLarge);
+    EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "found_MiB")), std::int64_t{1} << 22);
+    EXPECT_EQ(fileHead(path("sparse"), 3), std::string("x\0\0", 3));
+}
+
+TEST_F(FileTest, releasedPagesReadAsZeros)
+{
+    const std::string content(1'000'000, 'x');
+    writeFile(path("a"), content);
+    FileBytes bytes(path("a"));
+    bytes.release(500'000);
+    EXPECT_EQ(bytes.view().front(), '\0');
+    EXPECT_EQ(bytes.view().substr(500'000), content.substr(500'000));
+}
+
+TEST_F(FileTest, stampsTellAChangeOfTheSameSize)
+{
+    writeFile(path("a"), "one");
+    const std::string before = fileStamp(path("a"));
+    EXPECT_EQ(fileStamp(path("a")), before);
+    writeFile(path("a"), "two");
+    EXPECT_NE(fileStamp(path("a")), before);
+    EXPECT_EQ(fileStamp(path("none")), "missing");
+}
+
+TEST_F(FileTest, sweepsWhatDeadProcessesLeft)
+{
+    const pid_t dead = ::fork();
+    if (dead == 0) ::_exit(0);
+    ::waitpid(dead, nullptr, 0);
+    const auto part = [&](pid_t owner) { return path(".lathelier-" + std::to_string(owner) + "-0.part"); };
+    const fs::path swept = folder_ / "swept";  // each folder is swept once
+    fs::create_directory(swept);
+    folder_ = swept;
+    const std::string old = part(dead), mine = part(::getpid()), other = path("note.part");
+    for (const std::string& name : {old, mine, other}) {
+        std::ofstream(name) << "x";
+        fs::last_write_time(name, fs::file_time_type::clock::now() - std::chrono::hours(2));
+    }
+    std::ofstream(path(".lathelier-" + std::to_string(dead) + "-1.part")) << "x";
+    writeFile(path("a"), "content");
+    EXPECT_FALSE(fs::exists(old));
+    EXPECT_TRUE(fs::exists(mine));
+    EXPECT_TRUE(fs::exists(other));
+    EXPECT_TRUE(fs::exists(path(".lathelier-" + std::to_string(dead) + "-1.part"))) << "it may be of another machine";
+    folder_ = folder_.parent_path();
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeRead)

@@ -238,7 +238,7 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     EXPECT_EQ(trajectory({fileOf(record)}, parameters).workpiece_diameter_mm, 50);
     parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
     EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::markerElsewhere);
-    EXPECT_TRUE(trajectory({}).sections.empty());
+    EXPECT_TRUE(trajectory(std::vector<ProbeFile>{}).sections.empty());
 }
 
 TEST(Trajectory, ADiscHasNoCylindricityButAllElse)

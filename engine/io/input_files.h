@@ -1,0 +1,56 @@
+// The files that an answer rests on: each is read once, and its digest is of the very bytes that were parsed.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <future>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/io/file.h"
+
+namespace lathelier {
+
+/// A file as the audit names it.
+struct InputFile {
+    std::string path;
+    std::int64_t bytes = 0;
+    std::string sha256;  ///< lower-case hexadecimal
+};
+
+/// Reads files for one computation. Digests are computed beside the parsing. Not for several threads at once.
+class InputFiles {
+public:
+    /// `beside`: digests may use a thread of their own; else they wait until they are asked for.
+    explicit InputFiles(bool beside = true) : beside_(beside) {}
+
+    /// Reads the file and starts its digest. The bytes stay until drop() or the end of this. Errors of FileBytes;
+    /// throws Cancelled.
+    std::string_view open(const std::string& path, const Progress& progress = {});
+
+    /// Gives the memory of the first `count` bytes of the file at `path` back, once the digest has passed them.
+    void release(const std::string& path, std::size_t count);
+
+    /// Gives the memory of the bytes back, as soon as their digests are there. What open() gave is no longer valid.
+    /// Throws Cancelled.
+    void drop();
+
+    /// The files opened so far, in that order, with their digests. Throws Cancelled.
+    std::vector<InputFile> list();
+
+private:
+    struct Entry {
+        std::string path;
+        std::int64_t size = 0;
+        std::shared_ptr<FileBytes> bytes;                  ///< the digest holds it too while it is computed
+        std::shared_ptr<std::atomic<std::size_t>> hashed;  ///< bytes that the digest has passed
+        std::shared_future<std::string> sha256;
+    };
+    std::deque<Entry> entries_;
+    bool beside_;
+};
+
+}  // namespace lathelier

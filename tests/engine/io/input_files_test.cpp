@@ -1,0 +1,37 @@
+#include "engine/io/input_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace lathelier {
+namespace {
+
+class InputFilesTest : public testing::TestWithParam<bool> {};
+
+TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
+{
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("lathelier_inputs_" + std::to_string(::getpid()))).string();
+    const std::string first(3'000'000, 'a');
+    writeFile(path, first);
+    InputFiles inputs(GetParam());
+    EXPECT_EQ(inputs.open(path), first);
+    writeFile(path, "another content");
+    EXPECT_EQ(inputs.open(path), "another content");
+    inputs.drop();
+    inputs.drop();  // nothing is left to give back
+    const std::vector<InputFile> files = inputs.list();
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0].bytes, 3'000'000);
+    EXPECT_EQ(files[0].sha256, sha256(first));
+    EXPECT_EQ(files[1].sha256, sha256("another content"));
+    EXPECT_EQ(files[1].sha256, fileSha256(path));
+    std::filesystem::remove(path);
+}
+
+INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, testing::Bool());
+
+}  // namespace
+}  // namespace lathelier

@@ -136,7 +136,9 @@ void MainWindow::fillRecent()
     QMenu* menu = menus_["recent"];
     menu->clear();
     for (const QString& path : recentFiles()) {
-        QAction* entry = menu->addAction(QFileInfo(path).fileName(), this, [this, path] { files_.open(path); });
+        QString name = screenFileName(path);
+        name.replace("&", "&&");  // no mark of a key
+        QAction* entry = menu->addAction(name, this, [this, path] { files_.open(path); });
         entry->setToolTip(path);
         entry->setStatusTip(path);
     }

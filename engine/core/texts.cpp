@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "engine/core/visible.h"
+
 namespace lathelier {
 namespace {
 
@@ -49,7 +51,7 @@ std::string text(const Value& value, const Language& language)
         }
         std::string operator()(std::int64_t v) const { return std::to_string(v); }
         std::string operator()(double v) const { return number(v, language); }
-        std::string operator()(const std::string& v) const { return v; }
+        std::string operator()(const std::string& v) const { return visible(v); }
         std::string operator()(const std::vector<Interval>& v) const
         {
             std::string result;

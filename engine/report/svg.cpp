@@ -5,38 +5,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/core/visible.h"
 #include "engine/report/png.h"
 
 namespace lathelier {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";
 constexpr std::string_view ink = "#1f2933";
-
-/// The length of the UTF-8 character that starts at text[at]; 0 when it is none.
-std::size_t utf8Length(std::string_view text, std::size_t at)
-{
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0U; };
-    const unsigned first = byte(at);
-    const auto continues = [&](std::size_t count) {
-        for (std::size_t i = 1; i <= count; ++i)
-            if ((byte(at + i) & 0xC0U) != 0x80U) return false;
-        return true;
-    };
-    if (first < 0x80) return 1;
-    if (first >= 0xC2 && first < 0xE0) return continues(1) ? 2 : 0;
-    if (first >= 0xE0 && first < 0xF0) {
-        const bool overlong = first == 0xE0 && byte(at + 1) < 0xA0;
-        const bool surrogate = first == 0xED && byte(at + 1) >= 0xA0;
-        return continues(2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (first >= 0xF0 && first < 0xF5) {
-        const bool overlong = first == 0xF0 && byte(at + 1) < 0x90;
-        const bool beyond = first == 0xF4 && byte(at + 1) >= 0x90;
-        return continues(3) && !overlong && !beyond ? 4 : 0;
-    }
-    return 0;
-}
 
 const char* anchorName(Svg::Anchor anchor)
 {
@@ -53,24 +28,15 @@ const char* anchorName(Svg::Anchor anchor)
 std::string escaped(std::string_view text)
 {
     std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const char c = text[at];
-        const std::size_t length = utf8Length(text, at);
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else if (c == '\'')
-            result += "&#39;";
-        else if (length == 0 || (length == 1 && (c == 0x7F || (c < 0x20 && c != '\n' && c != '\t'))))
-            result += replacement;
-        else
-            result += text.substr(at, length);
-        at += std::max<std::size_t>(length, 1);
+    for (const char c : visible(text, true)) {
+        switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            case '\'': result += "&#39;"; break;
+            default: result += c;
+        }
     }
     return result;
 }

@@ -9,7 +9,8 @@
 
 namespace lathelier {
 
-/// Text for HTML and XML: &, <, >, quotes escaped; control characters and what is no UTF-8 replaced by U+FFFD.
+/// Text for HTML and XML: &, <, >, quotes escaped; what would hide or turn text round made visible() with its lines
+/// kept.
 std::string escaped(std::string_view text);
 
 /// "#rrggbb"

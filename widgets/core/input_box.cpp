@@ -134,7 +134,7 @@ void InputBox::refresh()
     QStringList names, paths;
     for (const Source& source : sources_) {
         paths << QString::fromStdString(source.path);
-        names << QFileInfo(paths.back()).fileName();
+        names << screenFileName(paths.back());
     }
     clear_->setVisible(there);
     how_->setVisible(there);

@@ -89,7 +89,7 @@ void InputColumn::choose(const InputRole& role, const QStringList& paths)
 {
     std::vector<Source> sources;
     for (const QString& path : counted(paths)) sources.push_back(newSource(path));
-    emit sourcesChosen(role, sources, tr("Open %1").arg(QFileInfo(paths.front()).fileName()));
+    emit sourcesChosen(role, sources, tr("Open %1").arg(screenFileName(paths.front())));
 }
 
 void InputColumn::showState(const PanelState& state)

@@ -1,9 +1,14 @@
 #include "widgets/core/language.h"
 
+#include "engine/core/visible.h"
+
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+
+#include "engine/core/visible.h"
 
 namespace lathelier {
 namespace {
@@ -40,6 +45,10 @@ QString screenText(Text english)
 QString screenText(const Value& value)
 {
     return QString::fromStdString(text(value, screenLanguage()));
+}
+QString screenFileName(const QString& path)
+{
+    return QString::fromStdString(visible(QFileInfo(path).fileName().toStdString()));
 }
 QString screenText(const Error& error)
 {

@@ -21,6 +21,9 @@ QString screenText(const Value& value);
 QString screenText(const Error& error);
 QString screenText(const Note& note);
 
+/// The name of the file at `path` without its folder, with what would hide or turn text round made visible.
+QString screenFileName(const QString& path);
+
 /// `value` with `decimals` places in the user's locale, without group separators; empty when it does not exist.
 QString screenNumber(double value, int decimals);
 

@@ -1,6 +1,7 @@
 #include "widgets/core/report_pieces.h"
 
 #include "engine/core/texts.h"
+#include "engine/core/visible.h"
 #include "engine/report/cells.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/polar_svg.h"
@@ -13,7 +14,7 @@ constexpr const char* cellLine = "border-bottom: 1px solid #d8dde3;";
 
 QString escaped(const std::string& text)
 {
-    return QString::fromStdString(text).toHtmlEscaped();
+    return QString::fromStdString(visible(text, true)).toHtmlEscaped();
 }
 
 QString cellHtml(const Value& value, int decimals, const Language& language, const char* tag = "td")

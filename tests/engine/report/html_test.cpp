@@ -16,8 +16,8 @@ namespace {
 
 const std::string nasty = "<script>alert(\"1\")</script> & 'wał' \xFF\xC0\x80 \x01";
 const std::string tamed =
-    "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;wał&#39; \xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD "
-    "\xEF\xBF\xBD";
+    "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;wał&#39; "
+    "&lt;FF&gt;&lt;C0&gt;&lt;80&gt; &lt;U+0001&gt;";
 
 Document fullDocument()
 {

@@ -177,7 +177,7 @@ std::string fromUtf32(std::string_view bytes, bool bigEndian, const Progress& pr
         if ((i & checkMask) == 0) progress.check();
         char32_t c = 0;
         for (std::size_t k = 0; k < 4; ++k) c = (c << 8) | byteAt(bytes, bigEndian ? i + k : i + 3 - k);
-        appendUtf8(result, c > 0x10FFFF ? 0xFFFD : plainCharacter(c));
+        appendUtf8(result, c > 0x10FFFF || (c >= 0xD800 && c <= 0xDFFF) ? 0xFFFD : plainCharacter(c));
     }
     return result;
 }
@@ -232,9 +232,14 @@ DecodedText::DecodedText(std::string owned, std::string encoding)
 DecodedText::DecodedText(DecodedText&& other) noexcept = default;
 DecodedText& DecodedText::operator=(DecodedText&& other) noexcept = default;
 
+bool hasUtf32Mark(std::string_view bytes)
+{
+    return bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark);
+}
+
 bool looksLikeText(std::string_view bytes)
 {
-    if (bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark)) return true;
+    if (hasUtf32Mark(bytes)) return true;
     std::size_t mark = 0;
     const Encoding found = detect(bytes, mark);
     if (found == Encoding::Utf16le || found == Encoding::Utf16be) return true;
@@ -247,7 +252,7 @@ bool looksLikeText(std::string_view bytes)
 
 DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress& progress)
 {
-    if (encoding == Encoding::Auto && (bytes.starts_with(utf32leMark) || bytes.starts_with(utf32beMark))) {
+    if (encoding == Encoding::Auto && hasUtf32Mark(bytes)) {
         const bool bigEndian = bytes.front() == '\0';
         std::string text = fromUtf32(bytes.substr(4), bigEndian, progress);
         cutFilling(text);

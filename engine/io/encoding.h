@@ -35,6 +35,9 @@ private:
 /// True when `bytes` are text in one of the encodings: no NUL and no control characters where text has none.
 bool looksLikeText(std::string_view bytes);
 
+/// True for a byte order mark of UTF-32.
+bool hasUtf32Mark(std::string_view bytes);
+
 /// Decodes. Auto: byte order mark (also of UTF-32), else UTF-16 by its zero bytes, else UTF-8 when valid, else Latin-1
 /// (Windows-1252). A plain ASCII or UTF-8 text is not copied. Error malformed (`byte`) when the given encoding does not
 /// fit.

@@ -108,6 +108,8 @@ using Reader = RawScan (*)(const ScanSource&);
 
 Reader binaryReader(std::string_view bytes)
 {
+    // Text in UTF-32 can have the size of an STL whose number of facets is one of its characters.
+    if (hasUtf32Mark(bytes)) return nullptr;
     if (bytes.size() >= 84 && binaryStlSize(bytes) == bytes.size()) return readBinaryStl;
     if (startsLikePly(bytes)) {
         const std::string_view head = bytes.substr(0, headBytes);

@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <system_error>
+
 #include "app/cli/run.h"
 
 namespace lathelier::cli {
@@ -27,11 +29,16 @@ Interruption::Interruption()
 {
     const sigset_t set = awaitedSignals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
-    waiter_ = std::thread([this] { wait(); });
+    try {
+        waiter_ = std::thread([this] { wait(); });
+    } catch (const std::system_error&) {  // no memory for a thread: the signals end the program as they always do
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    }
 }
 
 Interruption::~Interruption()
 {
+    if (!waiter_.joinable()) return;
     done_ = true;
     pthread_kill(waiter_.native_handle(), wakeSignal);
     waiter_.join();

@@ -8,6 +8,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/standard_streams.h"
 #include "engine/core/core_codes.h"
+#include "engine/core/failure.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
 #include "engine/io/units.h"
@@ -53,9 +54,9 @@ void blame(Error& error, const Invocation& invocation)
 }
 
 /// What every verb's object begins and ends with.
-Json envelope(const Invocation& invocation, Inputs& inputs, const Answer& answer)
+Json envelope(const Invocation& invocation, InputFiles& inputs, const Answer& answer)
 {
-    Json result = resultHead(invocation.verb->name, inputs.files(), invocation.request.parameters);
+    Json result = resultHead(invocation.verb->name, inputs.list(), invocation.request.parameters);
     Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
     if (!answer.errors.empty()) {
@@ -69,6 +70,16 @@ Json envelope(const Invocation& invocation, Inputs& inputs, const Answer& answer
     return result;
 }
 
+/// What is left of it when there is no memory, not even for the digests of the inputs.
+Json shortEnvelope(const Invocation& invocation, const Answer& answer)
+{
+    Json result = resultHead(invocation.verb->name, {}, invocation.request.parameters);
+    for (const std::string& path : invocation.request.operands) result["inputs"].push_back({{"path", path}});
+    result["error"] = toJson(answer.errors.back());
+    result["notes"] = Json::array({result["error"]});
+    return result;
+}
+
 std::string now()
 {
     const std::time_t seconds = std::time(nullptr);
@@ -78,10 +89,10 @@ std::string now()
     return {buffer, std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%S%z", &local)};
 }
 
-void writeReport(const std::string& path, const Answer& answer, Inputs& inputs, const Progress& progress)
+void writeReport(const std::string& path, const Answer& answer, InputFiles& inputs, const Progress& progress)
 {
     Document document = answer.report();
-    document.inputs = inputs.files();
+    document.inputs = inputs.list();
     document.created = now();
     quoteVerification(document, verify({}, progress));
     writeFile(path, toHtml(document));
@@ -95,13 +106,27 @@ void gather(Answer& answer, Work work)
         work();
     } catch (const Cancelled&) {
         throw;
-    } catch (const Error& error) {
-        answer.errors.push_back(error);
-    } catch (const std::bad_alloc&) {
-        answer.errors.emplace_back(errors::outOfMemory, Values{});
     } catch (const std::exception& failure) {
-        answer.errors.emplace_back(errors::internal, Values{{"reason", std::string(failure.what())}});
+        answer.errors.push_back(toError(failure));
     }
+}
+
+/// Hands the whole object to `write`. Where the memory is too short for that, the answer gives way to the error.
+template <class Write>
+void writeJson(const Invocation& invocation, InputFiles& inputs, Answer& answer, Write write)
+{
+    gather(answer, [&] {
+        try {
+            write(envelope(invocation, inputs, answer));
+        } catch (const std::exception& failure) {
+            if (!(toError(failure).code() == errors::outOfMemory)) throw;
+            answer.json = nullptr;
+            answer.report = nullptr;
+            answer.summary.clear();
+            answer.errors.emplace_back(errors::outOfMemory, Values{});
+            write(shortEnvelope(invocation, answer));
+        }
+    });
 }
 
 std::string forPeople(const Answer& answer)
@@ -116,21 +141,32 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
 {
     const CommonOptions& common = invocation.common;
     const ThreadLimit limit(common.threads);
-    Inputs inputs(common.threads != 1);
+    InputFiles inputs(common.threads != 1);
     Answer answer;
     gather(answer, [&] { invocation.verb->run(invocation.request, inputs, progress, answer); });
     for (Error& error : answer.errors) blame(error, invocation);
     if (!common.report.empty() && answer.report && answer.errors.empty())
         gather(answer, [&] { writeReport(common.report, answer, inputs, progress); });
-    progress.check();  // after the last point where a stop leaves nothing behind but what was asked for
+    progress.check();
     line.clear();
 
+    // A file is there whole or not at all, so that a stop at any moment leaves what was finished before it.
     const bool json_on_stdout = common.json == "-";
     if (!common.json.empty() && !json_on_stdout)
-        gather(answer, [&] { writeFile(common.json, toText(envelope(invocation, inputs, answer))); });
+        writeJson(invocation, inputs, answer, [&](const Json& json) {
+            writeFile(common.json, [&](const Append& append) {
+                writeText(json, [&](std::string_view step) {
+                    progress.check();
+                    append(step);
+                });
+            });
+        });
     if (!common.quiet)
-        gather(answer, [&] { print(json_on_stdout ? Stream::Errors : Stream::Answers, forPeople(answer)); });
-    if (json_on_stdout) gather(answer, [&] { print(Stream::Answers, toText(envelope(invocation, inputs, answer))); });
+        gather(answer, [&] { print(json_on_stdout ? Stream::Errors : Stream::Answers, forPeople(answer), progress); });
+    if (json_on_stdout)
+        writeJson(invocation, inputs, answer, [&](const Json& json) {
+            writeText(json, [&](std::string_view step) { print(Stream::Answers, step, progress); });
+        });
     for (const Error& error : answer.errors)
         print(Stream::Errors, std::string(programName) + ": " + text(error) + "\n");
     return exitCode(answer, common.strict);

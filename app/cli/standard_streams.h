@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "engine/core/progress.h"
+
 namespace lathelier::cli {
 
 enum class Stream {
@@ -10,7 +12,8 @@ enum class Stream {
     Errors    ///< standard error; what cannot be written there is lost
 };
 
-/// Writes all of it. Error fileNotWritable for Answers, such as on a full disk or when the reader has gone.
-void print(Stream stream, std::string_view text);
+/// Writes all of it, also where the stream does not block. Error fileNotWritable for Answers, such as on a full disk or
+/// when the reader has gone. Throws Cancelled while a reader keeps it waiting.
+void print(Stream stream, std::string_view text, const Progress& progress = {});
 
 }  // namespace lathelier::cli

@@ -1,14 +1,47 @@
 #include "engine/report/result_json.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
+
+#include "engine/core/visible.h"
 
 namespace lathelier {
 namespace {
 
+constexpr std::size_t stepSize = std::size_t{1} << 16;
+
+/// Gathers text and hands it on in steps.
+class Sink {
+public:
+    explicit Sink(const std::function<void(std::string_view)>& append) : append_(append) {}
+
+    Sink& operator+=(std::string_view text)
+    {
+        buffer_ += text;
+        if (buffer_.size() >= stepSize) flush();
+        return *this;
+    }
+
+    void flush()
+    {
+        append_(buffer_);
+        buffer_.clear();
+    }
+
+private:
+    const std::function<void(std::string_view)>& append_;
+    std::string buffer_;
+};
+
+/// Characters that turn round or hide text on a terminal are escaped, which JSON reads as the same text.
 std::string scalar(const Json& json)
 {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto dumped = [&json](bool asciiOnly) {
+        return json.dump(-1, ' ', asciiOnly, Json::error_handler_t::replace);
+    };
+    std::string text = dumped(false);
+    return json.is_string() && visible(text) != text ? dumped(true) : text;
 }
 
 bool isFlat(const Json& array)
@@ -23,9 +56,9 @@ bool isShort(const Json& array)
 }
 
 /// An array on one line.
-void writeFlat(const Json& array, std::string& out)
+void writeFlat(const Json& array, Sink& out)
 {
-    out += '[';
+    out += "[";
     bool first = true;
     for (const Json& item : array) {
         if (!first) out += ", ";
@@ -35,10 +68,10 @@ void writeFlat(const Json& array, std::string& out)
         else
             out += scalar(item);
     }
-    out += ']';
+    out += "]";
 }
 
-void write(const Json& json, const std::string& indent, std::string& out)
+void write(const Json& json, const std::string& indent, Sink& out)
 {
     if (!json.is_structured() || json.empty()) {
         out += scalar(json);
@@ -77,11 +110,19 @@ Json wholeResult(const std::string& command, const std::vector<InputFile>& input
     return whole;
 }
 
+void writeText(const Json& json, const std::function<void(std::string_view)>& append)
+{
+    Sink sink(append);
+    write(json, "", sink);
+    sink += "\n";
+    sink.flush();
+}
+
 std::string toText(const Json& json)
 {
     std::string result;
-    write(json, "", result);
-    return result + "\n";
+    writeText(json, [&result](std::string_view step) { result += step; });
+    return result;
 }
 
 std::string joinedResults(const std::vector<std::string>& results)

@@ -1,7 +1,9 @@
 // A result as one JSON object: what the command line prints, and what the window writes beside a report.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/json.h"
@@ -18,6 +20,9 @@ Json wholeResult(const std::string& command, const std::vector<InputFile>& input
 
 /// Indented by two spaces, arrays of numbers on one line; ends with a line feed.
 std::string toText(const Json& json);
+
+/// The same text, handed on in steps as it is made: for large objects, and for callers that may be stopped.
+void writeText(const Json& json, const std::function<void(std::string_view)>& append);
 
 /// The results of a report (Document::results) as one text: a single one as it is, several as {"results": [...]}; empty
 /// when there is none.

@@ -1,10 +1,9 @@
 #include "widgets/core/worker.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
-#include "engine/core/core_codes.h"
+#include "engine/core/failure.h"
 
 namespace lathelier {
 namespace {
@@ -15,12 +14,8 @@ Worker::Outcome compute(const Worker::Job& job, const Progress& progress)
         return job(progress);
     } catch (const Cancelled& cancelled) {
         return cancelled;
-    } catch (const Error& error) {
-        return error;
-    } catch (const std::bad_alloc&) {
-        return Error(errors::outOfMemory, {});
-    } catch (const std::exception& problem) {
-        return Error(errors::internal, {{"reason", std::string(problem.what())}});
+    } catch (const std::exception& failure) {
+        return toError(failure);
     }
 }
 

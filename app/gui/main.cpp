@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <csignal>
 #include <iostream>
 
 #include "app/gui/arguments.h"
@@ -12,6 +13,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/report_command.h"
 #include "app/gui/shots.h"
+#include "app/gui/shutdown.h"
 #include "app/gui/theme.h"
 #include "widgets/core/resources.h"
 
@@ -36,6 +38,13 @@ int runWindow(const Arguments& arguments, Languages& languages)
     window.openPaths(arguments.files);
     if (shots) return takeShots(window, arguments.shots);
     window.show();
+    const Shutdown shutdown;
+    const auto leave = [&window] {
+        window.files().leaveWithoutAsking();
+        QCoreApplication::exit(0);
+    };
+    QObject::connect(&shutdown, &Shutdown::wanted, &window, leave);
+    QObject::connect(qApp, &QGuiApplication::commitDataRequest, &window, [&window] { window.files().keepAside(); });
     QTimer::singleShot(0, &window, [&window] { window.files().offerLostWork(); });
     return QApplication::exec();
 }
@@ -44,6 +53,8 @@ int runWindow(const Arguments& arguments, Languages& languages)
 
 int main(int argc, char** argv)
 {
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like any other
+    std::signal(SIGXFSZ, SIG_IGN);  // so is a limit on the size of files
     const Arguments arguments = parseArguments(wordsOf(argc, argv));
     if (!arguments.error.isEmpty()) {
         std::cerr << arguments.error.toStdString() << "\n" << usage().toStdString();

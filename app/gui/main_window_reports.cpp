@@ -8,6 +8,7 @@
 #include "app/gui/main_window.h"
 #include "widgets/core/number_edit.h"
 #include "widgets/core/report_files.h"
+#include "widgets/core/report_parts.h"
 
 namespace lathelier {
 namespace {
@@ -46,9 +47,16 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
     takeOverTyping(this);
     if (!waitForPanels(docks, this)) return;
     std::vector<Document> parts;
-    for (PanelDock* dock : docks)
-        if (auto part = dock->panel().reportDocument()) parts.push_back(std::move(*part));
-    if (parts.empty()) {
+    bool answered = false;
+    for (PanelDock* dock : docks) {
+        PanelBase& panel = dock->panel();
+        auto part = panel.reportDocument();
+        answered = answered || part;
+        parts.push_back(part ? std::move(*part)
+                             : partWithoutAnswer(panel.facts(), session_.panel(panel.facts().stateKey()), panel.error(),
+                                                 screenLanguage()));
+    }
+    if (!answered) {
         announce({Phrase{LT_TEXT("Engine", "There is no result to report yet."), {}}, {}});
         return;
     }

@@ -26,6 +26,7 @@ ProjectFiles::ProjectFiles(Session& session, const QString& recoveryFolder, QWid
 {
     if (!recoveryFolder.isEmpty()) recovery_ = std::make_unique<Recovery>(recoveryFolder);
     connect(&autosave_, &QTimer::timeout, this, &ProjectFiles::keepAside);
+    connect(&session_.watch(), &SourceWatch::found, this, [this](const Note& note) { emit messageRaised({note, {}}); });
 }
 
 bool ProjectFiles::isProject(const QString& path)
@@ -47,23 +48,35 @@ void ProjectFiles::open(const QString& path)
 {
     if (!mayLeave()) return;
     try {
-        opened(session_.open(QFileInfo(path).absoluteFilePath()), path);
+        session_.open(QFileInfo(path).absoluteFilePath());
     } catch (const Error& error) {
         emit messageRaised({error, {}});
+        return;
     }
-}
-
-void ProjectFiles::opened(const Notes& notes, const QString& path)
-{
     addRecentFile(path);
     emit recentChanged();
-    for (const Note& note : notes) emit messageRaised({note, {}});
 }
 
 bool ProjectFiles::save()
 {
     takeOverTyping(window_);
     return session_.path().isEmpty() ? saveAs() : write(session_.path());
+}
+
+/// Somebody else has written the project since it was opened: neither version is lost without a word.
+ProjectFiles::Overtaken ProjectFiles::askOvertaken(const QString& path)
+{
+    QMessageBox box(
+        QMessageBox::Warning, tr("Changed elsewhere"),
+        tr("%1 was changed by another window or program since it was opened here.").arg(screenFileName(path)),
+        QMessageBox::NoButton, window_);
+    box.setInformativeText(tr("Both versions stay when yours gets another name."));
+    const QPushButton* other = box.addButton(tr("Save under another name…"), QMessageBox::AcceptRole);
+    const QPushButton* replace = box.addButton(tr("Replace it"), QMessageBox::DestructiveRole);
+    box.addButton(QMessageBox::Cancel);
+    box.exec();
+    if (box.clickedButton() == other) return Overtaken::OtherName;
+    return box.clickedButton() == replace ? Overtaken::Replace : Overtaken::Stay;
 }
 
 bool ProjectFiles::saveAs()
@@ -77,6 +90,11 @@ bool ProjectFiles::saveAs()
 
 bool ProjectFiles::write(const QString& path)
 {
+    if (QFileInfo(path) == QFileInfo(session_.path()) && session_.isOvertaken()) {
+        const Overtaken answer = askOvertaken(path);
+        if (answer == Overtaken::OtherName) return saveAs();
+        if (answer == Overtaken::Stay) return false;
+    }
     try {
         session_.save(path);
     } catch (const Error& error) {
@@ -108,8 +126,7 @@ void ProjectFiles::offerLostWork()
 {
     if (!recovery_) return;
     for (const LostWork& work : recovery_->lostWork()) {
-        const QString name =
-            work.original.isEmpty() ? tr("a project without a name") : QFileInfo(work.original).fileName();
+        const QString name = work.original.isEmpty() ? tr("a project without a name") : screenFileName(work.original);
         QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
                         tr("Lathelier ended unexpectedly. Unsaved work on %1 was kept.").arg(name),
                         QMessageBox::NoButton, window_);
@@ -121,7 +138,7 @@ void ProjectFiles::offerLostWork()
         if (box.clickedButton() != recover) continue;
         if (!mayLeave()) return;
         try {
-            for (const Note& note : session_.recover(work.file, work.original)) emit messageRaised({note, {}});
+            session_.recover(work.file, work.original, work.original_sha256);
             keepAside();
             Recovery::discard(work);
         } catch (const Error& error) {
@@ -148,6 +165,12 @@ void ProjectFiles::keepAside()
     } catch (const Error& error) {
         emit messageRaised({error, {}});
     }
+}
+
+void ProjectFiles::leaveWithoutAsking()
+{
+    keepAside();
+    if (recovery_) recovery_->leave();
 }
 
 QString ProjectFiles::makeSample()

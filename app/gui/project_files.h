@@ -33,6 +33,9 @@ public:
     void setAutosave(int minutes);  ///< 0: never
     void keepAside();               ///< what autosave does
 
+    /// The program ends without a question (logout, shutdown): unsaved work is kept for the next start.
+    void leaveWithoutAsking();
+
     static bool isProject(const QString& path);
     static QString filter();  ///< for file dialogs
 
@@ -41,8 +44,10 @@ signals:
     void recentChanged();
 
 private:
+    enum class Overtaken { OtherName, Replace, Stay };
+
     bool write(const QString& path);
-    void opened(const Notes& notes, const QString& path);
+    Overtaken askOvertaken(const QString& path);
     QString makeSample();
 
     Session& session_;

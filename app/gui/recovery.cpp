@@ -37,22 +37,29 @@ Recovery::Recovery(const QString& folder) : folder_(folder)
 
 Recovery::~Recovery()
 {
-    forget();
+    if (!file_.isEmpty()) forget();
+}
+
+void Recovery::leave()
+{
+    lock_->unlock();
+    file_.clear();
 }
 
 void Recovery::keep(const Session& session)
 {
+    if (file_.isEmpty()) return;
     if (!session.isModified()) {
         forget();
         return;
     }
     session.saveCopy(file_);
-    writeFile(pathFile(file_).toStdString(), session.path().toStdString());
+    writeFile(pathFile(file_).toStdString(), session.savedSha256() + "\n" + session.path().toStdString());
 }
 
 void Recovery::forget()
 {
-    removeAll(file_);
+    if (!file_.isEmpty()) removeAll(file_);
 }
 
 std::vector<LostWork> Recovery::lostWork() const
@@ -66,9 +73,13 @@ std::vector<LostWork> Recovery::lostWork() const
         lock.setStaleLockTime(0);
         if (!lock.tryLock(0)) continue;  // another window is working on it
         QFile path(pathFile(file));
+        std::string sha256;
         QString original;
-        if (path.open(QIODevice::ReadOnly)) original = QString::fromUtf8(path.readAll());
-        result.push_back({file, original});
+        if (path.open(QIODevice::ReadOnly)) {
+            sha256 = path.readLine().trimmed().toStdString();
+            original = QString::fromUtf8(path.readAll());
+        }
+        result.push_back({file, original, sha256});
     }
     return result;
 }

@@ -12,8 +12,9 @@ namespace lathelier {
 
 /// Unsaved work of a run that did not end properly.
 struct LostWork {
-    QString file;      ///< the project as it was kept aside
-    QString original;  ///< the project file it belongs to; empty: it had none
+    QString file;                 ///< the project as it was kept aside
+    QString original;             ///< the project file it belongs to; empty: it had none
+    std::string original_sha256;  ///< of that file when the work on it began
 };
 
 /// The place of this run's unsaved work inside `folder`. The files of a run are locked while it lives; what is there
@@ -26,6 +27,9 @@ public:
     /// Keeps the session's state when it is modified, forgets it when it is not. Throws Error.
     void keep(const Session& session);
     void forget();
+
+    /// This run ends now: what is kept stays for the next one.
+    void leave();
 
     std::vector<LostWork> lostWork() const;
     static void discard(const LostWork& work);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <iostream>
 
+#include "engine/core/failure.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_files.h"
+#include "widgets/core/report_parts.h"
 #include "widgets/core/stores.h"
 
 namespace lathelier {
@@ -38,30 +40,53 @@ std::vector<std::string> reported(const Project& project, const std::vector<Pane
 
 int runReport(const QString& file, const QString& project, const std::vector<PanelFacts>& panels)
 {
+    int code = 0;
+    const auto say = [](const QString& text) { std::cerr << text.toStdString() << '\n'; };
+    const auto refuse = [&](const Error& error) {
+        say(screenText(error));
+        if (code == 0) code = exitCode(error.code().kind);
+    };
     try {
-        const ProjectFile opened = readProject(QFileInfo(project).absoluteFilePath().toStdString());
-        for (const Note& note : opened.notes) std::cerr << screenText(note).toStdString() << '\n';
+        const Project opened = readProject(QFileInfo(project).absoluteFilePath().toStdString()).project;
+        for (const Note& note : checkSources(opened)) say(screenText(note));
         Stores stores;
         std::vector<Document> parts;
-        for (const std::string& id : reported(opened.project, panels)) {
+        bool answered = false;
+        for (const std::string& id : reported(opened, panels)) {
             const auto facts =
                 std::find_if(panels.begin(), panels.end(), [&](const PanelFacts& panel) { return panel.id == id; });
             if (facts == panels.end()) continue;
-            const auto state = opened.project.panels.find(facts->stateKey());
-            if (state != opened.project.panels.end())
-                parts.push_back(facts->report(state->second, stores, screenLanguage(), {}));
+            const auto found = opened.panels.find(facts->stateKey());
+            const PanelState state = found == opened.panels.end() ? PanelState() : found->second;
+            const Language language = screenLanguage();
+            if (facts->missing && !facts->missing(state).empty()) {
+                parts.push_back(partWithoutAnswer(*facts, state, {}, language));
+                for (const Text input : facts->missing(state))
+                    say(screenText(facts->title) + ": " + screenText(input) + " – " +
+                        screenText(LT_TEXT("Engine", "missing")));
+                if (code == 0) code = exitCode(ErrorKind::NoAnswer);
+                continue;
+            }
+            try {
+                parts.push_back(facts->report(state, stores, language, {}));
+                answered = true;
+            } catch (const std::exception& failure) {  // the other panels are reported all the same
+                parts.push_back(partWithoutAnswer(*facts, state, toError(failure), language));
+                refuse(toError(failure));
+            }
         }
-        if (parts.empty()) {
-            std::cerr << screenText(LT_TEXT("Engine", "The project has nothing to report.")).toStdString() << '\n';
-            return 4;
+        if (!answered) {
+            say(screenText(LT_TEXT("Engine", "The project has nothing to report.")));
+            return code == 0 ? exitCode(ErrorKind::NoAnswer) : code;
         }
         writeReport(file, joined(parts, QFileInfo(project).completeBaseName().toStdString()));
-    } catch (const Error& error) {
-        std::cerr << screenText(error).toStdString() << '\n';
-        return exitCode(error.code().kind);
+    } catch (const std::exception& failure) {
+        code = 0;  // that nothing was written matters more than what is missing in it
+        refuse(toError(failure));
+        return code;
     }
-    std::cerr << QFileInfo(file).absoluteFilePath().toStdString() << '\n';
-    return 0;
+    say(QFileInfo(file).absoluteFilePath());
+    return code;
 }
 
 }  // namespace lathelier

@@ -8,8 +8,10 @@
 
 namespace lathelier {
 
-/// Computes the panels of the project's report (none named: all that have inputs) and writes them to `file`.
-/// Returns the exit code of COMMAND_LINE: 0, or 2, 3, 4 by the kind of the error, which is said on standard error.
+/// Computes the panels of the project's report (none named: all that have inputs) and writes them to `file`. A panel
+/// without an answer is named in the report with the reason.
+/// Returns the exit code of the command line: 0, or 2 to 5 by the kind of the first error, which is said on standard
+/// error; 4 when an input is missing.
 int runReport(const QString& file, const QString& project, const std::vector<PanelFacts>& panels);
 
 }  // namespace lathelier

@@ -1,6 +1,7 @@
 #include "engine/project/project.h"
 
 #include <filesystem>
+#include <set>
 
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -19,29 +20,6 @@ fs::path folderOf(const std::string& path)
     return fs::absolute(path).lexically_normal().parent_path();
 }
 
-/// Says what became of the files since the project was saved. Only regular files are opened: a pipe would wait.
-Notes checkSources(const Project& project)
-{
-    Notes notes;
-    for (const auto& [id, panel] : project.panels)
-        for (const auto& [role, source] : panel.inputs) {
-            if (source.path.empty()) continue;
-            std::error_code ignored;
-            if (!fs::is_regular_file(source.path, ignored)) {
-                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
-                continue;
-            }
-            if (source.sha256.empty()) continue;
-            try {
-                if (sha256(FileBytes(source.path).view()) != source.sha256)
-                    notes.push_back({notes::sourceChanged, {{"path", source.path}}});
-            } catch (const Error&) {  // gone or locked in this moment; opening it will say why
-                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
-            }
-        }
-    return notes;
-}
-
 }  // namespace
 
 ProjectFile readProject(const std::string& path)
@@ -53,17 +31,42 @@ ProjectFile readProject(const std::string& path)
             throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(largestProject)},
                                             {"found", LT_TEXT("Engine", "more")},
                                             {"expected", LT_TEXT("Engine", "a project of at most 64 MB")}});
-        ProjectFile result{parseProject(bytes.view(), folderOf(path)), {}};
-        result.notes = checkSources(result.project);
-        return result;
+        return {parseProject(bytes.view(), folderOf(path)), sha256(bytes.view())};
     } catch (Error& error) {
         throw error.with("path", path);
     }
 }
 
-void writeProject(const std::string& path, const Project& project)
+std::string writeProject(const std::string& path, const Project& project)
 {
-    writeFile(path, toJsonText(project, folderOf(path)));
+    const std::string text = toJsonText(project, folderOf(path));
+    writeFile(path, text);
+    return sha256(text);
+}
+
+Notes checkSources(const Project& project, const Progress& progress)
+{
+    Notes notes;
+    std::set<std::string> done;
+    for (const auto& [id, panel] : project.panels)
+        for (const auto& [role, source] : panel.inputs) {
+            progress.check();
+            if (source.path.empty() || !done.insert(source.path + "\n" + source.sha256).second) continue;
+            // Only regular files are opened: a pipe would wait.
+            std::error_code unknown;
+            if (!fs::is_regular_file(source.path, unknown)) {
+                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
+                continue;
+            }
+            if (source.sha256.empty() || fs::file_size(source.path, unknown) > largestFile_bytes()) continue;
+            try {
+                if (fileSha256(source.path, progress) != source.sha256)
+                    notes.push_back({notes::sourceChanged, {{"path", source.path}}});
+            } catch (const Error&) {  // gone, locked or written to in this moment; opening it will say why
+                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
+            }
+        }
+    return notes;
 }
 
 }  // namespace lathelier

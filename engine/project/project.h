@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
 #include "engine/core/value.h"
 
 namespace lathelier {
@@ -35,16 +36,22 @@ struct Project {
 };
 
 /// Reads a project file (JSON, format version 1; see project_json.h). Older versions are migrated, newer ones refused.
-/// Source paths come out absolute. A source whose content no longer has the stored SHA-256 gives the note
-/// sourceChanged, a missing one sourceMissing; the project opens all the same. Errors: those of FileBytes, fileEmpty,
-/// malformed (line, column), versionTooNew.
+/// Source paths come out absolute; the sources themselves are not looked at. Errors: those of FileBytes, fileEmpty,
+/// malformed (line, column; also more than 1000 panels, 1000 inputs of a panel or 10 000 ranges of a parameter),
+/// versionTooNew.
 struct ProjectFile {
     Project project;
-    Notes notes;
+    std::string sha256;  ///< of the project file
 };
 ProjectFile readProject(const std::string& path);
 
-/// Writes beside and renames: the old file stays whole if anything fails. Error fileNotWritable.
-void writeProject(const std::string& path, const Project& project);
+/// What became of the sources since the project was saved: sourceChanged where the content no longer has the stored
+/// SHA-256, sourceMissing where there is no file. Files too large to be read are left out. Reads all of them: not for
+/// the GUI thread. Throws Cancelled.
+Notes checkSources(const Project& project, const Progress& progress = {});
+
+/// Writes beside and renames: the old file stays whole if anything fails. Gives the SHA-256 of what was written. Error
+/// fileNotWritable.
+std::string writeProject(const std::string& path, const Project& project);
 
 }  // namespace lathelier

@@ -14,6 +14,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* formatName = "lathelier-project";
 
+// More than any project of ours has by a factor of ten: beyond, the file is damaged or made to harm.
+constexpr std::size_t mostPanels = 1000;
+constexpr std::size_t mostInputs = 1000;
+constexpr std::size_t mostParameters = 1000;
+constexpr std::size_t mostRanges = 10000;
+
 /// A value that is not what is expected at its place.
 struct Misfit {
     JsonPath path;
@@ -41,16 +47,18 @@ public:
 
     /// Calls use(key, value) for each member.
     template <class Use>
-    void members(Use use) const
+    void members(std::size_t most, Use use) const
     {
         if (!json_.is_object()) reject(LT_TEXT("Engine", "an object"));
+        if (json_.size() > most) reject(LT_TEXT("Engine", "fewer members"));
         for (const auto& [name, value] : json_.items()) use(name, Cursor(value, inside(name)));
     }
 
     template <class Use>
-    void items(Use use) const
+    void items(std::size_t most, Use use) const
     {
         if (!json_.is_array()) reject(LT_TEXT("Engine", "a list"));
+        if (json_.size() > most) reject(LT_TEXT("Engine", "a shorter list"));
         for (std::size_t i = 0; i < json_.size(); ++i) use(Cursor(json_[i], inside(std::to_string(i))));
     }
 
@@ -58,6 +66,7 @@ public:
     {
         constexpr auto largest = static_cast<std::uint64_t>(INT64_MAX);
         const bool tooLarge = json_.is_number_unsigned() && json_.get<std::uint64_t>() > largest;
+        if (json_.is_array() && json_.size() > mostRanges) reject(LT_TEXT("Engine", "fewer ranges"));
         Value result = tooLarge ? Value() : valueFromJson(json_);
         if (!json_.is_null() && std::holds_alternative<std::monostate>(result))
             reject(LT_TEXT("Engine", "a number, a text, true, false, null or ranges"));
@@ -67,7 +76,8 @@ public:
     Values values() const
     {
         Values result;
-        members([&](const std::string& name, const Cursor& member) { set(result, name, member.value()); });
+        members(mostParameters,
+                [&](const std::string& name, const Cursor& member) { set(result, name, member.value()); });
         return result;
     }
 
@@ -104,7 +114,7 @@ std::string relativePath(const std::string& path, const fs::path& folder)
 Source parseSource(const Cursor& cursor, const fs::path& folder)
 {
     Source source;
-    cursor.members([&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
         if (key == "path")
             source.path = absolutePath(member.string(), folder);
         else if (key == "import")
@@ -122,9 +132,9 @@ Source parseSource(const Cursor& cursor, const fs::path& folder)
 PanelState parsePanel(const Cursor& cursor, const fs::path& folder)
 {
     PanelState panel;
-    cursor.members([&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
         if (key == "inputs")
-            member.members([&](const std::string& role, const Cursor& source) {
+            member.members(mostInputs, [&](const std::string& role, const Cursor& source) {
                 panel.inputs[role] = parseSource(source, folder);
             });
         else if (key == "parameters")
@@ -138,16 +148,17 @@ PanelState parsePanel(const Cursor& cursor, const fs::path& folder)
 Project parseBody(const Cursor& cursor, const fs::path& folder)
 {
     Project project;
-    cursor.members([&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
         if (key == "title")
             project.title = member.string();
         else if (key == "workspace")
             project.workspace = member.string();
         else if (key == "panels")
-            member.members(
-                [&](const std::string& id, const Cursor& panel) { project.panels[id] = parsePanel(panel, folder); });
+            member.members(mostPanels, [&](const std::string& id, const Cursor& panel) {
+                project.panels[id] = parsePanel(panel, folder);
+            });
         else if (key == "report")
-            member.items([&](const Cursor& id) { project.report.push_back(id.string()); });
+            member.items(mostPanels, [&](const Cursor& id) { project.report.push_back(id.string()); });
         else if (key != "format" && key != "version")
             member.reject(oneOf("format | version | title | workspace | panels | report"));
     });

@@ -8,11 +8,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
+#include <csignal>
 
 #include "app/gui/arguments.h"
 #include "app/gui/command_palette.h"
 #include "app/gui/main_window.h"
 #include "app/gui/report_command.h"
+#include "app/gui/shutdown.h"
 #include "tests/widgets/core/fake_panel.h"
 #include "widgets/core/number_edit.h"
 #include "widgets/core/resources.h"
@@ -380,6 +382,65 @@ private slots:
         QVERIFY(pdf.read(5) == "%PDF-");
         QCOMPARE(runReport(folder_.filePath("x.html"), folder_.filePath("missing.lathelier"), table), 3);
         QCOMPARE(runReport("/nowhere/x.html", project, table), 5);
+    }
+
+    void reportNamesWhatHasNoAnswer()
+    {
+        window_->openPaths({makeFile("a.txt")});
+        session_->edit("report", [](Project& project) {
+            project.report = {"one", "two", "round"};
+            lathelier::set(project.panels["two"].parameters, "factor_mm", 3.0);  // begun, without a file
+        });
+        const QString project = folder_.filePath("incomplete.lathelier");
+        session_->save(project);
+        auto table = panels();
+        for (PanelFacts& facts : table) {
+            facts.missing = [](const PanelState& state) {
+                return state.inputs.count("file") ? std::vector<Text>() : std::vector<Text>{Text{"Scanned file"}};
+            };
+            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
+                Document document;
+                document.title = std::string("Report of ") + state.inputs.at("file").path;
+                document.sections = {{std::string("Answered"), {}}};
+                return document;
+            };
+        }
+        const QString path = folder_.filePath("incomplete.html");
+        QCOMPARE(runReport(path, project, table), 4);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray html = file.readAll();
+        QVERIFY(html.contains("Answered"));
+        QCOMPARE(html.count("No answer: Scanned file is missing."), 2);
+
+        for (PanelFacts& facts : table)
+            facts.report = [](const PanelState&, Stores&, const Language&, const Progress&) -> Document {
+                throw Error(errors::fileNotFound, {{"path", std::string("gone.ply")}});
+            };
+        QVERIFY(QFile::remove(path));
+        QCOMPARE(runReport(path, project, table), 3);
+        QVERIFY(!QFile::exists(path));  // a report of nothing is none
+    }
+
+    void aShutdownKeepsUnsavedWork()
+    {
+        const QTemporaryDir recovery;
+        window_->close();
+        window_ = std::make_unique<MainWindow>(*session_, languages_, panels(), recovery.path());
+        session_->edit("a", [](Project& project) { project.title = std::string("unsaved"); });
+        const Shutdown shutdown;
+        bool told = false;
+        QObject::connect(&shutdown, &Shutdown::wanted, window_.get(), [&] {
+            told = true;
+            window_->files().leaveWithoutAsking();
+        });
+        QCOMPARE(::raise(SIGTERM), 0);
+        QTRY_VERIFY(told);
+        session_->undoStack().setClean();
+        window_.reset();
+        const Recovery next(recovery.path());
+        QCOMPARE(next.lostWork().size(), std::size_t{1});
+        window_ = std::make_unique<MainWindow>(*session_, languages_, panels());
     }
 };
 

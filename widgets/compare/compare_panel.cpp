@@ -50,6 +50,7 @@ PanelFacts comparePanelFacts()
     facts.icon = "compare";
     facts.workspaces = {"inspection"};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
+    facts.missing = missingOf(panelInputs().roles);
     facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
         return reportOf(LastComparison().find(state, *stores.of<ScanStore>(), progress), language, {});
     };

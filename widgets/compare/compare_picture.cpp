@@ -47,11 +47,6 @@ std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const Com
     return means;
 }
 
-InputFile inputOf(const LoadedScan& scan)
-{
-    return {scan.file.facts.path, scan.bytes, scan.sha256};
-}
-
 void fillAxisPlace(const CompareResult& result, ComparePlace& place)
 {
     if (!result.axis_T_reference) return;
@@ -74,7 +69,7 @@ ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, c
     picture.reference = scans.load(referenceSource, progress.part(0, 0.2, LT_TEXT("Engine", "Reading the reference")));
     picture.copy = scans.load(copySource, progress.part(0.2, 0.4, LT_TEXT("Engine", "Reading the copy")));
     picture.synthetic = referenceSource.synthetic || copySource.synthetic;
-    picture.inputs = {inputOf(*picture.reference), inputOf(*picture.copy)};
+    picture.inputs = {picture.reference->inputs.front(), picture.copy->inputs.front()};
 
     ComparePicture last;
     {

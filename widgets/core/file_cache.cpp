@@ -1,15 +1,23 @@
 #include "widgets/core/file_cache.h"
 
-#include <filesystem>
+#include "engine/project/project_codes.h"
 
 namespace lathelier {
 
-std::string fileStamp(const std::string& path)
+std::string shortDigest(const std::string& sha256)
 {
-    std::error_code problem;
-    const auto size = std::filesystem::file_size(path, problem);
-    const auto changed = std::filesystem::last_write_time(path, problem);
-    return std::to_string(size) + "@" + std::to_string(changed.time_since_epoch().count());
+    return sha256.substr(0, 12);
+}
+
+void requireSame(const FileSeen& before, const InputFile& now)
+{
+    if (before.sha256 != now.sha256)
+        throw Error(errors::sourceReplaced,
+                    {{"path", now.path},
+                     {"read", shortDigest(before.sha256)},
+                     {"now", shortDigest(now.sha256)},
+                     {"read_sha256", before.sha256},
+                     {"now_sha256", now.sha256}});
 }
 
 }  // namespace lathelier

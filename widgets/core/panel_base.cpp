@@ -44,6 +44,8 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     connect(column_, &InputColumn::sourcesChosen, this, &PanelBase::takeSources);
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
+    connect(&session_, &Session::filesTaken, this, &PanelBase::request);
+    connect(&session_.watch(), &SourceWatch::changed, this, &PanelBase::showAnswer);
     connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
         if (state == facts_.stateKey()) worker_.cancel();
     });
@@ -115,6 +117,7 @@ void PanelBase::readProject()
 
 void PanelBase::recompute()
 {
+    session_.takeNewFiles();
     request();
 }
 
@@ -213,8 +216,7 @@ void PanelBase::updateStack()
 {
     const bool complete = isComplete(state_);
     QStringList missing;
-    for (const InputRole& role : inputs_.roles)
-        if (role.required && !state_.inputs.count(role.role)) missing << screenText(role.label);
+    for (const Text label : missingInputs(state_)) missing << screenText(label);
     const bool begun = hasInputs() && !missing.isEmpty();
     empty_->setInvitation(screenText(inputs_.invitation),
                           begun ? tr("Still missing: %1").arg(missing.join(", ")) : QString());
@@ -229,7 +231,9 @@ void PanelBase::showAnswer()
 {
     if (hasResult() && !problemOf(result_.get())) {
         headline_->setHeadline(headlineOf(result_.get()));
-        notes_->setNotes(notesOf(result_.get()));
+        Notes notes = session_.watch().notesOf(state_);
+        for (Note& note : notesOf(result_.get())) notes.push_back(std::move(note));
+        notes_->setNotes(notes);
     } else {
         headline_->clear();
         notes_->setNotes({});
@@ -248,7 +252,10 @@ void PanelBase::showAnswer()
 std::optional<Document> PanelBase::reportDocument() const
 {
     if (!hasResult() || problemOf(result_.get())) return std::nullopt;
-    return documentOf(result_.get());
+    Document document = documentOf(result_.get());
+    const Notes notes = session_.watch().notesOf(state_);
+    if (!notes.empty() && !document.sections.empty()) document.sections.front().blocks.push_back(notes);
+    return document;
 }
 
 void PanelBase::setPresenting(bool presenting)

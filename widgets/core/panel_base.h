@@ -82,8 +82,8 @@ protected:
     /// Everything the panel says in its own views, again, in the language of the screen.
     virtual void retranslate() {}
 
-    /// Whether there is enough to compute; by default when all required inputs are there.
-    virtual bool isComplete(const PanelState& state) const;
+    std::vector<Text> missingInputs(const PanelState& state) const;
+    bool isComplete(const PanelState& state) const;  ///< there is enough to compute
 
     /// Gives files of any kind to the inputs of `state`; by default empty ones first, in their order.
     virtual void assignFiles(PanelState& state, const QStringList& paths) const;

@@ -30,8 +30,12 @@ bool PanelBase::hasInputs() const
 
 bool PanelBase::isComplete(const PanelState& state) const
 {
-    return std::all_of(inputs_.roles.begin(), inputs_.roles.end(),
-                       [&](const InputRole& role) { return !role.required || state.inputs.count(role.role) > 0; });
+    return missingInputs(state).empty();
+}
+
+std::vector<Text> PanelBase::missingInputs(const PanelState& state) const
+{
+    return facts_.missing ? facts_.missing(state) : missingOf(inputs_.roles)(state);
 }
 
 Worker::Job PanelBase::makeReadingJob(const PanelState& state) const
@@ -67,8 +71,7 @@ void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& so
 void PanelBase::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty()) return;
-    editState(tr("Open %1").arg(QFileInfo(paths.front()).fileName()),
-              [&](PanelState& state) { assignFiles(state, paths); });
+    editState(tr("Open %1").arg(screenFileName(paths.front())), [&](PanelState& state) { assignFiles(state, paths); });
 }
 
 void PanelBase::assignFiles(PanelState& state, const QStringList& paths) const

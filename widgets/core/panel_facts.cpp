@@ -15,6 +15,16 @@ bool hasWork(const PanelFacts& facts, const PanelState& state)
     return facts.hasWork ? facts.hasWork(state) : !state.inputs.empty();
 }
 
+std::function<std::vector<Text>(const PanelState&)> missingOf(const std::vector<InputRole>& roles)
+{
+    return [roles](const PanelState& state) {
+        std::vector<Text> labels;
+        for (const InputRole& role : roles)
+            if (role.required && state.inputs.count(role.role) == 0) labels.push_back(role.label);
+        return labels;
+    };
+}
+
 std::vector<Source> sourcesOf(const PanelState& state, const InputRole& role)
 {
     std::vector<Source> sources;

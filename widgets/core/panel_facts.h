@@ -42,6 +42,9 @@ struct PanelFacts {
     /// Whether the file at this path is certainly meant for this panel (a probe record); none: never certain.
     std::function<bool(const std::string& path)> recognises = {};
 
+    /// The inputs that are not there and without which nothing can be computed; none: as missingOf() its roles.
+    std::function<std::vector<Text>(const PanelState&)> missing = {};
+
     /// Whether the state holds files that this panel works on; none: when it holds any.
     std::function<bool(const PanelState&)> hasWork = {};
 
@@ -67,6 +70,9 @@ std::vector<Source> sourcesOf(const PanelState& state, const InputRole& role);
 
 /// Puts `sources` in place of the files of a role.
 void setSources(PanelState& state, const InputRole& role, const std::vector<Source>& sources);
+
+/// What PanelFacts::missing is for a panel that needs all its required inputs.
+std::function<std::vector<Text>(const PanelState&)> missingOf(const std::vector<InputRole>& roles);
 
 /// The left column of a panel.
 struct PanelInputs {

@@ -2,9 +2,10 @@
 
 namespace lathelier {
 
-ScanFile ScanStore::read(const Source& source, std::string_view bytes, const Progress& progress) const
+ScanFile ScanStore::read(const Source& source, InputFiles& inputs, const Progress& progress) const
 {
-    return readScan(source.path, bytes, fromValues<ImportOptions>(source.import), progress);
+    return readScan(source.path, inputs.open(source.path, progress), fromValues<ImportOptions>(source.import),
+                    progress);
 }
 
 }  // namespace lathelier

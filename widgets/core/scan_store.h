@@ -1,4 +1,4 @@
-// Scans that were read, kept as long as their files stay as they were.
+// Scans that were read, kept until the user takes what has changed.
 #pragma once
 
 #include "engine/io/scan_reader.h"
@@ -17,7 +17,7 @@ public:
     ScanStore() : FileCache(capacity) {}
 
 protected:
-    ScanFile read(const Source& source, std::string_view bytes, const Progress& progress) const override;
+    ScanFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
 };
 
 }  // namespace lathelier

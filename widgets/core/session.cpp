@@ -38,7 +38,8 @@ private:
     QString mergeKey_;
 };
 
-Session::Session(QObject* parent) : QObject(parent), stores_(std::make_shared<Stores>())
+Session::Session(QObject* parent)
+    : QObject(parent), stores_(std::make_shared<Stores>()), watch_(new SourceWatch(stores_, this))
 {
     connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }
@@ -72,50 +73,71 @@ void Session::assign(const Project& project)
     emit changed();
 }
 
-void Session::replace(Project project, const QString& path)
+void Session::replace(ProjectFile file, const QString& path)
 {
-    const bool otherWorkspace = project.workspace != project_.workspace;
+    const bool otherWorkspace = file.project.workspace != project_.workspace;
+    const bool anyNew = stores_->forgetChanged();  // another project, or this one afresh: of the files that are there
+    watch_->clear();
     undo_.clear();
-    project_ = std::move(project);
+    project_ = std::move(file.project);
     path_ = path;
+    sha256_ = std::move(file.sha256);
     emit pathChanged();
     if (otherWorkspace) emit workspaceChanged();
     emit changed();
+    if (anyNew) emit filesTaken();
 }
 
 void Session::reset()
 {
     Project empty;
     empty.workspace = project_.workspace;
-    replace(std::move(empty), {});
+    replace({std::move(empty), {}}, {});
 }
 
-Notes Session::open(const QString& path)
+void Session::open(const QString& path)
 {
-    ProjectFile file = readProject(path.toStdString());
-    replace(std::move(file.project), path);
-    return file.notes;
+    replace(readProject(path.toStdString()), path);
+    watch_->compareWithSaved(project_);
 }
 
-Notes Session::recover(const QString& projectPath, const QString& original)
+void Session::recover(const QString& projectPath, const QString& original, const std::string& original_sha256)
 {
     ProjectFile file = readProject(projectPath.toStdString());
-    replace(std::move(file.project), original);
+    file.sha256 = original_sha256;
+    replace(std::move(file), original);
     undo_.resetClean();
-    return file.notes;
+    watch_->compareWithSaved(project_);
 }
 
 void Session::save(const QString& path)
 {
-    writeProject(path.toStdString(), forDisk());
+    sha256_ = writeProject(path.toStdString(), forDisk());
     path_ = path;
     undo_.setClean();
     emit pathChanged();
 }
 
+bool Session::isOvertaken() const
+{
+    if (path_.isEmpty() || sha256_.empty()) return false;
+    try {
+        return fileSha256(path_.toStdString()) != sha256_;
+    } catch (const Error&) {
+        return false;  // gone: saving brings it back
+    }
+}
+
 void Session::saveCopy(const QString& path) const
 {
     writeProject(path.toStdString(), forDisk());
+}
+
+void Session::takeNewFiles()
+{
+    const bool any = stores_->forgetChanged();
+    watch_->clear();
+    if (any) emit filesTaken();
 }
 
 Project Session::forDisk() const

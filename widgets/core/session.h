@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "engine/project/project.h"
+#include "widgets/core/source_watch.h"
 #include "widgets/core/stores.h"
 
 namespace lathelier {
@@ -31,6 +32,7 @@ public:
 
     /// Each step's undo text is that of edit(); its text() is the locale that was spoken then.
     QUndoStack& undoStack() { return undo_; }
+    const std::string& savedSha256() const { return sha256_; }  ///< of the project file as it was opened or saved here
     bool isModified() const { return !undo_.isClean(); }
 
     /// Path of the project file; empty when it was never saved.
@@ -39,18 +41,26 @@ public:
     /// An empty project. Does not ask about unsaved changes: that is the window's business.
     void reset();
 
-    /// Opens a project; its notes (changed or missing sources) are returned and belong in the message log. Throws
-    /// Error.
-    Notes open(const QString& path);
+    /// Opens a project. What became of its sources since it was saved is told by watch(). Throws Error.
+    void open(const QString& path);
 
-    /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file).
-    Notes recover(const QString& projectPath, const QString& original);
+    /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file), which
+    /// had the digest `original_sha256` when the work on it began.
+    void recover(const QString& projectPath, const QString& original, const std::string& original_sha256 = {});
 
     /// Writes the project, with the digests of the sources read so far. Throws Error and keeps the modified state.
     void save(const QString& path);
 
+    /// Whether somebody else has written the project's file since it was opened or saved here. Reads the file.
+    bool isOvertaken() const;
+
     /// Writes what save() would write, without becoming clean: for autosave. Throws Error.
     void saveCopy(const QString& path) const;
+
+    /// Files that were changed by other programs stay as they were read until this is called: panels that use them
+    /// compute again.
+    void takeNewFiles();
+    SourceWatch& watch() { return *watch_; }
 
     /// What panels share beside the project; jobs keep what they use of it.
     Stores& stores() const { return *stores_; }
@@ -64,18 +74,21 @@ signals:
     void pathChanged();  ///< opened, saved under a name, or reset
     void modifiedChanged(bool modified);
     void workspaceChanged();
+    void filesTaken();  ///< by takeNewFiles()
     void stopWanted(const std::string& state);
 
 private:
     class Edit;
     void assign(const Project& project);
-    void replace(Project project, const QString& path);
+    void replace(ProjectFile file, const QString& path);
     Project forDisk() const;
 
     Project project_;
     QString path_;
+    std::string sha256_;  ///< of the project file as it was opened or saved here
     QUndoStack undo_;
     std::shared_ptr<Stores> stores_;
+    SourceWatch* watch_;
 };
 
 }  // namespace lathelier

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 #include "widgets/core/file_cache.h"
@@ -39,10 +40,29 @@ public:
         return std::nullopt;
     }
 
+    /// All files that were read, by any store.
+    std::vector<FileSeen> seen() const
+    {
+        const std::lock_guard lock(mutex_);
+        std::vector<FileSeen> all;
+        for (const auto& store : files_)
+            for (FileSeen& file : store->seen()) all.push_back(std::move(file));
+        return all;
+    }
+
+    /// Forgets the files that are no longer on the disk as they were read; true when there were any.
+    bool forgetChanged()
+    {
+        const std::lock_guard lock(mutex_);
+        bool any = false;
+        for (const auto& store : files_) any = store->forgetChanged() || any;
+        return any;
+    }
+
 private:
     mutable std::mutex mutex_;
     std::map<std::type_index, std::shared_ptr<void>> stores_;
-    std::vector<std::shared_ptr<const FileStore>> files_;
+    std::vector<std::shared_ptr<FileStore>> files_;
 };
 
 }  // namespace lathelier

@@ -37,7 +37,7 @@ PanelFacts longitudinalPanelFacts()
         spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"), "longitudinal", SpindleWant::Longitudinal);
     facts.make = [](Session& session) -> PanelBase* { return new LongitudinalPanel(session); };
     facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
-        return reportOf(findPicture(state, SpindleWant::Longitudinal, stores, progress), language, {});
+        return reportOf(answeredPicture(state, SpindleWant::Longitudinal, stores, progress), language, {});
     };
     return facts;
 }

@@ -36,7 +36,7 @@ PanelFacts roundnessPanelFacts()
     PanelFacts facts = spindleFacts("roundness", LT_TEXT("Engine", "Roundness"), "roundness", SpindleWant::Roundness);
     facts.make = [](Session& session) -> PanelBase* { return new RoundnessPanel(session); };
     facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
-        return reportOf(findPicture(state, SpindleWant::Roundness, stores, progress), language);
+        return reportOf(answeredPicture(state, SpindleWant::Roundness, stores, progress), language);
     };
     return facts;
 }

@@ -25,33 +25,17 @@ std::string partnerOf(const std::string& path)
 
 }  // namespace
 
-ProbeFile RecordStore::read(const Source& source, std::string_view, const Progress& progress) const
+ProbeFile RecordStore::read(const Source& source, InputFiles& inputs, const Progress& progress) const
 {
-    return readProbeRecord(source.path, fromValues<ImportOptions>(source.import),
-                           fromValues<RecorderOptions>(source.import), progress);
+    return readProbeRecord(source.path, inputs.open(source.path, progress), inputs,
+                           fromValues<ImportOptions>(source.import), fromValues<RecorderOptions>(source.import),
+                           progress);
 }
 
-ProfileFile ProfileStore::read(const Source& source, std::string_view bytes, const Progress& progress) const
+ProfileFile ProfileStore::read(const Source& source, InputFiles& inputs, const Progress& progress) const
 {
-    return readProfile(source.path, bytes, fromValues<ImportOptions>(source.import),
+    return readProfile(source.path, inputs.open(source.path, progress), fromValues<ImportOptions>(source.import),
                        fromValues<ProfileOptions>(source.import), progress);
-}
-
-std::vector<InputFile> inputFilesOf(const Loaded<ProbeFile>& record)
-{
-    const std::string& path = record.file.facts.path;
-    std::vector<InputFile> files{{path, record.bytes, record.sha256}};
-    if (!record.file.facts.format.starts_with("lgraph")) return files;
-    const std::string partner = partnerOf(path);
-    if (partner.empty()) return files;
-    const FileBytes bytes(partner);
-    files.push_back({partner, static_cast<std::int64_t>(bytes.view().size()), sha256(bytes.view())});
-    return files;
-}
-
-InputFile inputFileOf(const Loaded<ProfileFile>& profile)
-{
-    return {profile.file.facts.path, profile.bytes, profile.sha256};
 }
 
 std::vector<std::string> withoutPartners(const std::vector<std::string>& paths)

@@ -1,4 +1,4 @@
-// Probe records and profiles that were read, kept as long as their files stay as they were.
+// Probe records and profiles that were read, kept until the user takes what has changed.
 #pragma once
 
 #include "engine/io/probe_reader.h"
@@ -17,7 +17,7 @@ public:
     RecordStore() : FileCache(60) {}
 
 protected:
-    ProbeFile read(const Source& source, std::string_view bytes, const Progress& progress) const override;
+    ProbeFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
 };
 
 /// Source::import are ImportOptions and ProfileOptions; errors as readProfile().
@@ -26,12 +26,8 @@ public:
     ProfileStore() : FileCache(12) {}
 
 protected:
-    ProfileFile read(const Source& source, std::string_view bytes, const Progress& progress) const override;
+    ProfileFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
 };
-
-/// For the audit: the file, and for a record of L-Graph its other half.
-std::vector<InputFile> inputFilesOf(const Loaded<ProbeFile>& record);
-InputFile inputFileOf(const Loaded<ProfileFile>& profile);
 
 /// Of a list of paths, each L-Graph pair once, by its .par where both were given.
 std::vector<std::string> withoutPartners(const std::vector<std::string>& paths);

@@ -52,6 +52,12 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.hasWork = [roundness](const PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };
+    facts.missing = [roundness](const PanelState& state) {
+        std::vector<Text> labels;
+        if (!hasRecord(state) && !(roundness && hasProfile(state)))
+            labels.push_back(roundness ? LT_TEXT("Engine", "Probe record or profile") : recordRole().label);
+        return labels;
+    };
     return facts;
 }
 
@@ -93,11 +99,6 @@ SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
     return [state, want = want_, stores = session().sharedStores()](const Progress& progress) {
         return findPicture(state, want, *stores, progress);
     };
-}
-
-bool SpindlePanel::isComplete(const PanelState& state) const
-{
-    return hasRecord(state) || (want_ == SpindleWant::Roundness && hasProfile(state));
 }
 
 void SpindlePanel::assignFiles(PanelState& state, const QStringList& paths) const

@@ -53,7 +53,6 @@ protected:
     Compute compute(const PanelState& state) const override;
     Notes notes(const SpindlePicture& picture) const override { return picture.notes; }
     std::optional<Error> problem(const SpindlePicture& picture) const override { return picture.problem; }
-    bool isComplete(const PanelState& state) const override;
     void assignFiles(PanelState& state, const QStringList& paths) const override;
     Worker::Job makeReadingJob(const PanelState& state) const override;
     QString understood(const InputRole& role, const Source& source) const override;

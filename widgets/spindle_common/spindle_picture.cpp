@@ -59,12 +59,13 @@ std::string keyOf(const Values& values)
 template <class File>
 std::string keyOf(const std::shared_ptr<const Loaded<File>>& file, const Source& source)
 {
-    return source.path + "\n" + file->sha256 + "\n" + keyOf(source.import);
+    return source.path + "\n" + file->digest() + "\n" + keyOf(source.import);
 }
 
-void add(Notes& notes, const Notes& more)
+template <class Item>
+void add(std::vector<Item>& items, const std::vector<Item>& more)
 {
-    notes.insert(notes.end(), more.begin(), more.end());
+    items.insert(items.end(), more.begin(), more.end());
 }
 
 class Finder {
@@ -100,7 +101,7 @@ private:
         picture_.profileRoundness = answers_->profiles.find(
             profileKey_ + keyOf(toValues(parameters)), progress_.part(0.3, 0.9, LT_TEXT("Engine", "Roundness")),
             [&](const Progress& progress) { return roundness(picture_.profile->file.profile, parameters, progress); });
-        picture_.inputs.push_back(inputFileOf(*picture_.profile));
+        add(picture_.inputs, picture_.profile->inputs);
         picture_.synthetic = picture_.synthetic || source.synthetic;
         add(picture_.notes, picture_.profileRoundness->notes);
         add(picture_.notes, picture_.profile->file.notes);
@@ -117,7 +118,7 @@ private:
             const double done = static_cast<double>(i);
             picture_.records.push_back(store->load(sources[i], reading.part(done / count, (done + 1) / count)));
             key += keyOf(picture_.records.back(), sources[i]);
-            for (InputFile& file : inputFilesOf(*picture_.records.back())) picture_.inputs.push_back(std::move(file));
+            add(picture_.inputs, picture_.records.back()->inputs);
             picture_.synthetic = picture_.synthetic || sources[i].synthetic;
         }
         const auto parameters = fromValues<TrajectoryParameters>(state_.parameters);
@@ -127,9 +128,9 @@ private:
             picture_.trajectory =
                 answers_->trajectories.find(profileKey_, progress_.part(0.5, 0.95, LT_TEXT("Engine", "Trajectories")),
                                             [&](const Progress& progress) {
-                                                std::vector<ProbeFile> files;
+                                                std::vector<const ProbeFile*> files;
                                                 for (const LoadedRecordPtr& record : picture_.records)
-                                                    files.push_back(record->file);
+                                                    files.push_back(&record->file);
                                                 return trajectory(files, parameters, progress);
                                             });
         } catch (const Error& error) {
@@ -185,7 +186,7 @@ private:
             [&](const Progress& progress) {
                 return superimpose(*first, picture_.trace->file.profile, parameters, progress);
             });
-        picture_.inputs.push_back(inputFileOf(*picture_.trace));
+        add(picture_.inputs, picture_.trace->inputs);
         picture_.synthetic = picture_.synthetic || source.synthetic;
         add(picture_.notes, picture_.superimposed->notes);
         add(picture_.notes, picture_.trace->file.notes);
@@ -239,6 +240,13 @@ const RoundnessResult* SpindlePicture::roundness() const
 SpindlePicture findPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
 {
     return Finder(state, want, stores, progress).find();
+}
+
+SpindlePicture answeredPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
+{
+    SpindlePicture picture = findPicture(state, want, stores, progress);
+    if (picture.problem) throw *picture.problem;
+    return picture;
 }
 
 void saySection(const SpindlePicture& picture, Document& document)

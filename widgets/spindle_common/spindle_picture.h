@@ -55,6 +55,10 @@ enum class SpindleWant { Roundness, Trajectory, Longitudinal };
 /// roundness(), superimpose(), trajectory(). Throws Cancelled.
 SpindlePicture findPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress = {});
 
+/// The same where nobody would look at a picture without an answer: its problem is thrown.
+SpindlePicture answeredPicture(const PanelState& state, SpindleWant want, Stores& stores,
+                               const Progress& progress = {});
+
 /// The objects that the command line writes for these results.
 std::string roundnessJson(const SpindlePicture& picture);
 std::string trajectoryJson(const SpindlePicture& picture);

@@ -77,7 +77,7 @@ PanelFacts trajectoryPanelFacts()
         spindleFacts("trajectory", LT_TEXT("Engine", "Trajectory"), "trajectory", SpindleWant::Trajectory);
     facts.make = [](Session& session) -> PanelBase* { return new TrajectoryPanel(session); };
     facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
-        const SpindlePicture picture = findPicture(state, SpindleWant::Longitudinal, stores, progress);
+        const SpindlePicture picture = answeredPicture(state, SpindleWant::Longitudinal, stores, progress);
         return reportOf(picture, language);
     };
     return facts;

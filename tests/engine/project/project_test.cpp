@@ -82,14 +82,14 @@ TEST_F(ProjectFiles, SaysWhichSourcesChangedOrAreMissing)
     const std::string path = (folder / "shaft.lathelier").string();
     writeProject(path, sampleProject(folder));
     write("data/original.ply", "abc");
-    Notes notes = readProject(path).notes;
+    Notes notes = checkSources(readProject(path).project);
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_EQ(notes[0].code, notes::sourceMissing);
     EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "path")),
               (folder.parent_path() / "elsewhere/copy.ply").string());
 
     write("data/original.ply", "abcd");
-    notes = readProject(path).notes;
+    notes = checkSources(readProject(path).project);
     EXPECT_TRUE(contains(notes, notes::sourceChanged));
 }
 
@@ -120,6 +120,20 @@ struct Wrong {
     std::int64_t column;
 };
 
+std::string manyMembers(int count)
+{
+    std::string result;
+    for (int i = 0; i < count; ++i) result += (i ? ", \"" : "\"") + std::to_string(i) + "\": {}";
+    return result;
+}
+
+std::string manyRanges(int count)
+{
+    std::string result;
+    for (int i = 0; i < count; ++i) result += i ? ", [0, 1]" : "[0, 1]";
+    return result;
+}
+
 TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 {
     const std::string head = "{\"format\": \"lathelier-project\", \"version\": 1,\n";
@@ -139,6 +153,10 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
          44},
         {head + "\"panels\": {\"compare\": {\"inputs\": {\"copy\": \"c.ply\"}}}}", errors::malformed, 2, 43},
         {head + "\"title\": 1e999}", errors::malformed, 2, 14},
+        {head + "\"panels\": {" + manyMembers(1001) + "}}", errors::malformed, 2, 11},
+        {head + "\"panels\": {\"compare\": {\"inputs\": {" + manyMembers(1001) + "}}}}", errors::malformed, 2, 34},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": [" + manyRanges(10001) + "]}}}}",
+         errors::malformed, 2, 44},
         {std::string(40, '['), errors::malformed, 1, 33},
         {std::string(1000000, '['), errors::malformed, 1, 33},
     };

@@ -134,7 +134,7 @@ TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
     ASSERT_EQ(files.size(), 6u);
     const ProjectFile read = readProject(files[5]);
     EXPECT_TRUE(read.project.panels.at("roundness").inputs.at("record").synthetic);
-    EXPECT_TRUE(read.notes.empty());
+    EXPECT_TRUE(checkSources(read.project).empty());
     EXPECT_TRUE(read.project.panels.at("compare").inputs.at("copy").synthetic);
     const FileBytes cloud(files[0]);
     EXPECT_TRUE(cloud.view().starts_with("ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment synthetic"));

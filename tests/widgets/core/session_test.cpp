@@ -3,9 +3,23 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "engine/io/file.h"
+#include "engine/project/project_codes.h"
 #include "widgets/core/session.h"
 
 namespace lathelier {
+
+/// A store whose files are texts.
+class TextStore : public FileCache<std::string> {
+public:
+    TextStore() : FileCache(4) {}
+
+protected:
+    std::string read(const Source& source, InputFiles& inputs, const Progress& progress) const override
+    {
+        return std::string(inputs.open(source.path, progress));
+    }
+};
 
 class SessionTest : public QObject {
     Q_OBJECT
@@ -94,6 +108,94 @@ private slots:
         QCOMPARE(other.project().title, std::string("kept"));
         QVERIFY(!other.isModified());
         QCOMPARE(other.undoStack().count(), 0);
+    }
+
+    void anotherWindowsSaveIsSeen()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("p.lathelier");
+        Session one, two;
+        setTitle(one, "first");
+        one.save(path);
+        two.open(path);
+        QVERIFY(!one.isOvertaken() && !two.isOvertaken());
+        setTitle(two, "second");
+        two.save(path);
+        QVERIFY(one.isOvertaken() && !two.isOvertaken());
+        one.save(path);  // the user said so
+        QVERIFY(!one.isOvertaken() && two.isOvertaken());
+        QVERIFY(QFile::remove(path));
+        QVERIFY(!two.isOvertaken());  // nothing to lose
+    }
+
+    void aFileThatChangesStaysAsItWasRead()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("scan.txt").toStdString();
+        writeFile(path, "old");
+        Session session;
+        const auto store = session.stores().of<TextStore>();
+        const Source source{.path = path, .import = {}, .sha256 = {}};
+        PanelState state;
+        state.inputs["scan"] = source;
+        QCOMPARE(store->load(source)->file, std::string("old"));
+
+        QSignalSpy changed(&session.watch(), &SourceWatch::changed);
+        QSignalSpy taken(&session, &Session::filesTaken);
+        writeFile(path, "new");
+        session.watch().look();
+        QTRY_COMPARE(changed.count(), 1);
+        const Notes notes = session.watch().notesOf(state);
+        QCOMPARE(notes.size(), std::size_t{1});
+        QVERIFY(notes[0].code == notes::sourceChangedSince);
+        QCOMPARE(std::get<std::string>(*find(notes[0].values, "read_sha256")), sha256("old"));
+        QCOMPARE(std::get<std::string>(*find(notes[0].values, "now_sha256")), sha256("new"));
+        QVERIFY(session.watch().notesOf(PanelState()).empty());
+        QCOMPARE(store->load(source)->file, std::string("old"));
+        Source otherwise = source;  // read in another way, it would be another file
+        lathelier::set(otherwise.import, "unit", std::string("inch"));
+        QVERIFY_EXCEPTION_THROWN(store->load(otherwise), Error);
+        session.watch().look();
+        QTest::qWait(200);
+        QCOMPARE(changed.count(), 1);  // said once
+
+        session.takeNewFiles();
+        QCOMPARE(taken.count(), 1);
+        QVERIFY(session.watch().notesOf(state).empty());
+        QCOMPARE(store->load(source)->file, std::string("new"));
+        QCOMPARE(store->load(otherwise)->file, std::string("new"));
+
+        writeFile(path, "new");  // touched, not changed
+        session.watch().look();
+        QTest::qWait(200);
+        QVERIFY(session.watch().notesOf(state).empty());
+        QVERIFY(QFile::remove(QString::fromStdString(path)));
+        session.watch().look();
+        QTRY_COMPARE(session.watch().notesOf(state).size(), std::size_t{1});
+        QVERIFY(session.watch().notesOf(state)[0].code == notes::sourceGone);
+    }
+
+    void openingSaysInTheBackgroundWhatBecameOfTheSources()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("p.lathelier");
+        const std::string scan = folder.filePath("scan.txt").toStdString();
+        writeFile(scan, "old");
+        Session session;
+        session.edit("a", [&](Project& project) {
+            project.panels["compare"].inputs["copy"] = {.path = scan, .import = {}, .sha256 = sha256("old")};
+            project.panels["compare"].inputs["reference"] = {.path = scan + ".none", .import = {}, .sha256 = {}};
+        });
+        session.save(path);
+        writeFile(scan, "new");
+        Session other;
+        std::vector<std::string> found;
+        QObject::connect(&other.watch(), &SourceWatch::found,
+                         [&found](const Note& note) { found.push_back(note.code.key); });
+        QSignalSpy compared(&other.watch(), &SourceWatch::savedCompared);
+        other.open(path);
+        QTRY_COMPARE(compared.count(), 1);
+        QCOMPARE(found, (std::vector<std::string>{"source_changed", "source_missing"}));
     }
 
     void failedSaveStaysModified()

@@ -330,7 +330,7 @@ private slots:
         session_->save(folder_.filePath("project.lathelier"));
         const ProjectFile saved = readProject(folder_.filePath("project.lathelier").toStdString());
         QCOMPARE(saved.project.panels.at("roundness").inputs.at("record").sha256.size(), std::size_t{64});
-        QVERIFY(saved.notes.empty());
+        QVERIFY(checkSources(saved.project).empty());
     }
 
     void theLanguageIsSwitchedAtRunTime()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/signal/closed_filter.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier {
@@ -116,9 +117,17 @@ PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interva
 
 EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, const Progress& progress)
 {
+    const double cutoff_upr = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
+    ClosedFilter filter(prepared.sampling, prepared.distance_mm, cutoff_upr);
+    return evaluateProfile(prepared, band, filter, progress);
+}
+
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, ClosedFilter& filter,
+                                 const Progress& progress)
+{
     EvaluatedProfile result{prepared.points_mm, FilterWay::Uniform};
     if (band.isAll()) return result;
-    const FilteredValues filtered = filterClosedAt(prepared.sampling, prepared.distance_mm, band, progress);
+    const FilteredValues filtered = filter(band, progress);
     result.way = filtered.way;
     for (std::size_t i = 0; i < result.points_mm.size(); ++i) {
         const double angle = prepared.sampling.angle_rad[i];

@@ -10,6 +10,8 @@
 
 namespace lathelier {
 
+class ClosedFilter;
+
 struct PreparedProfile {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();  ///< of the least-squares circle of the points that count
     double radius_mm = 0;
@@ -31,6 +33,10 @@ struct EvaluatedProfile {
     FilterWay way = FilterWay::Uniform;
 };
 EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band,
+                                 const Progress& progress = {});
+
+/// The same with `filter`, which is of the prepared distances.
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, ClosedFilter& filter,
                                  const Progress& progress = {});
 
 /// Is the angle in one of the sectors? Sectors may run through 0°.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/signal/closed_filter.h"
+
 namespace lathelier {
 namespace {
 
@@ -66,6 +68,10 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
     for (const OutlierRule rule : {OutlierRule::None, OutlierRule::Hampel}) {
         const bool own = rule == parameters.outliers;
         const PreparedProfile& points = own ? prepared : other;
+        double largest_upr = 0;
+        for (const ProfileBand& band : bands)
+            largest_upr = std::max({largest_upr, band.high_upr.value_or(0), band.low_upr.value_or(0)});
+        ClosedFilter filter(points.sampling, points.distance_mm, largest_upr);
         // Where there are no outliers the rows are the same.
         const bool same = rule == OutlierRule::Hampel && points.outliers == 0;
         for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -78,7 +84,7 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
                 row.RONt_um = rows[i].RONt_um;
             else
                 row.RONt_um = deviations(
-                    fitCircles(evaluateProfile(points, bands[i], progress).points_mm, quick, progress.quiet()));
+                    fitCircles(evaluateProfile(points, bands[i], filter, progress).points_mm, quick, progress.quiet()));
             rows.push_back(row);
         }
     }

@@ -22,9 +22,15 @@ std::vector<float> nearestDistances(const std::vector<Eigen::Vector3d>& referenc
 {
     const Neighbours reference(reference_mm, progress);
     progress.report(0.25);
+    return nearestDistances(reference, query_mm, max_distance_mm, progress.part(0.25, 1));
+}
+
+std::vector<float> nearestDistances(const Neighbours& reference, const std::vector<Eigen::Vector3d>& query_mm,
+                                    double max_distance_mm, const Progress& progress)
+{
     // Queries that follow each other in space find their answer where the one before found it.
     const std::vector<std::uint32_t> order = hilbertOrder(query_mm, progress);
-    progress.report(0.35);
+    progress.report(0.15);
     // The search wants a strict limit, the caller an inclusive one.
     const double limit = std::nextafter(max_distance_mm * max_distance_mm, std::numeric_limits<double>::infinity());
     std::vector<float> result(query_mm.size(), std::numeric_limits<float>::quiet_NaN());

@@ -6,10 +6,12 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/core/random.h"
 #include "engine/registration/cloud_distance.h"
 #include "engine/registration/default_reach.h"
 #include "engine/registration/facet_sagitta.h"
 #include "engine/registration/general.h"
+#include "engine/registration/neighbours.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_deviation.h"
@@ -25,6 +27,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMeshSamples = 300000;
+constexpr std::size_t kCloudQueries = 100000;
+constexpr std::size_t kRun = 8;
 constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
 constexpr double kCoarse = 2e-5;      // facets this share of the part's size off the round surface are worth a note
 
@@ -147,17 +151,26 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
         if (is_auto) notes.push_back(methodNote("plane", LT_TEXT("Engine", "symmetry is not to be used"), plan));
         return plan;
     }
-    plan.reference.fit = fitRevolution(reference, progress.part(0, 0.5, LT_TEXT("Engine", "Axis of the reference")));
+    // Side by side: each has stretches that only one core can work on. The copy's may turn out not to be needed.
+    const bool bothWanted = forced || is_auto;
+    parallelFor(bothWanted ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (i == 0)
+                plan.reference.fit =
+                    fitRevolution(reference, progress.part(0, 0.5, LT_TEXT("Engine", "Axis of the reference")));
+            else
+                plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
+    });
     plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
     remark(plan.reference.fit, "reference", notes);
     if (forced && !plan.reference_turned) refuseRevolution(plan.reference.fit, "reference");
     if (plan.reference_turned) faceForward(plan.reference.fit);
     if (!forced && (!is_auto || !plan.reference_turned)) {
+        plan.copy = {};
         if (is_auto)
             notes.push_back(methodNote("plane", LT_TEXT("Engine", "the reference is not a body of revolution"), plan));
         return plan;
     }
-    plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
     const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
     remark(plan.copy.fit, "copy", notes);
     if (forced && !copy_turned) refuseRevolution(plan.copy.fit, "copy");
@@ -254,23 +267,57 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     judge(result, result.parameters, progress);
 }
 
-/// The paper's figure: root mean square distance of the used points to the nearest point of the reference.
+/// Runs of kRun places that follow each other among 0…size-1, one from each of equal stretches at a drawn place, so
+/// that no grid of the scanner is met in step; all places when there are no more than kCloudQueries.
+std::vector<std::size_t> drawnRuns(std::size_t size)
+{
+    std::vector<std::size_t> places;
+    const std::size_t runs = size > kCloudQueries ? kCloudQueries / kRun : (size + kRun - 1) / kRun;
+    const double stretch = static_cast<double>(size) / static_cast<double>(runs);
+    for (std::size_t run = 0; run < runs; ++run) {
+        const double room = size > kCloudQueries ? randomUniform(17, 0, run) * (stretch - kRun) : 0;
+        const auto first =
+            size > kCloudQueries ? static_cast<std::size_t>(static_cast<double>(run) * stretch + room) : run * kRun;
+        for (std::size_t i = first; i < std::min(first + kRun, size); ++i) places.push_back(i);
+    }
+    return places;
+}
+
+/// The paper's figure: root mean square distance of the used points to the nearest point of the reference. Of a large
+/// cloud so many points are asked that its standard error is a fraction of a percent: in runs of neighbours, which find
+/// their answers together, and with the scatter from run to run, for neighbours say similar things.
 void compareClouds(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& moved_copy,
                    double max_distance_mm, CompareResult& result, const Progress& progress)
 {
-    std::vector<Vector3d> queries;
-    queries.reserve(moved_copy.size());
+    const Neighbours index(reference, progress.part(0, 0.6));
+    std::vector<std::uint32_t> used;
+    used.reserve(moved_copy.size());
     for (std::size_t i = 0; i < moved_copy.size(); ++i)
-        if (result.used[i]) queries.push_back(moved_copy[i]);
+        if (result.used[i]) used.push_back(static_cast<std::uint32_t>(i));
+    std::vector<Vector3d> queries;
+    for (const std::size_t place : drawnRuns(used.size())) queries.push_back(moved_copy[used[place]]);
+    const std::vector<float> distances = nearestDistances(index, queries, max_distance_mm, progress.part(0.6, 0.9));
+    result.sampling_floor_mm = samplingFloor_mm(reference, index, progress);
+
     double squares = 0;
     double found = 0;
-    for (const float distance : nearestDistances(reference, queries, max_distance_mm, progress.part(0, 0.9)))
+    for (const float distance : distances)
         if (!std::isnan(distance)) {
             squares += static_cast<double>(distance) * distance;
             found += 1;
         }
-    if (found > 0) result.cloud_to_cloud_rmse_mm = std::sqrt(squares / found);
-    result.sampling_floor_mm = samplingFloor_mm(reference, progress);
+    if (found == 0) return;
+    const double mean = squares / found;
+    double scatter = 0;  // of the sums of runs
+    for (std::size_t run = 0; run < distances.size(); run += kRun) {
+        double sum = 0;
+        for (std::size_t i = run; i < std::min(run + kRun, distances.size()); ++i)
+            if (!std::isnan(distances[i])) sum += static_cast<double>(distances[i]) * distances[i] - mean;
+        scatter += sum * sum;
+    }
+    const double left_out = 1 - static_cast<double>(queries.size()) / static_cast<double>(used.size());
+    result.cloud_to_cloud_rmse_mm = std::sqrt(mean);
+    result.cloud_to_cloud_rmse_error_mm = mean > 0 ? std::sqrt(scatter * left_out / mean) / (2 * found) : 0;
 }
 
 }  // namespace

@@ -101,6 +101,8 @@ struct CompareResult {
     std::optional<Meridian> meridian;                                          ///< body of revolution only
     std::optional<UnrolledMap> unrolled;                                       ///< body of revolution only
     double cloud_to_cloud_rmse_mm = std::numeric_limits<double>::quiet_NaN();  ///< the paper's figure
+    double cloud_to_cloud_rmse_error_mm =
+        std::numeric_limits<double>::quiet_NaN();  ///< its standard error: a large cloud is sampled; 0: all points
     double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();  ///< what that figure is for identical parts
     std::optional<double> within_tolerance_percent;
     std::optional<Verdict> verdict;

@@ -50,6 +50,7 @@ Json toJson(const CompareResult& result)
     json["distinguishable_from_scanner"] =
         result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);
     json["cloud_to_cloud_rmse_mm"] = number(result.cloud_to_cloud_rmse_mm);
+    json["cloud_to_cloud_rmse_standard_error_mm"] = number(result.cloud_to_cloud_rmse_error_mm);
     json["sampling_floor_mm"] = number(result.sampling_floor_mm);
     json["axis"] = nullptr;
     if (const auto& axis = alignment.reference_axis)

@@ -16,6 +16,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGuessPoints = 12000;
 constexpr std::size_t kSamplePoints = 60000;
+constexpr std::size_t kVotes = 200000;    // that the axis is found with…
+constexpr std::size_t kMost = 2'000'000;  // …before so many settle it, and the radii
 constexpr std::size_t kGrain = 16384;
 
 /// Points spread over the whole cloud: one from each of `count` equal runs, at a drawn place, so that no grid of the
@@ -159,9 +161,12 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
             sample = straightened(sample, bend, progress);
         }
     }
-    const std::vector<Vector3d> straight =
-        fit.bend.isSeen() ? straightened(points, fit.bend, progress) : std::vector<Vector3d>{};
-    const std::vector<Vector3d>& all = fit.bend.isSeen() ? straight : points;
+    std::vector<Vector3d> chosen;
+    if (points.size() > kMost) chosen = samplePoints(points, kMost);
+    if (fit.bend.isSeen()) chosen = straightened(chosen.empty() ? points : chosen, fit.bend, progress);
+    const std::vector<Vector3d>& all = chosen.empty() ? points : chosen;
+    const std::vector<Vector3d> fewer = all.size() > kVotes ? samplePoints(all, kVotes) : std::vector<Vector3d>{};
+    const std::vector<Vector3d>& votes = fewer.empty() ? all : fewer;
 
     MeridianBins bins;
     for (int i = 0; i < 3; ++i) {
@@ -173,12 +178,12 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.consistent_share = consistentShare(sample, pose, bins, candidates.noise_mm);
     progress.report(0.5);
 
-    // All points. The step shrinks tenfold or more each time; done when it was a tenth of the statistical uncertainty.
+    // The step shrinks tenfold or more each time; done when it was a tenth of the statistical uncertainty.
     // Slopes that are hardly more than noise may come and go with every step: after a few they stay as they are.
     constexpr int kSteps = 14, kSlopeSteps = 6;
     Step step;
     for (int i = 0; i < kSteps && !fit.converged; ++i) {
-        step = improve(all, pose, bins, progress);
+        step = improve(votes, pose, bins, progress);
         ++fit.iterations;
         if (!step.determined) return refused();
         const double relative = std::sqrt(step.change.dot(step.hessian * step.change));  // in standard uncertainties
@@ -186,9 +191,14 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
         if (!fit.converged && i < kSlopeSteps) refineSlopes(bins);
         progress.report(0.5 + 0.1 * std::min(i, 4));
     }
+    if (!fewer.empty()) {
+        step = improve(all, pose, bins, progress);
+        ++fit.iterations;
+        if (!step.determined) return refused();
+    }
     fit.axis_T_scan = pose;
     fit.sigma_mm = bins.sigma_mm;
-    fit.side_share = step.sums.side_weights / static_cast<double>(points.size());
+    fit.side_share = step.sums.side_weights / static_cast<double>(all.size());
     fit.covariance = covarianceOf(all, pose, bins, step, progress);
     fit.profile = profileOf(bins, step.sums.bins, 0);
     if (bins.wall_count > bins.side_count) fit.bore = profileOf(bins, step.sums.bins, bins.side_count);

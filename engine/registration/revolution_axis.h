@@ -72,9 +72,10 @@ struct AxisCandidates {
 AxisCandidates findAxisCandidates(const std::vector<Eigen::Vector3d>& points, const Progress& progress);
 
 /// Robust least squares (Tukey weights) over the axis's four parameters with the radius free in every bin.
-/// Starts from each candidate on a sample and finishes on all points. Points: at least 50, finite, not all in a plane.
-/// The covariance is never less than that of independent residuals, and more where residuals of neighbours on the
-/// surface go together (patches of 22.5° by a 96th of the length, and whole rings of that length).
+/// Starts from each candidate on a sample and finishes on all points, or two million of a larger cloud, drawn evenly
+/// from it. Points: at least 50, finite, not all in a plane. The covariance is never less than that of independent
+/// residuals, and more where residuals of neighbours on the surface go together (patches of 22.5° by a 96th of the
+/// length, and whole rings of that length).
 RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Progress& progress = {});
 
 /// True when the fit shows a body of revolution.

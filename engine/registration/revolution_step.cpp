@@ -18,7 +18,8 @@ using Eigen::Vector4d;
 constexpr std::size_t kGrain = 16384;
 constexpr double kTukey = 6;  // in standard deviations: 99 % efficient, and blind to what lies further off
 
-/// What one point says: its error along the normal, its weight and how the error follows the axis.
+/// What one point says, in the frame of the axis: its error along the normal, its weight and how the error follows the
+/// axis.
 struct Row {
     int key = -1;  ///< of its bin; -1: it has no say
     bool side = false;
@@ -30,10 +31,9 @@ struct Row {
     double jacobian[4] = {};
 };
 
-Row rowOf(const Vector3d& scan_point, const Eigen::Isometry3d& pose, const MeridianBins& bins)
+[[gnu::always_inline]] inline Row rowOf(const Vector3d& p, const MeridianBins& bins)
 {
     Row row;
-    const Vector3d p = pose * scan_point;
     const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
     const int key = bins.find(p.z(), r);
     if (key < 0 || r == 0) return row;
@@ -42,14 +42,16 @@ Row rowOf(const Vector3d& scan_point, const Eigen::Isometry3d& pose, const Merid
     const double along = row.side ? p.z() : r;
     const double across = row.side ? r : p.z();
     row.error = bin.cosine * (across - bin.value - bin.slope * (along - bin.middle));
-    row.u = row.error / (kTukey * bin.sigma);
+    const double per_sigma = 1 / bin.sigma;
+    row.u = row.error * (per_sigma / kTukey);
     if (!(row.u * row.u < 1)) return row;
     row.key = key;
     row.cosine = bin.cosine;
     row.share = (1 - row.u * row.u) * (1 - row.u * row.u);
-    row.weight = row.share / (bin.sigma * bin.sigma);
-    const double c = p.x() / r;
-    const double s = p.y() / r;
+    row.weight = row.share * (per_sigma * per_sigma);
+    const double per_r = 1 / r;
+    const double c = p.x() * per_r;
+    const double s = p.y() * per_r;
     // A shift (x0, y0) and slopes (tx, ty) of the axis: dr = -c (x0 + tx z) - s (y0 + ty z), dz = r (c tx + s ty).
     const double to_r = row.side ? bin.cosine : -bin.cosine * bin.slope;
     const double to_z = row.side ? -bin.cosine * bin.slope : bin.cosine;
@@ -68,7 +70,7 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
     // The lower triangle by hand: this loop is where the time goes.
     double h[10] = {}, g[4] = {};
     for (std::size_t i = begin; i < end; ++i) {
-        const Row row = rowOf(points[i], pose, bins);
+        const Row row = rowOf(pose * points[i], bins);
         if (row.key < 0) continue;
         const double we = row.weight * row.error;
         int k = 0;
@@ -94,6 +96,18 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
         }
         sums.gradient[a] += g[a];
     }
+}
+
+constexpr int kSectors = 16;
+
+/// Which sixteenth of the turn, in any order.
+int sectorOf(double x, double y)
+{
+    constexpr double tan22 = std::numbers::sqrt2 - 1;  // of 22.5°
+    const double a = std::abs(x);
+    const double b = std::abs(y);
+    const int within = b < a ? (b < tan22 * a ? 0 : 1) : (a < tan22 * b ? 2 : 3);
+    return within + (x < 0 ? 4 : 0) + (y < 0 ? 8 : 0);
 }
 
 /// A covariance that is in no direction less than `least` nor, in the main directions of both, than `other`.
@@ -162,7 +176,7 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
 Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose, const MeridianBins& bins,
                       const Step& step, const Progress& progress)
 {
-    constexpr int kSectors = 16, kStretches = 96;
+    constexpr int kStretches = 96;
     using Patches = std::vector<Vector4d>;
     const double length = bins.step_mm * bins.side_count;
     const Patches patches = parallelReduce(
@@ -171,11 +185,10 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
         [&](std::size_t begin, std::size_t end) {
             Patches part(static_cast<std::size_t>(kSectors * kStretches), Vector4d::Zero());
             for (std::size_t i = begin; i < end; ++i) {
-                const Row row = rowOf(points[i], pose, bins);
-                if (row.key < 0) continue;
                 const Vector3d p = pose * points[i];
-                const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
-                const int sector = std::min(kSectors - 1, static_cast<int>(turn * kSectors));
+                const Row row = rowOf(p, bins);
+                if (row.key < 0) continue;
+                const int sector = sectorOf(p.x(), p.y());
                 const int stretch =
                     std::clamp(static_cast<int>((p.z() - bins.z_start_mm) / length * kStretches), 0, kStretches - 1);
                 const Sums::Bin& bin = step.sums.bins[static_cast<std::size_t>(row.key)];

@@ -3,10 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
-#include "engine/core/parallel.h"
+#include "engine/registration/neighbours.h"
 
 namespace lathelier {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kPlaces = 12;
+constexpr std::size_t kPatch = 1200;  // samples around each place
 constexpr std::size_t kNearest = 32;  // samples whose circle gives the area of one
 
 double medianOf(std::vector<double>& values)
@@ -25,38 +28,20 @@ double medianOf(std::vector<double>& values)
 
 }  // namespace
 
-double samplingFloor_mm(const std::vector<Vector3d>& points, const Progress& progress)
+double samplingFloor_mm(const std::vector<Vector3d>& points, const Neighbours& index, const Progress& progress)
 {
     const double none = std::numeric_limits<double>::quiet_NaN();
     if (points.size() < 200) return none;
-    Vector3d low = points.front();
-    Vector3d high = low;
-    for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 5000) {
-        low = low.cwiseMin(points[i]);
-        high = high.cwiseMax(points[i]);
+    std::vector<std::vector<Vector3d>> patches;
+    double expected_mm2 = std::numeric_limits<double>::infinity();
+    std::vector<Neighbours::Found> found;
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+        progress.check();
+        const Vector3d& place = points[(2 * k + 1) * points.size() / (2 * kPlaces)];
+        index.nearestUnsorted(place, std::min(kPatch, points.size() / 4), expected_mm2, found);
+        std::vector<Vector3d>& patch = patches.emplace_back();
+        for (const Neighbours::Found& near : found) patch.push_back(index.point_mm(near.place) - place);
     }
-    const double radius = (high - low).norm() * std::sqrt(300.0 / static_cast<double>(points.size()));
-    std::vector<Vector3d> places;
-    for (std::size_t k = 0; k < kPlaces; ++k) places.push_back(points[(2 * k + 1) * points.size() / (2 * kPlaces)]);
-
-    using Patches = std::vector<std::vector<Vector3d>>;
-    const Patches patches = parallelReduce(
-        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Patches(kPlaces),
-        [&](std::size_t begin, std::size_t end) {
-            Patches part(kPlaces);
-            for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t k = 0; k < kPlaces; ++k) {
-                    const double dx = points[i].x() - places[k].x();
-                    if (dx > radius || dx < -radius) continue;
-                    if ((points[i] - places[k]).squaredNorm() < radius * radius)
-                        part[k].push_back(points[i] - places[k]);
-                }
-            return part;
-        },
-        [](Patches all, const Patches& part) {
-            for (std::size_t k = 0; k < kPlaces; ++k) all[k].insert(all[k].end(), part[k].begin(), part[k].end());
-            return all;
-        });
 
     std::vector<double> nearest, area;
     for (const std::vector<Vector3d>& patch : patches) {

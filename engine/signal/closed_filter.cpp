@@ -1,10 +1,11 @@
+#include "engine/signal/closed_filter.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <optional>
+#include <utility>
 
 #include "engine/signal/angular_sampling.h"
-#include "engine/signal/closed_profile.h"
 #include "engine/signal/fourier_fit.h"
 #include "engine/signal/nonuniform_fourier.h"
 
@@ -74,29 +75,6 @@ std::vector<double> bandByRegression(const AngularSampling& sampling, std::vecto
     return values;
 }
 
-/// The same by the series that fits the profile; nothing when the spacing does not carry the orders it needs.
-std::optional<std::vector<double>> bandBySeries(const AngularSampling& sampling, const std::vector<double>& values,
-                                                const ProfileBand& band, const Progress& progress)
-{
-    if (sampling.gaps > 0) return std::nullopt;
-    const double cutoff = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
-    const int even = static_cast<int>(sampling.different - 1) / 2;  // what even spacing would carry
-    const int limit = std::min(even, static_cast<int>(std::ceil(gone * cutoff)));
-    const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff)));
-    std::vector<Complex> fit = fitFourier(sampling, values, limit, progress);
-    if (static_cast<int>(fit.size()) <= needed) return std::nullopt;
-    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
-    const bool subtract = !band.high_upr;
-    for (std::size_t k = 1; k < fit.size(); ++k) {
-        const auto order = static_cast<double>(k);
-        fit[k] *= subtract ? gaussianTransmission(order, *band.low_upr) : band.transmission(order);
-    }
-    std::vector<double> result = fourierSeries(fit, sampling.angle_rad, progress);
-    if (subtract)
-        for (std::size_t j = 0; j < result.size(); ++j) result[j] = values[j] - result[j] + fit[0].real();
-    return result;
-}
-
 }  // namespace
 
 FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
@@ -115,21 +93,66 @@ FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<doubl
                               const Progress& progress)
 {
     if (values.size() < 3 || band.isAll()) return {std::move(values)};
-    if (sampling.uniform) return {filterClosed(values, band)};
-    const double mean = meanOf(values);
-    for (double& value : values) value -= mean;
-    const std::vector<double> given = values;
-    const auto [least, greatest] = std::minmax_element(given.begin(), given.end());
-    std::optional<std::vector<double>> series = bandBySeries(sampling, values, band, progress);
+    const double cutoff_upr = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
+    return ClosedFilter(sampling, std::move(values), cutoff_upr)(band, progress);
+}
+
+ClosedFilter::ClosedFilter(const AngularSampling& sampling, std::vector<double> values, double largest_cutoff_upr)
+    : sampling_(sampling), values_(std::move(values)), largest_cutoff_upr_(largest_cutoff_upr)
+{
+    if (values_.size() < 3 || sampling.uniform) return;
+    mean_ = meanOf(values_);
+    for (double& value : values_) value -= mean_;
+}
+
+FilteredValues ClosedFilter::operator()(const ProfileBand& band, const Progress& progress)
+{
     FilteredValues result;
-    result.way = series ? FilterWay::Series : FilterWay::Regression;
-    result.values = series ? std::move(*series) : bandByRegression(sampling, std::move(values), band, progress);
-    if (!band.low_upr) {
-        // A long-wave pass is a mean of neighbours: where a fit beside a gap or a corner goes beyond them all, it ends.
-        for (double& value : result.values) value = std::clamp(value, *least, *greatest);
+    if (values_.size() < 3 || band.isAll()) {
+        result.values = values_;
+    } else if (sampling_.uniform) {
+        return {filterClosed(values_, band)};
+    } else {
+        const bool series = bySeries(band, progress, result.values);
+        result.way = series ? FilterWay::Series : FilterWay::Regression;
+        if (!series) result.values = bandByRegression(sampling_, values_, band, progress);
+        if (!band.low_upr) {
+            // A long-wave pass is a mean of neighbours: where a fit beside a gap or a corner goes beyond them all, it
+            // ends.
+            const auto [least, greatest] = std::minmax_element(values_.begin(), values_.end());
+            for (double& value : result.values) value = std::clamp(value, *least, *greatest);
+        }
     }
-    for (double& value : result.values) value += mean;
+    for (double& value : result.values) value += mean_;
     return result;
+}
+
+/// By the series that fits the values; false when the spacing does not carry the orders that the band needs.
+bool ClosedFilter::bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result)
+{
+    if (sampling_.gaps > 0) return false;
+    const int even = static_cast<int>(sampling_.different - 1) / 2;  // what even spacing would carry
+    const auto limitFor = [even](double cutoff_upr) {
+        return std::min(even, static_cast<int>(std::ceil(gone * cutoff_upr)));
+    };
+    const double cutoff_upr = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
+    const int limit = limitFor(cutoff_upr);
+    const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff_upr)));
+    if (fit_.empty())
+        fit_ = fitFourier(sampling_, values_, limitFor(std::max(largest_cutoff_upr_, cutoff_upr)), progress);
+    if (static_cast<int>(fit_.size()) <= needed) return false;
+    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
+    const bool subtract = !band.high_upr;
+    std::vector<Complex> passed(fit_.begin(),
+                                fit_.begin() + std::min<std::ptrdiff_t>(std::ssize(fit_), std::ptrdiff_t{limit} + 1));
+    for (std::size_t k = 1; k < passed.size(); ++k) {
+        const auto order = static_cast<double>(k);
+        passed[k] *= subtract ? gaussianTransmission(order, *band.low_upr) : band.transmission(order);
+    }
+    result = fourierSeries(passed, sampling_.angle_rad, progress);
+    if (subtract)
+        for (std::size_t j = 0; j < result.size(); ++j) result[j] = values_[j] - result[j] + passed[0].real();
+    return true;
 }
 
 }  // namespace lathelier

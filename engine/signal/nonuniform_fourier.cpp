@@ -46,10 +46,11 @@ public:
         const double position = turns * static_cast<double>(size_);
         const double base = std::floor(position);
         const double x = (position - base) * step_;  // from the grid point below
-        // exp(-(x - lh)²/4τ) = exp(-x²/4τ) exp(xh/2τ)^l exp(-(lh)²/4τ): two exponentials for all points
-        const double near = std::exp(-x * x / (4 * tau_));
-        const double ratio = std::exp(x * step_ / (2 * tau_));
-        double power = near * std::pow(ratio, -(reach - 1));
+        // exp(-(x - lh)²/4τ) = exp(-x²/4τ) exp(xh/2τ)^l exp(-(lh)²/4τ): two exponentials for all points, from l = 1 -
+        // reach
+        const double rise = x * step_ / (2 * tau_);
+        const double ratio = std::exp(rise);
+        double power = std::exp(-x * x / (4 * tau_) - (reach - 1) * rise);
         std::size_t index = (static_cast<std::size_t>(base) + size_ - (reach - 1)) % size_;
         for (std::size_t l = 0; l < 2 * std::size_t{reach}; ++l) {
             visit(index, power * fixed_[l]);

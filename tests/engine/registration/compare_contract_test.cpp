@@ -132,6 +132,7 @@ TEST(Compare, JsonHasThePromisedKeys)
                             "verdict",
                             "distinguishable_from_scanner",
                             "cloud_to_cloud_rmse_mm",
+                            "cloud_to_cloud_rmse_standard_error_mm",
                             "sampling_floor_mm",
                             "axis",
                             "zones",

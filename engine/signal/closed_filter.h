@@ -1,0 +1,31 @@
+// Several filters of the same closed profile: what they share is computed once.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "engine/signal/closed_profile.h"
+
+namespace lathelier {
+
+/// filterClosedAt() for the same values and several bands. The trigonometric polynomial that fits the values is made
+/// once, with the orders that the largest cut-off needs.
+class ClosedFilter {
+public:
+    /// `values` in the order of the sampling, which has to stay.
+    ClosedFilter(const AngularSampling& sampling, std::vector<double> values, double largest_cutoff_upr);
+
+    /// The answer in the order of the sampling. Throws Cancelled.
+    FilteredValues operator()(const ProfileBand& band, const Progress& progress = {});
+
+private:
+    bool bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result);
+
+    const AngularSampling& sampling_;
+    std::vector<double> values_;  ///< without their mean where angles are uneven
+    double mean_ = 0;
+    double largest_cutoff_upr_;
+    std::vector<std::complex<double>> fit_;  ///< empty: not made yet
+};
+
+}  // namespace lathelier

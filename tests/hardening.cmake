@@ -13,7 +13,7 @@ foreach(pair "Type: +DYN|position independent (PIE)" "GNU_RELRO|read-only reloca
     string(REGEX MATCH "^(.*)[|]([^|]*)$" whole "${pair}")
     set(sign "${CMAKE_MATCH_1}")
     set(meaning "${CMAKE_MATCH_2}")
-    if(sign MATCHES "_chk")
+    if(sign STREQUAL "__[a-z]+_chk")
         string(REPLACE "__stack_chk_fail" "" text "${elf}")
     else()
         set(text "${elf}")

@@ -3483,6 +3483,58 @@
         <source>The points go round {revolutions} times: the revolutions lie over each other and were evaluated as one profile, their differences as noise.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The file has {found_MiB} MiB; the memory that is free allows for {maximum_MiB} MiB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program changed the file while it was read. Read it again when it is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewer members</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a shorter list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewer ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer: {input} is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer: the computation was stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe record or profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is no longer the one that was read: SHA-256 was {read}…, is {now}…. Compute again (F5) to take the new file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} was changed after it was read: SHA-256 was {read}…, is {now}…. This answer is of the file as it was; compute again (F5) to take the new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no longer there. This answer is of the file as it was, SHA-256 {read}….</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>
@@ -4573,6 +4625,26 @@ deviation %3 µm</source>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both versions stay when yours gets another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save under another name…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3483,6 +3483,58 @@
         <source>The points go round {revolutions} times: the revolutions lie over each other and were evaluated as one profile, their differences as noise.</source>
         <translation>Punkty obiegają okrąg {revolutions} razy: obroty nakładają się i zostały ocenione jako jeden profil, a ich różnice jako szum.</translation>
     </message>
+    <message>
+        <source>The file has {found_MiB} MiB; the memory that is free allows for {maximum_MiB} MiB.</source>
+        <translation>Plik ma {found_MiB} MiB; wolna pamięć pozwala na {maximum_MiB} MiB.</translation>
+    </message>
+    <message>
+        <source>Another program changed the file while it was read. Read it again when it is complete.</source>
+        <translation>Inny program zmienił plik podczas odczytu. Proszę wczytać go ponownie, gdy będzie kompletny.</translation>
+    </message>
+    <message>
+        <source>fewer members</source>
+        <translation>mniej elementów</translation>
+    </message>
+    <message>
+        <source>a shorter list</source>
+        <translation>krótsza lista</translation>
+    </message>
+    <message>
+        <source>fewer ranges</source>
+        <translation>mniej zakresów</translation>
+    </message>
+    <message>
+        <source>No answer: {input} is missing.</source>
+        <translation>Brak wyniku: nie podano danych „{input}”.</translation>
+    </message>
+    <message>
+        <source>No answer: {reason}</source>
+        <translation>Brak wyniku: {reason}</translation>
+    </message>
+    <message>
+        <source>No answer: the computation was stopped.</source>
+        <translation>Brak wyniku: obliczenia zatrzymano.</translation>
+    </message>
+    <message>
+        <source>Probe record or profile</source>
+        <translation>Zapis czujników lub profil</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>The file is no longer the one that was read: SHA-256 was {read}…, is {now}…. Compute again (F5) to take the new file.</source>
+        <translation>Plik nie jest już tym, który odczytano: SHA-256 było {read}…, jest {now}…. Aby przyjąć nowy plik, proszę przeliczyć ponownie (F5).</translation>
+    </message>
+    <message>
+        <source>{path} was changed after it was read: SHA-256 was {read}…, is {now}…. This answer is of the file as it was; compute again (F5) to take the new one.</source>
+        <translation>{path} zmieniono po odczycie: SHA-256 było {read}…, jest {now}…. Wynik dotyczy pliku sprzed zmiany; aby przyjąć nowy, proszę przeliczyć ponownie (F5).</translation>
+    </message>
+    <message>
+        <source>{path} is no longer there. This answer is of the file as it was, SHA-256 {read}….</source>
+        <translation>Pliku {path} już nie ma. Wynik dotyczy pliku, jaki był, SHA-256 {read}….</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>
@@ -4578,6 +4630,26 @@ odchyłka %3 µm</translation>
     <message>
         <source>Cancel</source>
         <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Zmieniono gdzie indziej</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened here.</source>
+        <translation>Plik %1 został zmieniony przez inne okno lub program, odkąd otwarto go tutaj.</translation>
+    </message>
+    <message>
+        <source>Both versions stay when yours gets another name.</source>
+        <translation>Obie wersje zostaną, jeśli ta otrzyma inną nazwę.</translation>
+    </message>
+    <message>
+        <source>Save under another name…</source>
+        <translation>Zapisz pod inną nazwą…</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Zastąp</translation>
     </message>
 </context>
 <context>

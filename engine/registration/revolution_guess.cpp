@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/registration/neighbours.h"
 #include "engine/registration/revolution_axis.h"
 
 namespace lathelier {
@@ -23,45 +24,24 @@ struct OrientedPoint {
     double scatter_mm = 0;
 };
 
-/// Normals of a few points from planes through their nearest neighbours, by plain search: the sample is small.
+/// Normals of a few points from planes through their nearest neighbours.
 std::vector<OrientedPoint> estimateNormals(const std::vector<Vector3d>& points, const Progress& progress)
 {
     const std::size_t count = std::min(kNormals, points.size());
     const std::size_t neighbours = std::min(kNeighbours, points.size());
+    const Neighbours index(points, progress);
     std::vector<OrientedPoint> result(count);
-    // Distances in single precision, coordinate by coordinate, so that the compiler computes several at once.
-    std::vector<float> x, y, z;
-    for (const Vector3d& point : points) {
-        const Eigen::Vector3f p = (point - points.front()).cast<float>();
-        x.push_back(p.x());
-        y.push_back(p.y());
-        z.push_back(p.z());
-    }
     parallelFor(count, 16, progress, [&](std::size_t begin, std::size_t end) {
-        std::array<std::pair<float, std::size_t>, kNeighbours> nearest;
-        std::vector<float> distances(points.size());
+        std::vector<Neighbours::Found> nearest;
         for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t own = i * points.size() / count;
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                const float dx = x[k] - x[own];
-                const float dy = y[k] - y[own];
-                const float dz = z[k] - z[own];
-                distances[k] = dx * dx + dy * dy + dz * dz;
-            }
-            nearest.fill({std::numeric_limits<float>::max(), 0});
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                const float distance = distances[k];
-                if (distance >= nearest[neighbours - 1].first) continue;
-                std::size_t place = neighbours - 1;
-                for (; place > 0 && nearest[place - 1].first > distance; --place) nearest[place] = nearest[place - 1];
-                nearest[place] = {distance, k};
-            }
+            index.nearest(points[i * points.size() / count], neighbours, std::numeric_limits<double>::infinity(),
+                          nearest);
             Vector3d mean = Vector3d::Zero();
-            for (std::size_t k = 0; k < neighbours; ++k) mean += points[nearest[k].second];
+            for (std::size_t k = 0; k < neighbours; ++k) mean += index.point_mm(nearest[k].place);
             mean /= static_cast<double>(neighbours);
             Matrix3d scatter = Matrix3d::Zero();
             for (std::size_t k = 0; k < neighbours; ++k) {
-                const Vector3d off = points[nearest[k].second] - mean;
+                const Vector3d off = index.point_mm(nearest[k].place) - mean;
                 scatter += off * off.transpose();
             }
             const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scatter);

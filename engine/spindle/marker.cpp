@@ -9,7 +9,7 @@ namespace {
 constexpr double middleShare = 0.2;  ///< of the values in the middle half: more than a marker has
 constexpr double rareEnds = 0.001;   ///< of the values at either end: spikes that do not set the range
 
-double at(std::vector<double>& values, std::size_t rank)
+double at(std::span<double> values, std::size_t rank)
 {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), place, values.end());
@@ -22,6 +22,7 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
 {
     MarkerLevels levels;
     std::vector<double> known;
+    known.reserve(values.size());
     std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
     if (known.size() < 8) {
         levels.complaint = LT_TEXT("Engine", "it has hardly any values");
@@ -41,12 +42,12 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
     const double from = hidden ? *least : bottom;
     const double to = hidden ? *most : top;
     const double middle = (from + to) / 2;
-    std::vector<double> below, above;
-    std::size_t between = 0;
-    for (const double v : known) {
-        (v < middle ? below : above).push_back(v);
-        between += std::abs(v - middle) < 0.25 * (to - from);
-    }
+    const auto between =
+        std::count_if(known.begin(), known.end(), [&](double v) { return std::abs(v - middle) < 0.25 * (to - from); });
+    // In place: a marker of a long record is large.
+    const auto split = std::partition(known.begin(), known.end(), [middle](double v) { return v < middle; });
+    const std::span<double> below(known.begin(), split);
+    const std::span<double> above(split, known.end());
     // Edges take their share of a short pulse: its level is that of its far end, not of its middle.
     constexpr std::size_t farEnd = 5;
     levels.high_is_rare = above.size() <= below.size();

@@ -54,7 +54,7 @@ FileFacts readFacts(const std::string& path, const Request& request, InputFiles&
                     Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
-    const auto facts = [&]() -> FileFacts {
+    FileFacts facts = [&]() -> FileFacts {
         switch (kindOf(path, bytes, request)) {
             case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
             case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;

@@ -33,4 +33,14 @@ inline double randomNormal(std::uint64_t seed, std::uint64_t stream, std::uint64
     return std::sqrt(-2 * std::log(radius)) * std::cos(2 * std::numbers::pi * turn);
 }
 
+/// randomNormal(), or 0 where its size is certainly less than `least`: much quicker when `rarity`, which is
+/// exp(-least²/2), is small.
+inline double randomNormalBeyond(std::uint64_t seed, std::uint64_t stream, std::uint64_t index, double rarity)
+{
+    const double radius = 1.0 - randomUniform(seed, stream, 2 * index);
+    if (radius > rarity) return 0;
+    const double turn = randomUniform(seed, stream, 2 * index + 1);
+    return std::sqrt(-2 * std::log(radius)) * std::cos(2 * std::numbers::pi * turn);
+}
+
 }  // namespace lathelier

@@ -109,9 +109,12 @@ PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interva
             progress.check();
             arrange(profile, prepared);
         }
-    if (rule == OutlierRule::Hampel)
-        for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round)
-            arrange(profile, prepared);
+    return rule == OutlierRule::Hampel ? withoutOutliers(profile, std::move(prepared), progress) : prepared;
+}
+
+PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared, const Progress& progress)
+{
+    for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round) arrange(profile, prepared);
     return prepared;
 }
 

@@ -27,6 +27,9 @@ struct PreparedProfile {
 PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule,
                                const Progress& progress = {});
 
+/// The same points without their outliers, or those points themselves when there are none. `prepared` still has them.
+PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared, const Progress& progress = {});
+
 /// The prepared points after the filter: on the rays from the centre, in the same order; without a filter as they are.
 struct EvaluatedProfile {
     std::vector<Eigen::Vector2d> points_mm;

@@ -19,6 +19,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::uint64_t seed = 12181;  ///< any; always the same
+constexpr double slack_sigma = 3;      ///< by which the edges of the zone may come inward in a draw
 constexpr double reach_sigma = 12;     ///< points further inside the zone than this touch it in no draw
 
 /// So many draws that the work stays about the same.
@@ -68,6 +69,12 @@ public:
     double plain_mm(std::uint64_t draw, std::size_t i) const
     {
         return noise_.beyond_rounding_um / 1000 * randomNormal(seed, draw, i);
+    }
+
+    /// The same where it may bring a point to touch the zone, else 0.
+    double plainBeyond_mm(std::uint64_t draw, std::size_t i, double rarity) const
+    {
+        return noise_.beyond_rounding_um / 1000 * randomNormalBeyond(seed, draw, i, rarity);
     }
 
     std::vector<double> operator()(std::uint64_t draw, const Progress& progress) const
@@ -131,6 +138,7 @@ struct Zone {
     std::vector<double> distance_mm;  ///< of all points
     std::vector<Vector2d> direction;
     std::vector<std::size_t> near;  ///< points that may touch in a draw
+    std::vector<double> rarity;     ///< of those: share of the draws that bring them near the zone's edges
     bool fixed = false;             ///< the centre is held by the region allowed, not by points
 };
 
@@ -158,7 +166,12 @@ Zone zoneAbout(const std::vector<Vector2d>& points, const AngularSampling& sampl
         arc ? std::numeric_limits<double>::infinity()
             : (reach_sigma * noise.sigma_um + 2 * (spike_um + noise.resolution_um)) / 1000 + 2 * std::abs(off);
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (zone.distance_mm[i] >= farthest - reach || zone.distance_mm[i] <= nearest + reach) zone.near.push_back(i);
+        if (zone.distance_mm[i] >= farthest - reach || zone.distance_mm[i] <= nearest + reach) {
+            zone.near.push_back(i);
+            const double depth_mm = std::min(farthest - zone.distance_mm[i], zone.distance_mm[i] - nearest);
+            const double needed = arc ? 0 : 1000 * (depth_mm - 2 * std::abs(off)) / noise.sigma_um - slack_sigma;
+            zone.rarity.push_back(needed > 0 ? std::exp(-needed * needed / 2) : 1);
+        }
     return zone;
 }
 
@@ -177,21 +190,23 @@ Vector2d leastSquaresStep(const Zone& zone, const std::vector<double>& noise)
 }
 
 /// RONt of one draw (or of the quiet form, without noise), in mm.
-double drawnDeviation(const Zone& zone, const std::vector<double>& noise, ReferenceCircle which, double half)
+/// Of the points only those in `touching` may come to lie at the zone's edges.
+double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
+                      ReferenceCircle which, double half)
 {
     Vector2d step = Vector2d::Zero();
     if (which == ReferenceCircle::LSCI) {
         step = leastSquaresStep(zone, noise);
     } else if (!zone.fixed) {
         LinearDistances<2> distances;
-        for (const std::size_t i : zone.near) distances.push(zone.distance_mm[i] + noise[i], zone.direction[i]);
+        for (const std::size_t i : touching) distances.push(zone.distance_mm[i] + noise[i], zone.direction[i]);
         const MinimaxGoal goal = which == ReferenceCircle::MZCI   ? MinimaxGoal::Width
                                  : which == ReferenceCircle::MICI ? MinimaxGoal::Nearest
                                                                   : MinimaxGoal::Farthest;
         step = minimax(distances, goal, half).step;
     }
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (const std::size_t i : zone.near) {
+    for (const std::size_t i : touching) {
         const double distance = zone.distance_mm[i] + noise[i] - zone.direction[i].dot(step);
         nearest = std::min(nearest, distance);
         farthest = std::max(farthest, distance);
@@ -210,21 +225,30 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
     const bool plain = NoiseDraws::isPlain(noise, band);
     const Zone zone = zoneAbout(quietPoints(prepared, noise, band, progress), prepared.sampling, circle, noise);
     const double half = circle.outer_radius_mm / 2;
-    const double quiet = drawnDeviation(zone, std::vector<double>(n, 0.0), which, half);
+    const double quiet = drawnDeviation(zone, std::vector<double>(n, 0.0), zone.near, which, half);
     std::vector<double> changes(drawsFor(n));
     parallelFor(changes.size(), 4, progress, [&](std::size_t begin, std::size_t end) {
         const NoiseDraws draw(prepared, noise, band);
+        std::vector<double> drawn(n);
+        std::vector<std::size_t> touching;
         for (std::size_t k = begin; k < end; ++k) {
             progress.check();
-            std::vector<double> drawn(plain ? n : 0);
-            if (!plain)
+            if (!plain) {
                 drawn = draw(k, progress);
-            else if (which == ReferenceCircle::LSCI)
+            } else if (which == ReferenceCircle::LSCI) {
                 for (std::size_t i = 0; i < n; ++i) drawn[i] = draw.plain_mm(k, i);
-            else
-                for (const std::size_t i : zone.near) drawn[i] = draw.plain_mm(k, i);
+            } else {
+                touching.clear();
+                for (std::size_t j = 0; j < zone.near.size(); ++j) {
+                    const double own = draw.plainBeyond_mm(k, zone.near[j], zone.rarity[j]);
+                    if (own == 0 && zone.rarity[j] < 1) continue;
+                    drawn[zone.near[j]] = own;
+                    touching.push_back(zone.near[j]);
+                }
+            }
             progress.check();
-            changes[k] = 1000 * (drawnDeviation(zone, drawn, which, half) - quiet);
+            const bool some = plain && which != ReferenceCircle::LSCI;
+            changes[k] = 1000 * (drawnDeviation(zone, drawn, some ? touching : zone.near, which, half) - quiet);
         }
     });
     // Few points hardly tell correlated noise from form: found by simulation of the kinds in the tests.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/signal/angular_sampling.h"
+#include "engine/signal/fourier.h"
 #include "engine/signal/fourier_fit.h"
 #include "engine/signal/nonuniform_fourier.h"
 
@@ -127,32 +128,54 @@ FilteredValues ClosedFilter::operator()(const ProfileBand& band, const Progress&
     return result;
 }
 
-/// By the series that fits the values; false when the spacing does not carry the orders that the band needs.
-bool ClosedFilter::bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result)
+/// What the band lets through of the series that fits the values; empty when the spacing does not carry the orders
+/// that it needs. Of a short-wave pass: what it takes away.
+std::vector<Complex> ClosedFilter::passed(const ProfileBand& band, const Progress& progress)
 {
-    if (sampling_.gaps > 0) return false;
-    const int even = static_cast<int>(sampling_.different - 1) / 2;  // what even spacing would carry
-    const auto limitFor = [even](double cutoff_upr) {
-        return std::min(even, static_cast<int>(std::ceil(gone * cutoff_upr)));
+    if (sampling_.gaps > 0) return {};
+    const int most = static_cast<int>(sampling_.different - 1) / 2;  // what even spacing would carry
+    const auto limitFor = [most](double cutoff_upr) {
+        return std::min(most, static_cast<int>(std::ceil(gone * cutoff_upr)));
     };
     const double cutoff_upr = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
     const int limit = limitFor(cutoff_upr);
     const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff_upr)));
     if (fit_.empty())
         fit_ = fitFourier(sampling_, values_, limitFor(std::max(largest_cutoff_upr_, cutoff_upr)), progress);
-    if (static_cast<int>(fit_.size()) <= needed) return false;
-    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
-    const bool subtract = !band.high_upr;
-    std::vector<Complex> passed(fit_.begin(),
+    if (static_cast<int>(fit_.size()) <= needed) return {};
+    std::vector<Complex> series(fit_.begin(),
                                 fit_.begin() + std::min<std::ptrdiff_t>(std::ssize(fit_), std::ptrdiff_t{limit} + 1));
-    for (std::size_t k = 1; k < passed.size(); ++k) {
+    for (std::size_t k = 1; k < series.size(); ++k) {
         const auto order = static_cast<double>(k);
-        passed[k] *= subtract ? gaussianTransmission(order, *band.low_upr) : band.transmission(order);
+        series[k] *= band.high_upr ? band.transmission(order) : gaussianTransmission(order, *band.low_upr);
     }
-    result = fourierSeries(passed, sampling_.angle_rad, progress);
-    if (subtract)
-        for (std::size_t j = 0; j < result.size(); ++j) result[j] = values_[j] - result[j] + passed[0].real();
+    return series;
+}
+
+/// By the series that fits the values; false when it does not serve.
+bool ClosedFilter::bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result)
+{
+    const std::vector<Complex> series = passed(band, progress);
+    if (series.empty()) return false;
+    result = fourierSeries(series, sampling_.angle_rad, progress);
+    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
+    if (!band.high_upr)
+        for (std::size_t j = 0; j < result.size(); ++j) result[j] = values_[j] - result[j] + series[0].real();
     return true;
+}
+
+std::optional<std::vector<double>> ClosedFilter::even(const ProfileBand& band, std::size_t count,
+                                                      const Progress& progress)
+{
+    if (sampling_.uniform || values_.size() < 3 || !band.high_upr) return std::nullopt;
+    std::vector<Complex> series = passed(band, progress);
+    const FourierTransform transform(quickTransformLength(count));
+    if (series.empty() || series.size() > transform.length() / 2) return std::nullopt;
+    series.resize(transform.length() / 2 + 1);
+    std::vector<double> result = transform.series(series);
+    const auto [least, greatest] = std::minmax_element(values_.begin(), values_.end());
+    for (double& value : result) value = (band.low_upr ? value : std::clamp(value, *least, *greatest)) + mean_;
+    return result;
 }
 
 }  // namespace lathelier

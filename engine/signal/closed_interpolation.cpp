@@ -22,8 +22,7 @@ double ClosedInterpolation::operator()(double angle_rad) const
 {
     const std::size_t n = angle_.size();
     const double angle = angle_rad - turn * std::floor((angle_rad - angle_.front()) / turn);
-    const auto above = std::upper_bound(angle_.begin(), angle_.end(), angle);
-    const auto right = static_cast<std::ptrdiff_t>(above - angle_.begin());
+    const std::ptrdiff_t right = firstBeyond(angle);
     const double near = 1e-6 * turn / static_cast<double>(n);
     if (angle - angleAt(right - 1) <= near) return valueAt(right - 1);
     if (angleAt(right) - angle <= near) return valueAt(right);
@@ -37,16 +36,29 @@ double ClosedInterpolation::operator()(double angle_rad) const
     return broadest <= evenEnough * narrowest ? throughFour(left - 1, angle) : monotone(left, angle);
 }
 
+/// std::upper_bound, begun where even spacing would have the place.
+std::ptrdiff_t ClosedInterpolation::firstBeyond(double angle) const
+{
+    const auto n = static_cast<std::ptrdiff_t>(angle_.size());
+    const double share = (angle - angle_.front()) / turn;
+    const auto guess = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(share * static_cast<double>(n)), 0, n);
+    std::ptrdiff_t low = guess, high = guess;
+    for (std::ptrdiff_t step = 1; low > 0 && angle_[static_cast<std::size_t>(low) - 1] > angle; step *= 2)
+        low = std::max<std::ptrdiff_t>(0, low - step);
+    for (std::ptrdiff_t step = 1; high < n && !(angle_[static_cast<std::size_t>(high)] > angle); step *= 2)
+        high = std::min(n, high + step);
+    return std::upper_bound(angle_.begin() + low, angle_.begin() + high, angle) - angle_.begin();
+}
+
+/// Lagrange's polynomial.
 double ClosedInterpolation::throughFour(std::ptrdiff_t first, double angle) const
 {
-    double sum = 0;
-    for (std::ptrdiff_t i = first; i < first + 4; ++i) {
-        double weight = 1;  // Lagrange
-        for (std::ptrdiff_t j = first; j < first + 4; ++j)
-            if (j != i) weight *= (angle - angleAt(j)) / (angleAt(i) - angleAt(j));
-        sum += weight * valueAt(i);
-    }
-    return sum;
+    const double a = angleAt(first), b = angleAt(first + 1), c = angleAt(first + 2), d = angleAt(first + 3);
+    const double xa = angle - a, xb = angle - b, xc = angle - c, xd = angle - d;
+    return valueAt(first) * (xb * xc * xd) / ((a - b) * (a - c) * (a - d)) +
+           valueAt(first + 1) * (xa * xc * xd) / ((b - a) * (b - c) * (b - d)) +
+           valueAt(first + 2) * (xa * xb * xd) / ((c - a) * (c - b) * (c - d)) +
+           valueAt(first + 3) * (xa * xb * xc) / ((d - a) * (d - b) * (d - c));
 }
 
 double ClosedInterpolation::slopeAt(std::ptrdiff_t i) const
@@ -70,7 +82,9 @@ double ClosedInterpolation::monotone(std::ptrdiff_t left, double angle) const
 std::size_t ClosedInterpolation::wrapped(std::ptrdiff_t i) const
 {
     const auto n = static_cast<std::ptrdiff_t>(angle_.size());
-    return static_cast<std::size_t>((i + n) % n);
+    while (i < 0) i += n;
+    while (i >= n) i -= n;
+    return static_cast<std::size_t>(i);
 }
 
 double ClosedInterpolation::angleAt(std::ptrdiff_t i) const

@@ -19,6 +19,7 @@ public:
     double operator()(double angle_rad) const;
 
 private:
+    std::ptrdiff_t firstBeyond(double angle) const;
     std::size_t wrapped(std::ptrdiff_t i) const;
     double valueAt(std::ptrdiff_t i) const { return values_[wrapped(i)]; }
     double angleAt(std::ptrdiff_t i) const;

@@ -32,7 +32,7 @@ void takeWindow(std::span<const double> values, std::ptrdiff_t i, const HampelOp
     window.clear();
     for (std::ptrdiff_t j = i - half; j <= i + half; ++j) {
         if (!options.closed && (j < 0 || j >= n)) continue;
-        const double value = values[static_cast<std::size_t>((j + n) % n)];
+        const double value = values[static_cast<std::size_t>(j < 0 ? j + n : j >= n ? j - n : j)];
         if (std::isfinite(value)) window.push_back(value);
     }
 }

@@ -109,7 +109,7 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
     return place;
 }
 
-ComparePlace placeOnMesh(const ComparePicture& picture, const SurfacePlace& surface, bool of_reference)
+ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surface, bool of_reference)
 {
     const CompareResult& result = *picture.result;
     const Scan& mesh = of_reference ? picture.reference->file.scan : picture.copyScan();

@@ -43,7 +43,7 @@ struct ComparePlace {
     std::optional<double> z_mm;                              ///< along the axis from its first data
     std::optional<double> angle_deg;
     std::optional<std::size_t> point;     ///< of the copy, a cloud
-    std::optional<SurfacePlace> surface;  ///< of the copy, a mesh
+    std::optional<PickedPlace> surface;  ///< of the copy, a mesh
     std::optional<double> deviation_mm;
     std::optional<double> local_mean_mm;
 };
@@ -53,7 +53,7 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
 
 /// A place on the surface of the copy (or of the reference), which is a mesh. Its deviation is that of the corners in
 /// proportion, as drawn.
-ComparePlace placeOnMesh(const ComparePicture& picture, const SurfacePlace& surface, bool of_reference = false);
+ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surface, bool of_reference = false);
 
 /// The place on the reference's meridian; body of revolution only.
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg);

@@ -69,7 +69,7 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     connect(p.scene, &SceneView::pointPicked, this, [this](int object, qint64 point) {
         setPlace(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
     });
-    connect(p.scene, &SceneView::surfacePicked, this, [this](int object, const SurfacePlace& surface) {
+    connect(p.scene, &SceneView::surfacePicked, this, [this](int object, const PickedPlace& surface) {
         setPlace(placeOnMesh(*parts_->picture, surface, object == 0));
     });
     connect(p.map, &PlotCanvas::clicked, this, [this](double z, double angle) {

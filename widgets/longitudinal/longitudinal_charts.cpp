@@ -59,15 +59,15 @@ double roundedDown(double value)
 
 }  // namespace
 
-std::size_t SectionStack::vertexAt(std::size_t section, double angle_deg) const
+std::size_t StackedSections::vertexAt(std::size_t section, double angle_deg) const
 {
     const auto step = static_cast<std::size_t>(std::lround(angle_deg / 360 * static_cast<double>(angles)));
     return section * angles + step % angles;
 }
 
-SectionStack sectionStack(const TrajectoryResult& result, bool form_only)
+StackedSections stackedSections(const TrajectoryResult& result, bool form_only)
 {
-    SectionStack stack;
+    StackedSections stack;
     stack.angles = angles;
     const std::size_t count = result.sections.size();
     if (count < 2) return stack;

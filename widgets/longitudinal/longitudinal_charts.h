@@ -11,7 +11,7 @@ namespace lathelier {
 
 /// The images of all sections as one closed surface around the axis, deviations drawn magnified. They count from the
 /// mean LSC radius of all sections about the spindle's axis, or (with `form_only`) from each section's own LSC circle.
-struct SectionStack {
+struct StackedSections {
     std::shared_ptr<const Scan> scan;
     std::shared_ptr<const std::vector<float>> deviation_um;  ///< one for each vertex
     std::size_t angles = 0;                                  ///< vertices of a section
@@ -28,7 +28,7 @@ struct SectionStack {
 };
 
 /// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
-SectionStack sectionStack(const TrajectoryResult& result, bool form_only);
+StackedSections stackedSections(const TrajectoryResult& result, bool form_only);
 
 /// Radius of each section along z with line (taper) and parabola (barrel).
 PlotData profileAlongZ(const TrajectoryResult& result);

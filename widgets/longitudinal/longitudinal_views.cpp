@@ -110,7 +110,7 @@ void LongitudinalViews::showStack()
 {
     if (!picture_ || stacked_ == picture_->trajectory) return;
     stacked_ = picture_->trajectory;
-    stack_ = sectionStack(*stacked_, formOnly_->isChecked());
+    stack_ = stackedSections(*stacked_, formOnly_->isChecked());
     scene_->setVisible(stack_.scan != nullptr);
     if (!stack_.scan) return;
     magnification_->setText(tr("deviation × %1").arg(screenNumber(stack_.magnification, 0)));

@@ -22,7 +22,7 @@ public:
     explicit LongitudinalViews(MarkedAngle& angle, QWidget* parent = nullptr);
 
     void setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen);
-    const SectionStack& stack() const { return stack_; }
+    const StackedSections& stack() const { return stack_; }
 
     /// The 3-D view for the report; empty without OpenGL.
     std::vector<Picture> pictures();
@@ -40,7 +40,7 @@ private:
 
     MarkedAngle& angle_;
     std::shared_ptr<const SpindlePicture> picture_;
-    SectionStack stack_;
+    StackedSections stack_;
     std::shared_ptr<const TrajectoryResult> stacked_;
     std::optional<double> limit_um_;
     SectionBar* section_;

@@ -33,7 +33,7 @@ struct SceneAxis {
 };
 
 /// A place on a mesh: the corners of a triangle and their weights, which add up to 1.
-struct SurfacePlace {
+struct PickedPlace {
     std::array<std::uint32_t, 3> corners{};
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
 };

@@ -23,7 +23,7 @@ std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& poin
                                         double radius_px, int height_px);
 
 struct SceneHit {
-    SurfacePlace place;
+    PickedPlace place;
     double depth_mm = 0;  ///< from the eye
 };
 

@@ -20,10 +20,13 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
 template <class T, class Map, class Fold>
 T parallelReduce(std::size_t count, std::size_t grain, const Progress& progress, T start, Map map, Fold fold)
 {
-    std::vector<T> parts((count + grain - 1) / grain, start);
+    struct Part {
+        T value;  // a place of its own for each, which the bits of a std::vector<bool> have not
+    };
+    std::vector<Part> parts((count + grain - 1) / grain, Part{start});
     parallelFor(count, grain, progress,
-                [&](std::size_t begin, std::size_t end) { parts[begin / grain] = map(begin, end); });
-    for (const T& part : parts) start = fold(start, part);
+                [&](std::size_t begin, std::size_t end) { parts[begin / grain].value = map(begin, end); });
+    for (const Part& part : parts) start = fold(start, part.value);
     return start;
 }
 

@@ -75,7 +75,7 @@ private:
 /// The extreme points of each patch of the surface: the candidates for contacts.
 void WidthProblem::seed(const AxisParameters& axis)
 {
-    constexpr int sectors = 16, slabs = 8;
+    constexpr std::size_t sectors = 16, slabs = 8;
     struct Patch {
         double low = std::numeric_limits<double>::infinity(), high = -1;
         std::size_t low_index = 0, high_index = 0;
@@ -86,10 +86,11 @@ void WidthProblem::seed(const AxisParameters& axis)
         if (i % 65536 == 0) progress_.check();
         const Eigen::Vector3d p = points_.point(i);
         const double wx = p.x() - axis[0] - p.z() * axis[2], wy = p.y() - axis[1] - p.z() * axis[3];
-        const double turn = (std::atan2(wy, wx) / (2 * std::numbers::pi) + 0.5) * sectors;
-        const int sector = std::min(static_cast<int>(turn), sectors - 1);
-        const int slab = std::min(static_cast<int>((p.z() - bottom) / height * slabs), slabs - 1);
-        Patch& patch = patches[static_cast<std::size_t>(slab * sectors + sector)];
+        const double turn = (std::atan2(wy, wx) / (2 * std::numbers::pi) + 0.5) * double{sectors};
+        const std::size_t sector = std::min(static_cast<std::size_t>(turn), sectors - 1);
+        const std::size_t slab =
+            std::min(static_cast<std::size_t>((p.z() - bottom) / height * double{slabs}), slabs - 1);
+        Patch& patch = patches[slab * sectors + sector];
         const double d = wx * wx + wy * wy;
         if (d < patch.low) {
             patch.low = d;

@@ -125,6 +125,7 @@ Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& co
 {
     Form form;
     std::vector<double> power;
+    power.reserve(coefficients.size());
     for (const Complex& c : coefficients) power.push_back(4 * std::norm(c));
     // Form fills the lowest orders: those are judged by what higher ones show first, then by what is no line among
     // them.
@@ -149,6 +150,7 @@ Form standingOutOfArc(const std::vector<double>& deviation)
     const FourierTransform transform(2 * n);
     std::vector<Complex> spectrum = transform.forward(mirrored);
     std::vector<double> power;
+    power.reserve(spectrum.size());
     for (const Complex& x : spectrum) power.push_back(std::norm(x));
     Form form;
     form.isLine.assign(power.size(), 0);

@@ -43,7 +43,7 @@ std::vector<KnownProfile> symmetricProfiles()
     std::vector<KnownProfile> all;
     for (const int lobes : {3, 4, 5, 7, 15}) {
         const auto radius = [lobes](double t) { return 25 + 0.003 * std::cos(lobes * t); };
-        all.push_back(profile(static_cast<std::size_t>(60 * lobes), radius, 24.997, 25.003, {0.04, -0.03}));
+        all.push_back(profile(60 * static_cast<std::size_t>(lobes), radius, 24.997, 25.003, {0.04, -0.03}));
     }
     const auto squares = [](double t) { return std::lround(t / (pi / 4)) % 2 == 0 ? 10 : 9.9; };
     all.push_back(profile(8, squares, 9.9, 10, {1, 2}));

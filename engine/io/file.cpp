@@ -148,12 +148,12 @@ void compare(OpenFile& file, std::string_view before, const Progress& progress)
 
 void refuseTooLarge(const std::string& path, std::uint64_t size)
 {
-    constexpr std::uint64_t MiB = std::uint64_t{1} << 20;
+    constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
     const std::uint64_t maximum = largestFile_bytes();
     if (size > maximum)
         throw Error(errors::fileTooLarge, {{"path", path},
-                                           {"found_MiB", static_cast<std::int64_t>(size / MiB)},
-                                           {"maximum_MiB", static_cast<std::int64_t>(maximum / MiB)}});
+                                           {"found_MiB", static_cast<std::int64_t>(size / mebibyte)},
+                                           {"maximum_MiB", static_cast<std::int64_t>(maximum / mebibyte)}});
 }
 
 /// Reads to the end of something whose length is not known beforehand. A non-blocking pipe tells "nobody writes"
@@ -332,7 +332,7 @@ std::string fileSha256(const std::string& path, const Progress& progress)
         }
     };
     const bool twice = file.mayBeWritten();
-    const std::string first = pass(progress.part(0, twice ? 0.5 : 1));
+    std::string first = pass(progress.part(0, twice ? 0.5 : 1));
     if (twice) {
         file.rewind();
         if (pass(progress.part(0.5, 1)) != first) file.throwChanged();

@@ -43,6 +43,7 @@ std::vector<std::string> allBeside(const std::string& path, const std::string& e
     }
     std::sort(candidates.begin(), candidates.end());
     std::vector<std::string> names;
+    names.reserve(candidates.size());
     for (auto& [rank, name] : candidates) names.push_back(std::move(name));
     return names;
 }

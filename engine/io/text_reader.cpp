@@ -146,7 +146,7 @@ TableRows readWithNormals(std::string_view text, const TableLayout& layout, cons
                           bool guessed, const Progress& progress, Scan& scan)
 {
     std::unique_ptr<double[]> values;
-    const TableRows rows = readRows(
+    TableRows rows = readRows(
         text, layout, wanted,
         [&values](std::size_t count) { return (values = std::unique_ptr<double[]>(new double[count * 6])).get(); },
         progress);

@@ -113,8 +113,8 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     copy.seed = 2 * seed + 1;
     copy.scan_T_part = pose(1, 1.2, 1, 0.007, -0.025, 0.436);
 
-    const std::vector<std::string> paths{path("original.ply"),     path("copy.ply"),     path("truth.json"),
-                                         path("probe_record.csv"), path("averaged.csv"), path("sample.lathelier")};
+    std::vector<std::string> paths{path("original.ply"),     path("copy.ply"),     path("truth.json"),
+                                   path("probe_record.csv"), path("averaged.csv"), path("sample.lathelier")};
     const std::string original_ply =
         plyOf(scanShaft(nominalShaft(), original, progress.part(0, 0.35, LT_TEXT("Engine", "Scanning the original"))));
     writeFile(paths[0], original_ply);

@@ -84,7 +84,9 @@ public:
         Eigen::Vector3i cell;
         for (int a = 0; a < 3; ++a)
             cell[a] = static_cast<int>(std::clamp((query_mm[a] - low_mm_[a]) / cell_mm_, 0.0, cells_[a] - 1.0));
-        return nearest_[static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0])];
+        const Eigen::Matrix<std::size_t, 3, 1> at = cell.cast<std::size_t>();
+        const Eigen::Matrix<std::size_t, 3, 1> all = cells_.cast<std::size_t>();
+        return nearest_[(at[2] * all[1] + at[1]) * all[0] + at[0]];
     }
 
 private:
@@ -234,6 +236,7 @@ std::vector<Eigen::Vector3d> thinOut(const std::vector<Eigen::Vector3d>& points_
     }
     std::sort(kept.begin(), kept.end());
     std::vector<Eigen::Vector3d> result;
+    result.reserve(kept.size());
     for (std::uint32_t rank : kept) result.push_back(points_mm[order[rank]]);
     return result;
 }
@@ -289,6 +292,7 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
     keepBest(poses, count, copy);
     progress.report(1);
     std::vector<Eigen::Isometry3d> result;
+    result.reserve(poses.size());
     for (const Pose& pose : poses) result.push_back(pose.reference_T_copy);
     return result;
 }

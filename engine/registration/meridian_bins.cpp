@@ -80,6 +80,7 @@ struct Scatter {
 double typical(const std::vector<Scatter>& scatters)
 {
     std::vector<double> values;
+    values.reserve(scatters.size());
     for (const Scatter& s : scatters) values.push_back(s.sigma);
     return values.empty() ? 0.0 : medianOf(values);
 }

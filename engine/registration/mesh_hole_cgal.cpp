@@ -15,6 +15,7 @@ std::vector<std::array<std::uint32_t, 3>> fillHole(const std::vector<Eigen::Vect
     if (rim_mm.size() == 3) return {{0, 1, 2}};
     using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
     std::vector<Point> polyline;
+    polyline.reserve(rim_mm.size());
     for (const Eigen::Vector3d& p : rim_mm) polyline.emplace_back(p.x(), p.y(), p.z());
     std::vector<CGAL::Triple<int, int, int>> found;
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(found));

@@ -92,6 +92,7 @@ private:
                                   [](const RimCorner& a, const RimCorner& b) { return a.number == b.number; }),
                       corners.end());
         std::vector<Vector3d> places;
+        places.reserve(corners.size());
         for (const RimCorner& c : corners) places.push_back(c.at_mm);
         const Neighbours index(places, progress_);
         Senses same(result_.corners.count);

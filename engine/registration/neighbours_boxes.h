@@ -80,7 +80,7 @@ template <class Leaf>
 void BoxTree::visit(const Box& query, double& limit, Leaf&& leaf) const
 {
     if (levels_.empty()) return;
-    std::array<Pending, 8 * 12> stack;  // 8^11 leaves are more than 32 bits can count
+    std::array<Pending, std::size_t{8} * 12> stack;  // 8^11 leaves are more than 32 bits can count
     std::size_t depth = 0;
     stack[depth++] = {static_cast<std::uint32_t>(levels_.size()), 0, 0};
     while (depth > 0) {

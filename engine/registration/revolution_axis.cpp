@@ -93,8 +93,9 @@ RadiusProfile profileOf(const MeridianBins& bins, const std::vector<Sums::Bin>& 
     profile.step_mm = bins.step_mm;
     const double none = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < bins.side_count; ++i) {
-        const MeridianBin& bin = bins.bins[static_cast<std::size_t>(first + i)];
-        const Sums::Bin& sum = sums[static_cast<std::size_t>(first + i)];
+        const std::size_t place = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
+        const MeridianBin& bin = bins.bins[place];
+        const Sums::Bin& sum = sums[place];
         const bool known = bin.active && sum.weight > 0;
         profile.radius_mm.push_back(known ? bin.value : none);
         profile.slope.push_back(known ? bin.slope : none);

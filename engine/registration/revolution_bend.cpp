@@ -114,6 +114,7 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     if (centres.size() < 6 || centres.back().z - centres.front().z < 1) return bend;
 
     std::vector<double> scatters;
+    scatters.reserve(centres.size());
     for (const Centre& centre : centres) scatters.push_back(centre.scatter);
     const auto usual = scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2);
     std::nth_element(scatters.begin(), usual, scatters.end());

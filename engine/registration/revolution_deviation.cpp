@@ -173,7 +173,9 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                 const double turn = std::atan2(p.y(), p.x()) / (2 * kPi);
                 const int column =
                     std::min(map.angle_count - 1, static_cast<int>((turn < 0 ? turn + 1 : turn) * map.angle_count));
-                part.cells[static_cast<std::size_t>(row * map.angle_count + column)].add(v);
+                part.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) +
+                           static_cast<std::size_t>(column)]
+                    .add(v);
             }
             return part;
         },

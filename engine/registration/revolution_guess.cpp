@@ -165,6 +165,7 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     std::stable_sort(order.begin(), order.end());
     AxisCandidates result;
     std::vector<double> scatters;
+    scatters.reserve(oriented.size());
     for (const OrientedPoint& p : oriented) scatters.push_back(p.scatter_mm);
     const auto middle = scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2);
     std::nth_element(scatters.begin(), middle, scatters.end());

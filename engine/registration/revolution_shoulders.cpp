@@ -124,6 +124,7 @@ Trial tryWidth(const Group& group, double log_width, const Progress& progress)
 std::vector<Trial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
 {
     std::vector<Trial> trials;
+    trials.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) trials.push_back(tryWidth(group, from + (to - from) * k / (count - 1), progress));
     return trials;
 }

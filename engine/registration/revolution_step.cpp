@@ -100,6 +100,11 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
 
 constexpr int kSectors = 16;
 
+std::size_t patchAt(int stretch, int sector)
+{
+    return static_cast<std::size_t>(stretch) * kSectors + static_cast<std::size_t>(sector);
+}
+
 /// Which sixteenth of the turn, in any order.
 int sectorOf(double x, double y)
 {
@@ -194,8 +199,7 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
                 const Sums::Bin& bin = step.sums.bins[static_cast<std::size_t>(row.key)];
                 if (bin.weight <= 0) continue;
                 const Vector4d own(row.jacobian[0], row.jacobian[1], row.jacobian[2], row.jacobian[3]);
-                part[static_cast<std::size_t>(stretch * kSectors + sector)] +=
-                    row.weight * row.error * (own - bin.jacobian / bin.weight);
+                part[patchAt(stretch, sector)] += row.weight * row.error * (own - bin.jacobian / bin.weight);
             }
             return part;
         },
@@ -209,7 +213,7 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
     for (int stretch = 0; stretch < kStretches; ++stretch) {
         Vector4d ring = Vector4d::Zero();
         for (int sector = 0; sector < kSectors; ++sector) {
-            const Vector4d& patch = patches[static_cast<std::size_t>(stretch * kSectors + sector)];
+            const Vector4d& patch = patches[patchAt(stretch, sector)];
             places += patch * patch.transpose();
             ring += patch;
         }

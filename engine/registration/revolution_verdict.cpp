@@ -74,6 +74,7 @@ bool isSphere(const std::vector<Vector3d>& sample, const Vector3d& middle, const
     const double square = solved[3] + solved.head<3>().squaredNorm();
     if (!(square > 0)) return false;
     std::vector<double> off;
+    off.reserve(sample.size());
     for (const Vector3d& point : sample)
         off.push_back(std::abs((point - middle - solved.head<3>()).norm() - std::sqrt(square)));
     return 1.4826 * medianOf(off) < limit_mm;

@@ -44,6 +44,7 @@ std::vector<NeighbourPair> neighboursOf(const std::vector<Vector3d>& points, con
 std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
 {
     std::vector<double> lengths;
+    lengths.reserve(pairs.size());
     for (const NeighbourPair& pair : pairs) lengths.push_back(pair.step.norm());
     const double typical = medianOf(lengths);
     Vector3d normal = Vector3d::UnitZ();
@@ -56,6 +57,7 @@ std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
                 scatter += pair.step * pair.step.transpose();
         normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
         std::vector<double> off;
+        off.reserve(pairs.size());
         for (const NeighbourPair& pair : pairs) off.push_back(std::abs(pair.step.dot(normal)));
         least = medianOf(off);
         width = 4 * least + 1e-12 * typical;
@@ -144,6 +146,7 @@ std::optional<ScannerAxis> findScannerAxis(const std::vector<Vector3d>& points, 
     const Vector3d u = normal->unitOrthogonal();
     const Vector3d v = normal->cross(u);
     std::vector<double> lengths;
+    lengths.reserve(pairs.size());
     for (const NeighbourPair& pair : pairs) lengths.push_back(pair.step.norm());
     const double typical = medianOf(lengths);
     std::vector<Vector2d> first, second;

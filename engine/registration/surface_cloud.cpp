@@ -44,6 +44,7 @@ template <class T, class Value>
 double medianOf(const std::vector<T>& items, Value value)
 {
     std::vector<double> values;
+    values.reserve(items.size());
     for (const T& item : items) values.push_back(value(item));
     if (values.empty()) return 0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

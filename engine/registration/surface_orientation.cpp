@@ -33,6 +33,7 @@ struct Graph {
 Graph connect(const std::vector<SurfaceElement>& elements, const Progress& progress)
 {
     std::vector<Eigen::Vector3d> centres;
+    centres.reserve(elements.size());
     for (const SurfaceElement& e : elements) centres.push_back(e.centre_mm);
     const Neighbours index(centres, progress);
     std::vector<Link> all(elements.size() * links);

@@ -67,7 +67,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
     SurfacePatch patch;
     double total = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const Eigen::Vector3d origin = points_mm[0];
+    const Eigen::Vector3d& origin = points_mm[0];
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
         total += weights[i];
         sum += weights[i] * (points_mm[i] - origin);

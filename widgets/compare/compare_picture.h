@@ -42,7 +42,7 @@ struct ComparePlace {
     Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
     std::optional<double> z_mm;                              ///< along the axis from its first data
     std::optional<double> angle_deg;
-    std::optional<std::size_t> point;     ///< of the copy, a cloud
+    std::optional<std::size_t> point;    ///< of the copy, a cloud
     std::optional<PickedPlace> surface;  ///< of the copy, a mesh
     std::optional<double> deviation_mm;
     std::optional<double> local_mean_mm;

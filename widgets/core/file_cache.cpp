@@ -12,12 +12,11 @@ std::string shortDigest(const std::string& sha256)
 void requireSame(const FileSeen& before, const InputFile& now)
 {
     if (before.sha256 != now.sha256)
-        throw Error(errors::sourceReplaced,
-                    {{"path", now.path},
-                     {"read", shortDigest(before.sha256)},
-                     {"now", shortDigest(now.sha256)},
-                     {"read_sha256", before.sha256},
-                     {"now_sha256", now.sha256}});
+        throw Error(errors::sourceReplaced, {{"path", now.path},
+                                             {"read", shortDigest(before.sha256)},
+                                             {"now", shortDigest(now.sha256)},
+                                             {"read_sha256", before.sha256},
+                                             {"now_sha256", now.sha256}});
 }
 
 }  // namespace lathelier

@@ -70,8 +70,8 @@ public:
 signals:
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
     void surfacePicked(int object, const lathelier::PickedPlace& place);  ///< of a mesh
-    void limitEdited(double limit);                                        ///< the user wants another colour scale
-    void notWritten(const QString& path);                                  ///< the system refused to write this file
+    void limitEdited(double limit);                                       ///< the user wants another colour scale
+    void notWritten(const QString& path);                                 ///< the system refused to write this file
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -155,8 +155,8 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
         {head + "\"title\": 1e999}", errors::malformed, 2, 14},
         {head + "\"panels\": {" + manyMembers(1001) + "}}", errors::malformed, 2, 11},
         {head + "\"panels\": {\"compare\": {\"inputs\": {" + manyMembers(1001) + "}}}}", errors::malformed, 2, 34},
-        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": [" + manyRanges(10001) + "]}}}}",
-         errors::malformed, 2, 44},
+        {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": [" + manyRanges(10001) + "]}}}}", errors::malformed,
+         2, 44},
         {std::string(40, '['), errors::malformed, 1, 33},
         {std::string(1000000, '['), errors::malformed, 1, 33},
     };

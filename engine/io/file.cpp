@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t pipeLimit = std::size_t{4} << 30;
 constexpr std::size_t readStep = std::size_t{1} << 20;
+constexpr auto writersTurn = std::chrono::milliseconds(30);
 constexpr auto longestWaitForWriter = std::chrono::seconds(5);
 
 [[noreturn]] void throwNotReadable(const std::string& path, Value reason)
@@ -229,7 +230,11 @@ FileBytes::FileBytes(const std::string& path, const Progress& progress) : conten
             const std::size_t count = std::min(readStep, content_->size - at);
             if (file.read(content_->room + at, count) != count) file.throwChanged();
         }
-        if (file.mayBeWritten()) compare(file, view(), progress);
+        if (file.mayBeWritten()) {
+            // Time for a writer that is waiting for a processor in the middle of its work.
+            std::this_thread::sleep_for(writersTurn);
+            compare(file, view(), progress);
+        }
     }
     if (!file.isPipe()) file.checkUnchanged();
 }

@@ -132,6 +132,7 @@ Plot envelopePlot(const TrajectorySection& section)
     const double mean_mm = section.roundness.circles.LSCI.radius_mm;
     const auto deviations = [&](const std::vector<double>& radius_mm) {
         std::vector<double> values;
+        values.reserve(radius_mm.size());
         for (const double radius : radius_mm) values.push_back(1e3 * (radius - mean_mm));
         return closed(values);
     };

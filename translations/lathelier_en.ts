@@ -3520,10 +3520,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>missing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file is no longer the one that was read: SHA-256 was {read}…, is {now}…. Compute again (F5) to take the new file.</source>
         <translation type="unfinished"></translation>
     </message>

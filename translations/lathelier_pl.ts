@@ -3520,10 +3520,6 @@
         <translation>Zapis czujników lub profil</translation>
     </message>
     <message>
-        <source>missing</source>
-        <translation>brak</translation>
-    </message>
-    <message>
         <source>The file is no longer the one that was read: SHA-256 was {read}…, is {now}…. Compute again (F5) to take the new file.</source>
         <translation>Plik nie jest już tym, który odczytano: SHA-256 było {read}…, jest {now}…. Aby przyjąć nowy plik, proszę przeliczyć ponownie (F5).</translation>
     </message>

@@ -8,7 +8,6 @@
 #include "app/gui/main_window.h"
 #include "widgets/core/number_edit.h"
 #include "widgets/core/report_files.h"
-#include "widgets/core/report_parts.h"
 
 namespace lathelier {
 namespace {
@@ -52,9 +51,9 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
         PanelBase& panel = dock->panel();
         auto part = panel.reportDocument();
         answered = answered || part;
-        parts.push_back(part ? std::move(*part)
-                             : partWithoutAnswer(panel.facts(), session_.panel(panel.facts().stateKey()), panel.error(),
-                                                 screenLanguage()));
+        parts.push_back(
+            part ? std::move(*part)
+                 : partWithoutAnswer(panel.facts(), session_.panel(panel.facts().stateKey()), panel.error()));
     }
     if (!answered) {
         announce({Phrase{LT_TEXT("Engine", "There is no result to report yet."), {}}, {}});

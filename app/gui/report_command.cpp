@@ -7,7 +7,6 @@
 #include "engine/core/failure.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_files.h"
-#include "widgets/core/report_parts.h"
 #include "widgets/core/stores.h"
 
 namespace lathelier {
@@ -58,20 +57,21 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
             if (facts == panels.end()) continue;
             const auto found = opened.panels.find(facts->stateKey());
             const PanelState state = found == opened.panels.end() ? PanelState() : found->second;
-            const Language language = screenLanguage();
             if (facts->missing && !facts->missing(state).empty()) {
-                parts.push_back(partWithoutAnswer(*facts, state, {}, language));
-                for (const Text input : facts->missing(state))
-                    say(screenText(facts->title) + ": " + screenText(input) + " – " +
-                        screenText(LT_TEXT("Engine", "missing")));
+                parts.push_back(partWithoutAnswer(*facts, state, {}));
+                say(screenText(facts->title));
+                for (const Block& block : parts.back().sections.front().blocks)
+                    if (const auto* words = std::get_if<Paragraph>(&block))
+                        say("  " + QString::fromStdString(fill(screenText(words->pattern).toStdString(), words->values,
+                                                               screenLanguage())));
                 if (code == 0) code = exitCode(ErrorKind::NoAnswer);
                 continue;
             }
             try {
-                parts.push_back(facts->report(state, stores, language, {}));
+                parts.push_back(facts->report(state, stores, screenLanguage(), {}));
                 answered = true;
             } catch (const std::exception& failure) {  // the other panels are reported all the same
-                parts.push_back(partWithoutAnswer(*facts, state, toError(failure), language));
+                parts.push_back(partWithoutAnswer(*facts, state, toError(failure)));
                 refuse(toError(failure));
             }
         }

@@ -25,22 +25,20 @@ inline double randomUniform(std::uint64_t seed, std::uint64_t stream, std::uint6
     return static_cast<double>(randomBits(seed, stream, index) >> 11) * 0x1p-53;
 }
 
-/// Normal with mean 0 and standard deviation 1 (Box and Muller).
-inline double randomNormal(std::uint64_t seed, std::uint64_t stream, std::uint64_t index)
-{
-    const double radius = 1.0 - randomUniform(seed, stream, 2 * index);
-    const double turn = randomUniform(seed, stream, 2 * index + 1);
-    return std::sqrt(-2 * std::log(radius)) * std::cos(2 * std::numbers::pi * turn);
-}
-
-/// randomNormal(), or 0 where its size is certainly less than `least`: much quicker when `rarity`, which is
-/// exp(-least²/2), is small.
+/// A normal deviate with mean 0 and standard deviation 1 (Box and Muller), or 0 where its size is certainly less than
+/// `least`: much quicker when `rarity`, which is exp(-least²/2), is small.
 inline double randomNormalBeyond(std::uint64_t seed, std::uint64_t stream, std::uint64_t index, double rarity)
 {
     const double radius = 1.0 - randomUniform(seed, stream, 2 * index);
     if (radius > rarity) return 0;
     const double turn = randomUniform(seed, stream, 2 * index + 1);
     return std::sqrt(-2 * std::log(radius)) * std::cos(2 * std::numbers::pi * turn);
+}
+
+/// Normal with mean 0 and standard deviation 1.
+inline double randomNormal(std::uint64_t seed, std::uint64_t stream, std::uint64_t index)
+{
+    return randomNormalBeyond(seed, stream, index, 1);
 }
 
 }  // namespace lathelier

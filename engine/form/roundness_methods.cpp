@@ -36,14 +36,14 @@ std::vector<ProfileBand> bandsFor(const AngularSampling& sampling, const Profile
     return bands;
 }
 
-/// The filtered points. Of a profile with many more points than its waves need, fewer at even angles: 24 and more to
-/// the shortest wave that passes, which miss a thousandth of its height at most.
+/// The filtered points. Of a profile with many more points than its waves need, fewer at even angles: 400 to a wave of
+/// the cut-off, whose height they miss by 3e-5 at most.
 std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const ProfileBand& band,
                                             ClosedFilter& filter, const Progress& progress)
 {
-    constexpr std::size_t pointsPerWave = 24;
+    constexpr double pointsPerWave = 400;
     constexpr std::size_t worthIt = 4;
-    const auto count = static_cast<std::size_t>(3 * pointsPerWave * band.high_upr.value_or(0));
+    const auto count = static_cast<std::size_t>(pointsPerWave * band.high_upr.value_or(0));
     if (band.high_upr && points.points_mm.size() > worthIt * count)
         if (const auto radii = filter.even(band, count, progress)) {
             std::vector<Eigen::Vector2d> even;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/core/utf8.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/windows1252.h"
 
@@ -52,33 +53,6 @@ unsigned char byteAt(std::string_view bytes, std::size_t i)
     return static_cast<unsigned char>(bytes[i]);
 }
 
-/// Length of the valid UTF-8 sequence at `i`, 0 when it is none.
-std::size_t sequenceLength(std::string_view bytes, std::size_t i, char32_t& c)
-{
-    const unsigned char lead = byteAt(bytes, i);
-    std::size_t length = 0;
-    char32_t smallest = 0;
-    if (lead < 0x80) {
-        c = lead;
-        return 1;
-    }
-    if (lead >= 0xC2 && lead <= 0xDF)
-        length = 2, smallest = 0x80, c = lead & 0x1F;
-    else if (lead >= 0xE0 && lead <= 0xEF)
-        length = 3, smallest = 0x800, c = lead & 0x0F;
-    else if (lead >= 0xF0 && lead <= 0xF4)
-        length = 4, smallest = 0x10000, c = lead & 0x07;
-    else
-        return 0;
-    if (i + length > bytes.size()) return 0;
-    for (std::size_t k = 1; k < length; ++k) {
-        if ((byteAt(bytes, i + k) & 0xC0) != 0x80) return 0;
-        c = (c << 6) | (byteAt(bytes, i + k) & 0x3F);
-    }
-    const bool surrogate = c >= 0xD800 && c <= 0xDFFF;
-    return c >= smallest && c <= 0x10FFFF && !surrogate ? length : 0;
-}
-
 /// The first byte from `i` on that is not ASCII; eight at a time, since almost all are.
 std::size_t skipAscii(std::string_view bytes, std::size_t i)
 {
@@ -102,8 +76,7 @@ Utf8Check checkUtf8(std::string_view bytes, const Progress& progress)
     std::size_t steps = 0;
     for (std::size_t i = skipAscii(bytes, 0); i < bytes.size(); i = skipAscii(bytes, i)) {
         if ((++steps & checkMask) == 0) progress.check();
-        char32_t c = 0;
-        const std::size_t length = sequenceLength(bytes, i, c);
+        const auto [c, length] = utf8At(bytes, i);
         if (length == 0) {
             result.badByte = i;
             return result;
@@ -120,8 +93,7 @@ std::string plainUtf8(std::string_view bytes, const Progress& progress)
     std::size_t steps = 0;
     for (std::size_t i = 0; i < bytes.size();) {
         if ((++steps & checkMask) == 0) progress.check();
-        char32_t c = 0;
-        const std::size_t length = sequenceLength(bytes, i, c);
+        const auto [c, length] = utf8At(bytes, i);
         appendUtf8(result, plainCharacter(c));
         i += std::max<std::size_t>(length, 1);
     }
@@ -294,8 +266,7 @@ std::string excerpt(std::string_view text)
     std::string result;
     std::size_t characters = 0;
     for (std::size_t i = 0; i < text.size() && characters < 40; ++characters) {
-        char32_t c = 0;
-        const std::size_t length = sequenceLength(text, i, c);
+        const auto [c, length] = utf8At(text, i);
         appendUtf8(result, length == 0 ? char32_t{0xFFFD} : c < 0x20 || c == 0x7F ? char32_t{' '} : c);
         i += std::max<std::size_t>(length, 1);
         if (characters == 39 && i < text.size()) result += "…";

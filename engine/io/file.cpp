@@ -317,7 +317,7 @@ std::string sha256(std::string_view bytes, const Progress& progress, const std::
     for (std::size_t at = 0; at < bytes.size(); at += digestStep) {
         progress.check();
         digest.add(bytes.substr(at, digestStep));
-        if (passed) passed(at);
+        if (passed) passed(std::min(at + digestStep, bytes.size()));
     }
     return digest.hexadecimal();
 }

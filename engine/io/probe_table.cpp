@@ -186,8 +186,7 @@ ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const 
 bool isProbeTable(std::string_view bytes, const ImportOptions& options)
 {
     try {
-        const DecodedText text =
-            readableTable({}, bytes.substr(0, std::size_t{1} << 20), options.encoding, expectedKind, {});
+        const DecodedText text = readableTable({}, bytes.substr(0, headForKind), options.encoding, expectedKind, {});
         return hasProbeNames(findLayout(text.view(), probeExpectation(), options));
     } catch (const Error&) {
         return false;

@@ -168,7 +168,7 @@ bool hasScanFormat(std::string_view bytes)
 {
     if (binaryReader(bytes) || isDamagedBinaryStl(bytes)) return true;
     if (!looksLikeText(bytes)) return false;
-    const DecodedText text = decodeText(bytes.substr(0, std::size_t{1} << 20), Encoding::Auto);
+    const DecodedText text = decodeText(bytes.substr(0, headForKind), Encoding::Auto);
     return textReader(text.view()) != readTextScan;
 }
 

@@ -1,14 +1,11 @@
-// Reading the rows of a table: a fast way for plain rows, a thorough one for all others, in chunks on all cores.
+// Reading the rows of a table in chunks on all cores.
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <numeric>
 
-#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/io/io_codes.h"
-#include "engine/io/number.h"
-#include "engine/io/text_lines.h"
+#include "engine/io/row_reader.h"
 #include "engine/io/text_table.h"
 
 namespace lathelier {
@@ -16,23 +13,6 @@ namespace {
 
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
 constexpr std::size_t chunksAtOnce = 16;
-constexpr std::size_t listedRows = 100;
-
-struct Chunk {
-    std::size_t begin = 0;  ///< its first line starts here
-    std::size_t lines = 0;  ///< lines that start in it
-    std::int64_t firstLine = 1;
-    std::size_t firstRow = 0;  ///< place of its rows before gaps are closed
-    std::size_t rows = 0;
-    std::int64_t notFinite = 0;
-    std::int64_t skippedCount = 0;
-    std::int64_t footers = 0;
-    std::vector<SkippedRow> skipped;
-    std::optional<Error> firstText;  ///< the first line of text: broken as soon as a row follows it
-    bool rowsBeforeText = false;
-    bool rowsAfterText = false;  ///< rows behind `firstText`
-    std::optional<Error> error;
-};
 
 bool endsLine(std::string_view text, std::size_t p)
 {
@@ -58,197 +38,20 @@ std::size_t countLineEnds(std::string_view text, std::size_t begin, std::size_t 
     return count;
 }
 
-class RowReader {
-public:
-    RowReader(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted)
-        : text_(text), layout_(layout), wanted_(wanted), slotOf_(layout.columns.size(), -1)
-    {
-        for (std::size_t i = 0; i < wanted.size(); ++i) slotOf_[wanted[i].column] = static_cast<int>(i);
-        // With a comma for both, only the thorough way sees which is which.
-        isPlain_ = layout.style.delimiter != layout.style.decimal &&
-                   std::all_of(layout.columns.begin(), layout.columns.end(),
-                               [](const TableColumn& column) { return column.isNumber; });
-    }
-
-    /// Reads the lines that start in the chunk.
-    void read(Chunk& chunk, std::size_t chunkEnd, double* out) const
-    {
-        Lines lines(text_, chunk.begin, chunk.firstLine);
-        std::size_t at = chunk.begin;
-        std::int64_t number = chunk.firstLine;
-        std::vector<Cell> cells;
-        while (at < chunkEnd) {
-            if (isPlain_) {
-                if (const std::size_t next = readPlain(at, out); next != 0) {
-                    accept(chunk, out);
-                    at = next;
-                    ++number;
-                    continue;
-                }
-            }
-            lines = Lines(text_, at, number);
-            lines.next();
-            readThoroughly(lines, chunk, cells, out);
-            at = lines.nextOffset();
-            ++number;
-        }
-    }
-
-private:
-    void accept(Chunk& chunk, double*& out) const
-    {
-        out += wanted_.size();
-        ++chunk.rows;
-        (chunk.firstText ? chunk.rowsAfterText : chunk.rowsBeforeText) = true;
-    }
-
-    /// A row of nothing but plain numbers; the place behind it, or 0 when it is anything else.
-    std::size_t readPlain(std::size_t at, double* out) const
-    {
-        const char* p = text_.data() + at;
-        const char* const end = text_.data() + text_.size();
-        const char delimiter = layout_.style.delimiter;
-        const char decimal = layout_.style.decimal;
-        const std::size_t columns = slotOf_.size();
-        const auto skipBlanks = [&] {
-            while (p != end && (*p == ' ' || (*p == '\t' && delimiter != '\t'))) ++p;
-        };
-        for (std::size_t k = 0; k < columns; ++k) {
-            skipBlanks();
-            double value = 0;
-            const char* const behind = parseNumber(p, end, decimal, value);
-            if (!behind) return 0;
-            const char* const numberEnd = behind;
-            p = behind;
-            if (const int slot = slotOf_[k]; slot >= 0) {
-                if (!(std::abs(value) <= wanted_[static_cast<std::size_t>(slot)].largest) || std::isinf(value))
-                    return 0;
-                out[slot] = value;
-            }
-            skipBlanks();
-            if (k + 1 == columns) break;
-            if (delimiter == ' ') {
-                if (p == numberEnd) return 0;
-            } else {
-                if (p == end || *p != delimiter) return 0;
-                ++p;
-            }
-        }
-        if (p != end && *p == delimiter && delimiter != ' ') {  // a separator ends the row
-            ++p;
-            skipBlanks();
-        }
-        if (p == end) return text_.size();
-        if (*p == '\n') return static_cast<std::size_t>(p - text_.data()) + 1;
-        if (*p == '\r') return static_cast<std::size_t>(p - text_.data()) + (p + 1 != end && p[1] == '\n' ? 2 : 1);
-        return 0;
-    }
-
-    void skip(Chunk& chunk, std::int64_t number, Text reason) const
-    {
-        ++chunk.skippedCount;
-        if (chunk.skipped.size() < listedRows) chunk.skipped.push_back({number, reason});
-    }
-
-    void readThoroughly(const Lines& lines, Chunk& chunk, std::vector<Cell>& cells, double*& out) const
-    {
-        const std::string_view line = lines.line();
-        if (line.find_first_not_of(" \t\v\f,;|\"") == std::string_view::npos)
-            return skip(chunk, lines.number(), LT_TEXT("Engine", "blank line"));
-        if (isRemark(line, layout_.style.delimiter)) return skip(chunk, lines.number(), LT_TEXT("Engine", "remark"));
-        splitCells(line, layout_.style, cells);
-        dropEmptyEnd(cells, slotOf_.size());
-        if (cells.size() == slotOf_.size() && readCells(lines, chunk, cells, out)) return;
-        judgeText(lines, chunk, cells);
-    }
-
-    /// A row with the right number of cells; false when it turns out to be text. Throws when it is a broken row.
-    bool readCells(const Lines& lines, Chunk& chunk, const std::vector<Cell>& cells, double*& out) const
-    {
-        bool finite = true;
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            if (!layout_.columns[k].isNumber) continue;
-            const CellValue value = readCell(cells[k], layout_.style);
-            const int slot = slotOf_[k];
-            const WantedColumn* const wanted = slot >= 0 ? &wanted_[static_cast<std::size_t>(slot)] : nullptr;
-            if (value.kind == CellKind::Ambiguous) throw ambiguousNumber(lines.number(), lines.line(), cells[k]);
-            const bool missing = value.kind == CellKind::Empty && (!wanted || wanted->mayBeMissing);
-            if (value.kind == CellKind::Text || (value.kind == CellKind::Empty && !missing)) {
-                if (isText(cells)) return false;
-                throw malformed(lines.number(), lines.line(), cells[k], LT_TEXT("Engine", "a number"));
-            }
-            if (!wanted) continue;
-            const bool number = value.kind == CellKind::Number && std::isfinite(value.value);
-            if (value.kind == CellKind::Number && std::abs(value.value) > wanted->largest)
-                throw tooLarge(lines, cells[k], *wanted);
-            out[slot] = number ? value.value : std::nan("");
-            finite = finite && (number || wanted->mayBeMissing);
-        }
-        if (finite) {
-            accept(chunk, out);
-        } else {
-            ++chunk.notFinite;
-            skip(chunk, lines.number(), LT_TEXT("Engine", "not a finite number"));
-        }
-        return true;
-    }
-
-    static Error tooLarge(const Lines& lines, Cell cell, const WantedColumn& wanted)
-    {
-        const Error place = malformed(lines.number(), lines.line(), cell, {});
-        return Error(errors::coordinateTooLarge, {{"line", lines.number()},
-                                                  {"column", *find(place.values(), "column")},
-                                                  {"found", std::string(cell)},
-                                                  {"maximum", wanted.largest}});
-    }
-
-    /// A line that was not written as a row: its first cell, or most of its cells, are no numbers.
-    bool isText(const std::vector<Cell>& cells) const
-    {
-        const auto isNumber = [this](Cell cell) {
-            const CellKind kind = readCell(cell, layout_.style).kind;
-            return kind != CellKind::Text && kind != CellKind::Empty;
-        };
-        const auto numbers = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), isNumber));
-        return cells.empty() || (layout_.columns[0].isNumber && !isNumber(cells[0]) && numbers * 2 <= cells.size()) ||
-               numbers * 2 < cells.size();
-    }
-
-    void judgeText(const Lines& lines, Chunk& chunk, const std::vector<Cell>& cells) const
-    {
-        const std::string_view line = lines.line();
-        if (std::find(layout_.headings.begin(), layout_.headings.end(), line) != layout_.headings.end()) {
-            ++chunk.footers;
-            return skip(chunk, lines.number(), LT_TEXT("Engine", "heading"));
-        }
-        if (!isText(cells)) throw columnsDiffer(lines.number(), line, cells, slotOf_.size());
-        if (!chunk.firstText)
-            chunk.firstText = malformed(lines.number(), line, line, LT_TEXT("Engine", "a row of numbers"));
-        ++chunk.footers;
-        skip(chunk, lines.number(), LT_TEXT("Engine", "text below the rows"));
-    }
-
-    std::string_view text_;
-    const TableLayout& layout_;
-    const std::vector<WantedColumn>& wanted_;
-    std::vector<int> slotOf_;
-    bool isPlain_ = true;
-};
-
 /// Rows that can start in a chunk: a row has a byte for each column at least.
-std::size_t mostRows(const Chunk& chunk, const TableLayout& layout)
+std::size_t mostRows(const TableChunk& chunk, const TableLayout& layout)
 {
     return std::min(chunk.lines, chunkBytes / std::max<std::size_t>(layout.columns.size(), 1) + 1);
 }
 
 /// Where the lines of each chunk start, and how many there are.
-std::vector<Chunk> cutIntoChunks(std::string_view text, const TableLayout& layout, const Progress& progress)
+std::vector<TableChunk> cutIntoChunks(std::string_view text, const TableLayout& layout, const Progress& progress)
 {
     const std::size_t body = layout.bodyOffset;
     const std::size_t size = text.size() - body;
-    std::vector<Chunk> chunks((size + chunkBytes - 1) / chunkBytes);
+    std::vector<TableChunk> chunks((size + chunkBytes - 1) / chunkBytes);
     parallelFor(size, chunkBytes, progress, [&](std::size_t begin, std::size_t end) {
-        Chunk& chunk = chunks[begin / chunkBytes];
+        TableChunk& chunk = chunks[begin / chunkBytes];
         // A line starts behind each line end, so the ends are looked for one byte earlier.
         const std::size_t from = body + begin;
         std::size_t start = from;
@@ -272,11 +75,11 @@ std::vector<Chunk> cutIntoChunks(std::string_view text, const TableLayout& layou
 }
 
 /// A line of text with rows behind it is a broken row.
-void checkText(const std::vector<Chunk>& chunks, std::size_t count)
+void checkText(const std::vector<TableChunk>& chunks, std::size_t count)
 {
     const Error* first = nullptr;
     for (std::size_t i = 0; i < count; ++i) {
-        const Chunk& chunk = chunks[i];
+        const TableChunk& chunk = chunks[i];
         const bool rowsFollow = first ? chunk.rows > 0 : chunk.firstText && chunk.rowsAfterText;
         if (!first && chunk.firstText) first = &*chunk.firstText;
         if (first && rowsFollow) throw *first;
@@ -318,7 +121,7 @@ public:
         parallelFor(last - first, 1, progress_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t index = first + begin; index < first + end; ++index) {
                 if (index > firstBroken.load()) return;  // only the first broken row is reported
-                Chunk& chunk = chunks_[index];
+                TableChunk& chunk = chunks_[index];
                 try {
                     reader_.read(chunk, offsetOf(index + 1), values + (chunk.firstRow - base) * width_);
                 } catch (const Error& error) {
@@ -337,7 +140,7 @@ public:
 
         std::size_t rows = 0;
         for (std::size_t i = first; i < last; ++i) {
-            const Chunk& chunk = chunks_[i];
+            const TableChunk& chunk = chunks_[i];
             const double* const from = values + (chunk.firstRow - base) * width_;
             if (chunk.firstRow - base != rows) std::copy(from, from + chunk.rows * width_, values + rows * width_);
             rows += chunk.rows;
@@ -353,7 +156,7 @@ private:
     const Progress& progress_;
     std::size_t width_;
     std::size_t size_;
-    std::vector<Chunk> chunks_;
+    std::vector<TableChunk> chunks_;
     RowReader reader_;
     std::atomic<std::size_t> done_{0};
 };
@@ -361,7 +164,7 @@ private:
 TableRows TableReader::summary() const
 {
     TableRows result;
-    for (const Chunk& chunk : chunks_) {
+    for (const TableChunk& chunk : chunks_) {
         result.rows += chunk.rows;
         result.notFinite += chunk.notFinite;
         result.footers += chunk.footers;
@@ -372,7 +175,7 @@ TableRows TableReader::summary() const
     const std::int64_t found = static_cast<std::int64_t>(result.rows) + result.notFinite;
     const std::int64_t lastLine =
         layout_.bodyLine - 1 +
-        std::accumulate(chunks_.begin(), chunks_.end(), std::int64_t{0}, [](std::int64_t sum, const Chunk& chunk) {
+        std::accumulate(chunks_.begin(), chunks_.end(), std::int64_t{0}, [](std::int64_t sum, const TableChunk& chunk) {
             return sum + static_cast<std::int64_t>(chunk.lines);
         });
     if (layout_.announcedRows && *layout_.announcedRows > found)

@@ -6,16 +6,13 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
-#include "engine/core/random.h"
-#include "engine/registration/cloud_distance.h"
+#include "engine/registration/cloud_figure.h"
 #include "engine/registration/default_reach.h"
 #include "engine/registration/facet_sagitta.h"
 #include "engine/registration/general.h"
-#include "engine/registration/neighbours.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_deviation.h"
-#include "engine/registration/sampling.h"
 #include "engine/registration/statistics.h"
 #include "engine/registration/surface_deviation.h"
 #include "engine/registration/surface_samples.h"
@@ -27,8 +24,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMeshSamples = 300000;
-constexpr std::size_t kCloudQueries = 100000;
-constexpr std::size_t kRun = 8;
 constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
 constexpr double kCoarse = 2e-5;      // facets this share of the part's size off the round surface are worth a note
 
@@ -267,59 +262,6 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     judge(result, result.parameters, progress);
 }
 
-/// Runs of kRun places that follow each other among 0…size-1, one from each of equal stretches at a drawn place, so
-/// that no grid of the scanner is met in step; all places when there are no more than kCloudQueries.
-std::vector<std::size_t> drawnRuns(std::size_t size)
-{
-    std::vector<std::size_t> places;
-    const std::size_t runs = size > kCloudQueries ? kCloudQueries / kRun : (size + kRun - 1) / kRun;
-    const double stretch = static_cast<double>(size) / static_cast<double>(runs);
-    for (std::size_t run = 0; run < runs; ++run) {
-        const double room = size > kCloudQueries ? randomUniform(17, 0, run) * (stretch - kRun) : 0;
-        const auto first =
-            size > kCloudQueries ? static_cast<std::size_t>(static_cast<double>(run) * stretch + room) : run * kRun;
-        for (std::size_t i = first; i < std::min(first + kRun, size); ++i) places.push_back(i);
-    }
-    return places;
-}
-
-/// The paper's figure: root mean square distance of the used points to the nearest point of the reference. Of a large
-/// cloud so many points are asked that its standard error is a fraction of a percent: in runs of neighbours, which find
-/// their answers together, and with the scatter from run to run, for neighbours say similar things.
-void compareClouds(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& moved_copy,
-                   double max_distance_mm, CompareResult& result, const Progress& progress)
-{
-    const Neighbours index(reference, progress.part(0, 0.6));
-    std::vector<std::uint32_t> used;
-    used.reserve(moved_copy.size());
-    for (std::size_t i = 0; i < moved_copy.size(); ++i)
-        if (result.used[i]) used.push_back(static_cast<std::uint32_t>(i));
-    std::vector<Vector3d> queries;
-    for (const std::size_t place : drawnRuns(used.size())) queries.push_back(moved_copy[used[place]]);
-    const std::vector<float> distances = nearestDistances(index, queries, max_distance_mm, progress.part(0.6, 0.9));
-    result.sampling_floor_mm = samplingFloor_mm(reference, index, progress);
-
-    double squares = 0;
-    double found = 0;
-    for (const float distance : distances)
-        if (!std::isnan(distance)) {
-            squares += static_cast<double>(distance) * distance;
-            found += 1;
-        }
-    if (found == 0) return;
-    const double mean = squares / found;
-    double scatter = 0;  // of the sums of runs
-    for (std::size_t run = 0; run < distances.size(); run += kRun) {
-        double sum = 0;
-        for (std::size_t i = run; i < std::min(run + kRun, distances.size()); ++i)
-            if (!std::isnan(distances[i])) sum += static_cast<double>(distances[i]) * distances[i] - mean;
-        scatter += sum * sum;
-    }
-    const double left_out = 1 - static_cast<double>(queries.size()) / static_cast<double>(used.size());
-    result.cloud_to_cloud_rmse_mm = std::sqrt(mean);
-    result.cloud_to_cloud_rmse_error_mm = mean > 0 ? std::sqrt(scatter * left_out / mean) / (2 * found) : 0;
-}
-
 }  // namespace
 
 CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const CompareParameters& parameters,
@@ -398,8 +340,12 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
     summariseDeviations(result, left_out, reach_mm, measuring);
     if (line) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
-    compareClouds(reference_points, moved_copy, reach_mm, result,
-                  progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
+    const CloudFigure clouds =
+        compareClouds(reference_points, moved_copy, result.used, reach_mm,
+                      progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
+    result.cloud_to_cloud_rmse_mm = clouds.rmse_mm;
+    result.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
+    result.sampling_floor_mm = clouds.sampling_floor_mm;
     progress.report(1);
     return result;
 }

@@ -1,19 +1,22 @@
 // The window driven as a user does, with panels of the test.
+#include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolBar>
 #include <csignal>
 
 #include "app/gui/arguments.h"
 #include "app/gui/command_palette.h"
 #include "app/gui/main_window.h"
-#include "app/gui/report_command.h"
 #include "app/gui/shutdown.h"
 #include "tests/widgets/core/fake_panel.h"
 #include "widgets/core/number_edit.h"
@@ -296,6 +299,47 @@ private slots:
         QVERIFY(!session_->isModified());
     }
 
+    void savingOverAnotherWindowsProjectAsks()
+    {
+        const QString path = folder_.filePath("shared.lathelier");
+        const auto setTitle = [](Session& session, const std::string& title) {
+            session.edit("title", [&](Project& project) { project.title = title; });
+        };
+        const auto titleOnDisk = [&] { return readProject(path.toStdString()).project.title; };
+        setTitle(*session_, "mine");
+        session_->save(path);
+        Session other;
+        other.open(path);
+        setTitle(other, "theirs");
+        other.save(path);
+        setTitle(*session_, "mine again");
+
+        QString question;
+        const auto answer = [&](const QString& button) {
+            QTimer::singleShot(0, this, [&question, button] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                if (!box) return;
+                question = box->text();
+                for (QAbstractButton* one : box->buttons())
+                    if (one->text().contains(button)) return one->click();
+                box->reject();
+            });
+        };
+        answer("Cancel");
+        QVERIFY(!window_->files().save());
+        QVERIFY2(question.contains("shared.lathelier was changed by another window"), qPrintable(question));
+        QCOMPARE(titleOnDisk(), std::string("theirs"));
+        QVERIFY(session_->isModified());
+        answer("Replace it");
+        QVERIFY(window_->files().save());
+        QCOMPARE(titleOnDisk(), std::string("mine again"));
+        question.clear();
+        setTitle(*session_, "and again");
+        answer("Cancel");
+        QVERIFY(window_->files().save());  // nobody is asked: it is ours now
+        QVERIFY(question.isEmpty());
+    }
+
     void brokenProjectIsSaidInTheLog()
     {
         const QString path = folder_.filePath("broken.lathelier");
@@ -358,68 +402,6 @@ private slots:
              {QStringList{"--report", "r.txt", "p"}, QStringList{"--report", "r.pdf"}, QStringList{"--shots"},
               QStringList{"--nonsense"}, QStringList{"--language", "xx"}, QStringList{"--shots", "d", "a", "b"}})
             QVERIFY2(!parseArguments(wrong).error.isEmpty(), qPrintable(wrong.join(' ')));
-    }
-
-    void reportWithoutAWindow()
-    {
-        window_->openPaths({makeFile("a.txt")});
-        const QString project = folder_.filePath("r.lathelier");
-        session_->save(project);
-        auto table = panels();
-        for (PanelFacts& facts : table)
-            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
-                Document document;
-                document.title = std::string("Report of ") + state.inputs.at("file").path;
-                return document;
-            };
-        for (const char* suffix : {"html", "pdf"}) {
-            const QString path = folder_.filePath(QString("r.") + suffix);
-            QCOMPARE(runReport(path, project, table), 0);
-            QVERIFY(QFileInfo(path).size() > 500);
-        }
-        QFile pdf(folder_.filePath("r.pdf"));
-        QVERIFY(pdf.open(QIODevice::ReadOnly));
-        QVERIFY(pdf.read(5) == "%PDF-");
-        QCOMPARE(runReport(folder_.filePath("x.html"), folder_.filePath("missing.lathelier"), table), 3);
-        QCOMPARE(runReport("/nowhere/x.html", project, table), 5);
-    }
-
-    void reportNamesWhatHasNoAnswer()
-    {
-        window_->openPaths({makeFile("a.txt")});
-        session_->edit("report", [](Project& project) {
-            project.report = {"one", "two", "round"};
-            lathelier::set(project.panels["two"].parameters, "factor_mm", 3.0);  // begun, without a file
-        });
-        const QString project = folder_.filePath("incomplete.lathelier");
-        session_->save(project);
-        auto table = panels();
-        for (PanelFacts& facts : table) {
-            facts.missing = [](const PanelState& state) {
-                return state.inputs.count("file") ? std::vector<Text>() : std::vector<Text>{Text{"Scanned file"}};
-            };
-            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
-                Document document;
-                document.title = std::string("Report of ") + state.inputs.at("file").path;
-                document.sections = {{std::string("Answered"), {}}};
-                return document;
-            };
-        }
-        const QString path = folder_.filePath("incomplete.html");
-        QCOMPARE(runReport(path, project, table), 4);
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray html = file.readAll();
-        QVERIFY(html.contains("Answered"));
-        QCOMPARE(html.count("No answer: Scanned file is missing."), 2);
-
-        for (PanelFacts& facts : table)
-            facts.report = [](const PanelState&, Stores&, const Language&, const Progress&) -> Document {
-                throw Error(errors::fileNotFound, {{"path", std::string("gone.ply")}});
-            };
-        QVERIFY(QFile::remove(path));
-        QCOMPARE(runReport(path, project, table), 3);
-        QVERIFY(!QFile::exists(path));  // a report of nothing is none
     }
 
     void aShutdownKeepsUnsavedWork()

@@ -30,6 +30,23 @@ QString resultFile(const QString& report)
     return info.dir().filePath(info.completeBaseName() + "_result.json");
 }
 
+Document partWithoutAnswer(const PanelFacts& facts, const PanelState& state, const std::optional<Error>& error)
+{
+    Section section{facts.title, {}};
+    const std::vector<Text> missing = facts.missing ? facts.missing(state) : std::vector<Text>();
+    for (const Text label : missing)
+        section.blocks.push_back(Paragraph{LT_TEXT("Engine", "No answer: {input} is missing."), {{"input", label}}});
+    if (missing.empty() && error)
+        section.blocks.push_back(
+            Paragraph{LT_TEXT("Engine", "No answer: {reason}"), {{"reason", text(*error, screenLanguage())}}});
+    if (section.blocks.empty())
+        section.blocks.push_back(Paragraph{LT_TEXT("Engine", "No answer: the computation was stopped."), {}});
+    Document document;
+    document.title = facts.title;
+    document.sections = {std::move(section)};
+    return document;
+}
+
 Document joined(const std::vector<Document>& parts, const std::string& title)
 {
     if (parts.size() == 1) return parts.front();

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "engine/report/document.h"
+#include "widgets/core/panel_facts.h"
 
 namespace lathelier {
 
@@ -13,6 +15,10 @@ void writeReport(const QString& path, Document document);
 
 /// The JSON file beside a report: "shaft.html" → "shaft_result.json".
 QString resultFile(const QString& report);
+
+/// Stands in a report for a panel that has no answer and says why: inputs that are missing, an error, or a computation
+/// that was stopped.
+Document partWithoutAnswer(const PanelFacts& facts, const PanelState& state, const std::optional<Error>& error);
 
 /// One document out of the panels' parts: sections and inputs in their order, an input named once.
 Document joined(const std::vector<Document>& parts, const std::string& title);

@@ -67,11 +67,13 @@ public:
     /// Waits until the pipe is full: the program can write no more.
     void waitUntilFull() const
     {
-        int before = -1;
-        for (int bytes = 0; bytes == 0 || bytes != before; ::ioctl(ends_[0], FIONREAD, &bytes)) {
+        int before = -1, bytes = 0;
+        for (int tries = 0; tries < 300 && (bytes == 0 || bytes != before); ++tries) {
             before = bytes;
             std::this_thread::sleep_for(200ms);
+            ::ioctl(ends_[0], FIONREAD, &bytes);
         }
+        ASSERT_GT(bytes, 0);
     }
 
     void signal(int number) const { ::kill(process_, number); }

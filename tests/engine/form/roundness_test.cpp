@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/random.h"
 #include "engine/io/io_codes.h"
 #include "tests/engine/form/made_profile.h"
 
@@ -268,6 +269,30 @@ TEST(Roundness, TheMethodTableHoldsTheResultItself)
     for (const MethodRow& row : result.methods)
         for (const double RONt_um : row.RONt_um) EXPECT_GE(RONt_um, row.RONt_um[1] - 1e-6);
     EXPECT_LT(result.methods[1].RONt_um[1], result.methods[0].RONt_um[1]);
+}
+
+/// Beyond some ten thousand points the rows of the table come from fewer, at even angles.
+TEST(Roundness, MethodsOfALongUnevenProfileAgreeWithRunsOfTheirOwn)
+{
+    Profile profile;
+    constexpr std::size_t n = 30000;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double turn = (static_cast<double>(i) + 0.6 * randomUniform(3, 0, i)) / n;
+        const double angle = 2 * std::numbers::pi * turn;
+        const double radius =
+            25 + 0.004 * std::cos(2 * angle) + 0.002 * std::cos(13 * angle + 1) + 0.0003 * randomNormal(3, 1, i);
+        profile.points_mm.emplace_back(radius * std::cos(angle) + 0.02, radius * std::sin(angle));
+    }
+    const RoundnessResult table = roundness(profile);
+    ASSERT_GT(table.methods.size(), 1u);
+    ASSERT_EQ(table.methods[1].band.high_upr, 15);
+    RoundnessParameters parameters;
+    parameters.cutoff_upr = 15;
+    const RoundnessResult own = roundness(profile, parameters);
+    EXPECT_EQ(own.filter_way, FilterWay::Series);  // else the table takes the same way
+    for (const ReferenceCircle which :
+         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI})
+        EXPECT_NEAR(table.methods[1].RONt_um[static_cast<std::size_t>(which)], own.circles.of(which).RONt_um, 1e-3);
 }
 
 TEST(Roundness, DecidesByTheRule)

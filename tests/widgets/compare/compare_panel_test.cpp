@@ -6,15 +6,18 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
+#include "engine/project/project_codes.h"
 #include "engine/project/sample.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
@@ -102,6 +105,34 @@ private slots:
     {
         panel_.reset();
         session_.reset();
+    }
+
+    void aChangedFileIsToldAndTakenWhenWanted()
+    {
+        const QString copy = folder_.filePath("changing.xyz");
+        QVERIFY(QFile::copy(copy_, copy));
+        drop(panel_.get(), {original_, copy});
+        settle();
+        const double before_mm = panel_->result()->result->statistics.mean_mm;
+        QVERIFY(QFile::remove(copy));
+        QVERIFY(QFile::copy(original_, copy));
+        session_->watch().look();
+        const auto notes = [this] { return part<QLabel>("notes")->text(); };
+        QTRY_VERIFY(notes().contains("changing.xyz was changed after it was read"));
+        setTolerance(0.2);  // still of the file as it was
+        QCOMPARE(panel_->result()->result->statistics.mean_mm, before_mm);
+        QVERIFY(notes().contains("was changed after it was read"));
+        const Document report = *panel_->reportDocument();
+        QVERIFY(std::any_of(report.sections.front().blocks.begin(), report.sections.front().blocks.end(),
+                            [](const Block& block) {
+                                const auto* said = std::get_if<Notes>(&block);
+                                return said && contains(*said, notes::sourceChangedSince);
+                            }));
+
+        panel_->recompute();
+        settle();
+        QVERIFY(std::abs(panel_->result()->result->statistics.mean_mm) < 1e-3);
+        QVERIFY(!notes().contains("was changed after it was read"));
     }
 
     void twoDroppedFilesAreAnswered()

@@ -4,12 +4,14 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/form/circle_simple.h"
 
 namespace lathelier {
 namespace {
 
 constexpr Eigen::Index blockSize = 512;
+constexpr std::size_t grain = 1 << 15;
 
 /// The sums of one pass: half the gradient and half the Hessian of Σ(d - R)² in centre and radius.
 struct Sums {
@@ -17,17 +19,24 @@ struct Sums {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();       ///< Newton's
     Eigen::Matrix3d gauss_newton = Eigen::Matrix3d::Zero();  ///< never indefinite
+
+    Sums operator+(const Sums& other) const
+    {
+        return {squares + other.squares, gradient + other.gradient, hessian + other.hessian,
+                gauss_newton + other.gauss_newton};
+    }
 };
 
-Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
+/// Of the points from `first` to `last`.
+Sums sumsOf(const CirclePoints& points, const Eigen::Vector3d& circle, Eigen::Index first, Eigen::Index last)
 {
     using Block = Eigen::Array<double, blockSize, 1>;
     Block ux, uy, e, q;
     Sums s;
     double sum_e = 0, sum_x = 0, sum_y = 0, sum_eq = 0, xx = 0, xy = 0, yy = 0, qxx = 0, qxy = 0, qyy = 0, ex = 0,
            ey = 0;
-    for (Eigen::Index begin = 0; begin < points.x().size(); begin += blockSize) {
-        const Eigen::Index n = std::min(blockSize, points.x().size() - begin);
+    for (Eigen::Index begin = first; begin < last; begin += blockSize) {
+        const Eigen::Index n = std::min(blockSize, last - begin);
         ux.head(n) = points.x().segment(begin, n) - circle[0];
         uy.head(n) = points.y().segment(begin, n) - circle[1];
         e.head(n) = (ux.head(n).square() + uy.head(n).square()).sqrt().max(1e-300);  // a point on the centre: u = 0
@@ -50,7 +59,7 @@ Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
         qxy += (q.head(n) * ux.head(n) * uy.head(n)).sum();
         qyy += (q.head(n) * uy.head(n).square()).sum();
     }
-    const auto count = static_cast<double>(points.size());
+    const auto count = static_cast<double>(last - first);
     s.gradient = {-ex, -ey, -sum_e};
     s.gauss_newton << xx, xy, sum_x, xy, yy, sum_y, sum_x, sum_y, count;
     s.hessian = s.gauss_newton;
@@ -59,6 +68,16 @@ Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
     s.hessian(1, 0) -= qxy;
     s.hessian(1, 1) += sum_eq - qyy;
     return s;
+}
+
+Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
+{
+    return parallelReduce(
+        points.size(), grain, {}, Sums(),
+        [&](std::size_t begin, std::size_t end) {
+            return sumsOf(points, circle, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end));
+        },
+        [](const Sums& all, const Sums& part) { return all + part; });
 }
 
 /// The circle that minimises Σ(d² - R²)²: near enough to start from.

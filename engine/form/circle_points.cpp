@@ -11,7 +11,8 @@
 namespace lathelier {
 namespace {
 
-constexpr Eigen::Index blockSize = 512;
+constexpr Eigen::Index bundleSize = 64;
+constexpr Eigen::Index worthBundles = 16384;
 constexpr double largest_mm = 1e12;
 
 void checkDifferent(std::span<const Eigen::Vector2d> points_mm, std::size_t least)
@@ -69,37 +70,87 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
         throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
 }
 
+void CirclePoints::prepareForManyCentres()
+{
+    if (x_.size() < worthBundles || !bundles_.empty()) return;
+    for (Eigen::Index begin = 0; begin < x_.size(); begin += bundleSize) {
+        const Eigen::Index end = std::min(x_.size(), begin + bundleSize);
+        Bundle bundle;
+        bundle.nearest = std::numeric_limits<double>::infinity();
+        for (Eigen::Index i = begin; i < end; ++i) bundle.direction += Eigen::Vector2d(x_[i], y_[i]);
+        bundle.direction.stableNormalize();
+        for (Eigen::Index i = begin; i < end; ++i) {
+            const Eigen::Vector2d ray(x_[i], y_[i]);
+            const double distance = ray.norm();
+            bundle.nearest = std::min(bundle.nearest, distance);
+            bundle.farthest = std::max(bundle.farthest, distance);
+            bundle.spread = std::max(
+                bundle.spread, distance > 0 ? (ray / distance - bundle.direction).norm() : bundle.direction.norm());
+        }
+        bundles_.push_back(bundle);
+    }
+}
+
+void CirclePoints::squares(const Eigen::Vector2d& centre, Eigen::Index begin, Eigen::Index length,
+                           Squares& buffer) const
+{
+    buffer.head(length) =
+        (x_.segment(begin, length) - centre.x()).square() + (y_.segment(begin, length) - centre.y()).square();
+}
+
+/// Blocks keep the distances in the first cache and the comparisons in vector registers; the index is looked for in
+/// the one block that holds the extreme.
+void CirclePoints::search(const Eigen::Vector2d& centre, Eigen::Index begin, Eigen::Index length, double& low,
+                          double& high, Eigen::Index& low_block, Eigen::Index& high_block) const
+{
+    Squares buffer;
+    squares(centre, begin, length, buffer);
+    const double block_low = buffer.head(length).minCoeff(), block_high = buffer.head(length).maxCoeff();
+    if (block_low < low) {
+        low = block_low;
+        low_block = begin;
+    }
+    if (block_high > high) {
+        high = block_high;
+        high_block = begin;
+    }
+}
+
 CirclePoints::Extremes CirclePoints::extremes(const Eigen::Vector2d& centre) const
 {
-    // Blocks keep the distances in the first cache and the comparisons in vector registers; the index is looked for
-    // in the one block that holds the extreme.
-    Eigen::Array<double, blockSize, 1> buffer;
-    const auto squares = [&](Eigen::Index begin, Eigen::Index length) {
-        buffer.head(length) =
-            (x_.segment(begin, length) - centre.x()).square() + (y_.segment(begin, length) - centre.y()).square();
-    };
     double low = std::numeric_limits<double>::infinity(), high = -1;
     Eigen::Index low_block = 0, high_block = 0;
-    for (Eigen::Index begin = 0; begin < x_.size(); begin += blockSize) {
-        const Eigen::Index length = std::min(blockSize, x_.size() - begin);
-        squares(begin, length);
-        const double block_low = buffer.head(length).minCoeff(), block_high = buffer.head(length).maxCoeff();
-        if (block_low < low) {
-            low = block_low;
-            low_block = begin;
-        }
-        if (block_high > high) {
-            high = block_high;
-            high_block = begin;
+    if (bundles_.empty()) {
+        for (Eigen::Index begin = 0; begin < x_.size(); begin += blockSize)
+            search(centre, begin, std::min(blockSize, x_.size() - begin), low, high, low_block, high_block);
+    } else {
+        // |p - c| with p = d v, |v| = 1: no less than d - v·c and no more than that + c²/2(d - |c|). Bundles that may
+        // hold an extreme are looked at.
+        const double length = centre.norm();
+        const double rounding = 1e-14 * (1 + length);
+        double nearest = std::numeric_limits<double>::infinity(), farthest = -1;
+        for (std::size_t b = 0; b < bundles_.size(); ++b) {
+            const Bundle& bundle = bundles_[b];
+            const double along = bundle.direction.dot(centre), loose = bundle.spread * length + rounding;
+            const double least = bundle.nearest - along - loose;
+            const double sideways = length * length / (2 * std::max(bundle.nearest - length, 1e-300));
+            if (least > nearest && bundle.farthest - along + loose + sideways < farthest) continue;
+            const auto begin = static_cast<Eigen::Index>(b) * bundleSize;
+            search(centre, begin, std::min(bundleSize, x_.size() - begin), low, high, low_block, high_block);
+            nearest = std::sqrt(low) + rounding;
+            farthest = std::sqrt(high) - rounding;
         }
     }
-    Eigen::Index low_index = 0, high_index = 0;
-    squares(low_block, std::min(blockSize, x_.size() - low_block));
-    while (buffer[low_index] != low) ++low_index;
-    squares(high_block, std::min(blockSize, x_.size() - high_block));
-    while (buffer[high_index] != high) ++high_index;
-    return {std::sqrt(low), std::sqrt(high), static_cast<std::size_t>(low_block + low_index),
-            static_cast<std::size_t>(high_block + high_index)};
+    const auto indexOf = [&](Eigen::Index begin, double wanted) {
+        Squares buffer;
+        const Eigen::Index length = std::min(bundles_.empty() ? blockSize : bundleSize, x_.size() - begin);
+        squares(centre, begin, length, buffer);
+        Eigen::Index index = 0;
+        while (buffer[index] != wanted) ++index;
+        return begin + index;
+    };
+    const Eigen::Index low_index = indexOf(low_block, low), high_index = indexOf(high_block, high);
+    return {std::sqrt(low), std::sqrt(high), static_cast<std::size_t>(low_index), static_cast<std::size_t>(high_index)};
 }
 
 std::array<CirclePoints::Sector, CirclePoints::sectorCount> CirclePoints::sectors(const Eigen::Vector2d& centre) const

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace lathelier {
 
@@ -35,6 +36,8 @@ public:
         double width() const { return farthest - nearest; }
     };
     Extremes extremes(const Eigen::Vector2d& centre) const;
+    /// Makes extremes() quicker for many points that come in order of their directions.
+    void prepareForManyCentres();
 
     /// The same for each of `sectorCount` equal turns of direction (in the diamond's measure) as seen from a centre.
     static constexpr std::size_t sectorCount = 64;
@@ -46,7 +49,21 @@ public:
     std::array<Sector, sectorCount> sectors(const Eigen::Vector2d& centre) const;
 
 private:
+    /// Consecutive points that lie in nearly one direction. From the distances seen from the middle follows between
+    /// which bounds those from another centre lie.
+    struct Bundle {
+        double nearest = 0, farthest = 0;
+        Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+        double spread = 0;  ///< largest distance of a point's direction from that of the bundle
+    };
+    static constexpr Eigen::Index blockSize = 512;
+    using Squares = Eigen::Array<double, blockSize, 1>;  ///< of distances
+    void squares(const Eigen::Vector2d& centre, Eigen::Index begin, Eigen::Index length, Squares& buffer) const;
+    void search(const Eigen::Vector2d& centre, Eigen::Index begin, Eigen::Index length, double& low, double& high,
+                Eigen::Index& low_block, Eigen::Index& high_block) const;
+
     Eigen::ArrayXd x_, y_;
+    std::vector<Bundle> bundles_;  ///< of many points only
     Eigen::Vector2d middle_mm_ = Eigen::Vector2d::Zero();
     double scale_mm_ = 1;
     double extent_ = 1;

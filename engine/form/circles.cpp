@@ -113,7 +113,8 @@ FittedCircle fitLeastSquaresCircle(std::span<const Vector2d> points_mm)
 ReferenceCircles fitCircles(std::span<const Vector2d> points_mm, const CircleOptions& options, const Progress& progress)
 {
     progress.report(0);
-    const CirclePoints points(points_mm, 4);
+    CirclePoints points(points_mm, 4);
+    points.prepareForManyCentres();
     progress.report(0.05);
     ReferenceCircles circles;
     const LeastSquaresCircle least_squares = leastSquaresCircle(points);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/parallel.h"
 #include "engine/signal/closed_filter.h"
 #include "engine/signal/hampel.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr std::size_t grain = 1 << 15;
 constexpr int mostRounds = 4;  ///< leaving points out moves the centre, and with it the angles
 
 std::vector<Vector2d> usedPoints(const Profile& profile, const std::vector<std::uint8_t>& used)
@@ -30,22 +32,27 @@ double angleAbout(const Vector2d& centre, const Vector2d& point)
 }
 
 /// Fills what follows from `used`.
-void arrange(const Profile& profile, PreparedProfile& prepared)
+void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& progress)
 {
     const std::vector<Vector2d> points = usedPoints(profile, prepared.used);
     const FittedCircle circle = fitLeastSquaresCircle(points);
     prepared.centre_mm = circle.centre_mm;
     prepared.radius_mm = circle.radius_mm;
-    std::vector<double> angle;
-    angle.reserve(points.size());
-    for (const Vector2d& point : points) angle.push_back(angleAbout(circle.centre_mm, point));
+    std::vector<double> angle(points.size());
+    parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) angle[i] = angleAbout(circle.centre_mm, points[i]);
+    });
     prepared.sampling = sampleAngles(angle);
     std::vector<std::size_t> given;
+    given.reserve(points.size());
     for (std::size_t i = 0; i < prepared.used.size(); ++i)
         if (prepared.used[i]) given.push_back(i);
     prepared.index.clear();
     prepared.points_mm.clear();
     prepared.distance_mm.clear();
+    prepared.index.reserve(points.size());
+    prepared.points_mm.reserve(points.size());
+    prepared.distance_mm.reserve(points.size());
     for (std::size_t& i : prepared.sampling.order) {
         prepared.index.push_back(given[i]);
         prepared.points_mm.push_back(points[i]);
@@ -103,18 +110,17 @@ PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interva
         prepared.used[i] = profile.points_mm[i].allFinite();
         prepared.not_finite += !prepared.used[i];
     }
-    arrange(profile, prepared);
+    arrange(profile, prepared, progress);
     if (!exclude_deg.empty())
-        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round) {
-            progress.check();
-            arrange(profile, prepared);
-        }
+        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round)
+            arrange(profile, prepared, progress);
     return rule == OutlierRule::Hampel ? withoutOutliers(profile, std::move(prepared), progress) : prepared;
 }
 
 PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared, const Progress& progress)
 {
-    for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round) arrange(profile, prepared);
+    for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round)
+        arrange(profile, prepared, progress);
     return prepared;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/parallel.h"
 #include "engine/form/form_codes.h"
 #include "engine/form/prepared_profile.h"
 #include "engine/form/roundness_hints.h"
@@ -178,10 +179,13 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.name = profile.name;
     result.points = profile.points_mm.size();
     result.used = prepared.used;
-    for (const Vector2d& point : profile.points_mm) {
-        const Vector2d ray = point - prepared.centre_mm;
-        result.angle_rad.push_back(std::atan2(ray.y(), ray.x()));
-    }
+    result.angle_rad.resize(profile.points_mm.size());
+    parallelFor(profile.points_mm.size(), 1 << 15, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vector2d ray = profile.points_mm[i] - prepared.centre_mm;
+            result.angle_rad[i] = std::atan2(ray.y(), ray.x());
+        }
+    });
     result.evaluated_index = prepared.index;
     result.filter_way = evaluated.way;
     progress.report(0.1);
@@ -193,23 +197,30 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
          {&result.circles.LSCI, &result.circles.MZCI, &result.circles.MICI, &result.circles.MCCI})
         pointContactsToGiven(*circle, prepared.index);
     progress.report(0.4);
-    result.two_point = twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm, progress);
-    progress.report(0.42);
-    result.harmonics = harmonicsOf(prepared, result.points, progress);
-    result.paper = paperValues(prepared);
-    result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.45, 0.7));
-
-    const PointNoise noise = estimateNoise(prepared, result.harmonics, resolutionOf(profile),
-                                           parameters.probe_uncertainty_um, progress.part(0.7, 0.75));
+    PointNoise noise;
+    double form_uncertainty_um = 0;
+    // Side by side: each has stretches that only one core can work on.
+    parallelFor(3, 1, progress, [&](std::size_t task, std::size_t) {
+        if (task == 0) {
+            result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.4, 1));
+        } else if (task == 1) {
+            result.harmonics = harmonicsOf(prepared, result.points, progress);
+            noise = estimateNoise(prepared, result.harmonics, resolutionOf(profile), parameters.probe_uncertainty_um,
+                                  progress.quiet());
+            form_uncertainty_um = expandedUncertainty_um(prepared, noise, band, parameters.circle,
+                                                         circles.of(parameters.circle), progress.quiet());
+        } else {
+            result.two_point =
+                twoPointSize(evaluated.points_mm, prepared.sampling, prepared.centre_mm, progress.quiet());
+            result.paper = paperValues(prepared);
+        }
+    });
     result.point_noise_um = noise.sigma_um;
     result.resolution_um = noise.resolution_um;
     result.noise_correlation_points = noise.correlation_points;
     result.harmonic_floor_um = noise.floor_um;
     const double nominal_um = nominalRadiusEffect_um(profile, prepared);
-    result.RONt_expanded_uncertainty_um =
-        std::hypot(expandedUncertainty_um(prepared, noise, band, parameters.circle, circles.of(parameters.circle),
-                                          progress.part(0.75, 1)),
-                   nominal_um);
+    result.RONt_expanded_uncertainty_um = std::hypot(form_uncertainty_um, nominal_um);
     result.hints = roundnessHints(result);
     if (parameters.tolerance_um)
         result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,

@@ -6,6 +6,8 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <unsupported/Eigen/SpecialFunctions>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
@@ -44,20 +46,41 @@ std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNo
     return points;
 }
 
-/// Draws of noise on the points, in mm, filtered. Nearly even spacing is enough for that.
+/// Filtered noise is smooth: of a long profile, 100 points to a wave of the cut-off tell its extremes.
+/// 1 where values are rounded or have spikes, which are drawn point by point.
+std::size_t strideOf(const PointNoise& noise, const ProfileBand& band, std::size_t points)
+{
+    constexpr double pointsPerWave = 100;
+    constexpr std::size_t least = 8192;
+    if (!band.high_upr || !noise.spikes_um.empty() || noise.resolution_um > 0) return 1;
+    return std::max<std::size_t>(
+        1, points / std::max(least, static_cast<std::size_t>(std::ceil(pointsPerWave * *band.high_upr))));
+}
+
+/// Draws of noise on every `stride`th of the points, in mm, filtered. Nearly even spacing is enough for that.
 class NoiseDraws {
 public:
-    NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band)
-        : noise_(noise), band_(band), n_(prepared.distance_mm.size()), transform_(isPlain(noise, band) ? 1 : n_)
+    NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band, std::size_t stride)
+        : noise_(noise),
+          band_(band),
+          n_((prepared.distance_mm.size() + stride - 1) / stride),
+          by_orders_(stride > 1 || !noise.power_um2.empty()),
+          is_filtered_(stride > 1),
+          transform_(isPlain(noise, band) ? 1 : n_)
     {
         if (isPlain(noise, band)) return;
         // The sequence of points covers the turn but for its gaps.
         const double covered = 1 - prepared.sampling.missing_rad / (2 * std::numbers::pi);
         for (std::size_t m = 0; m <= n_ / 2; ++m)
             transmission_.push_back(m == 0 ? 1 : band.transmission(static_cast<double>(m) / covered));
+        if (!by_orders_) return;
         const double share = noise.sigma_um > 0 ? noise.beyond_rounding_um / noise.sigma_um : 0;
-        // Half the amplitude: the other half belongs to the conjugate order.
-        for (const double power : noise.power_um2) amplitude_mm_.push_back(share * std::sqrt(power / 2) / 2000);
+        const double white = 4 * noise.sigma_um * noise.sigma_um / static_cast<double>(prepared.distance_mm.size());
+        for (std::size_t m = 0; m <= n_ / 2; ++m) {
+            const double power = noise.power_um2.empty() ? white : noise.power_um2[m];
+            // Half the amplitude: the other half belongs to the conjugate order.
+            amplitude_mm_.push_back(share * std::sqrt(power / 2) / 2000 * (is_filtered_ ? transmission_[m] : 1));
+        }
     }
 
     /// Independent points without rounding, spikes and filter: each can be drawn by itself.
@@ -81,7 +104,7 @@ public:
     {
         progress.check();
         std::vector<double> drawn(n_);
-        if (noise_.power_um2.empty()) {
+        if (!by_orders_) {
             for (std::size_t i = 0; i < n_; ++i) drawn[i] = plain_mm(draw, i);
         } else {
             std::vector<std::complex<double>> spectrum(amplitude_mm_.size());
@@ -94,7 +117,7 @@ public:
         if (!noise_.spikes_um.empty()) addSpikes(draw, drawn);
         if (noise_.resolution_um > 0) roundOff(draw, drawn);
         progress.check();
-        return band_.isAll() ? drawn : filtered(drawn, progress);
+        return band_.isAll() || is_filtered_ ? drawn : filtered(drawn, progress);
     }
 
 private:
@@ -129,6 +152,8 @@ private:
     const PointNoise& noise_;
     const ProfileBand& band_;
     std::size_t n_;
+    bool by_orders_;    ///< drawn as Fourier coefficients
+    bool is_filtered_;  ///< and these of the filtered noise
     FourierTransform transform_;
     std::vector<double> amplitude_mm_, transmission_;
 };
@@ -189,6 +214,19 @@ Vector2d leastSquaresStep(const Zone& zone, const std::vector<double>& noise)
     return (inverse * right).head<2>();
 }
 
+/// The width of the zone about the centre that made `step`, in mm.
+double widthAfter(const Vector2d& step, const Zone& zone, const std::vector<double>& noise,
+                  const std::vector<std::size_t>& touching)
+{
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (const std::size_t i : touching) {
+        const double distance = zone.distance_mm[i] + noise[i] - zone.direction[i].dot(step);
+        nearest = std::min(nearest, distance);
+        farthest = std::max(farthest, distance);
+    }
+    return farthest - nearest;
+}
+
 /// RONt of one draw (or of the quiet form, without noise), in mm.
 /// Of the points only those in `touching` may come to lie at the zone's edges.
 double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
@@ -205,14 +243,92 @@ double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const 
                                                                   : MinimaxGoal::Farthest;
         step = minimax(distances, goal, half).step;
     }
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (const std::size_t i : touching) {
-        const double distance = zone.distance_mm[i] + noise[i] - zone.direction[i].dot(step);
-        nearest = std::min(nearest, distance);
-        farthest = std::max(farthest, distance);
-    }
-    return farthest - nearest;
+    return widthAfter(step, zone, noise, touching);
 }
+
+/// Long profiles: neighbours that lie on one piece of the form count as one. Of independent normal noise on m points
+/// only the largest, the smallest and the mean matter, and each of these can be drawn at once.
+class Blocks {
+public:
+    /// Empty when the profile is short, or its form too steep for blocks.
+    static std::optional<Blocks> of(const std::vector<Vector2d>& points, const FittedCircle& circle,
+                                    const PointNoise& noise)
+    {
+        constexpr std::size_t enough = 16384, least = 4;
+        const std::size_t width = points.size() / enough;
+        if (width < least) return std::nullopt;
+        Blocks blocks(points, circle, width);
+        return blocks.areFlat(noise.sigma_um / 1000) ? std::optional(std::move(blocks)) : std::nullopt;
+    }
+
+    std::size_t count() const { return mean_.distance_mm.size(); }
+
+    /// RONt in mm of the form with the noise of one draw; of the form alone if `sigma_mm` is 0.
+    double deviation(std::uint64_t draw, double sigma_mm, ReferenceCircle which, double half) const
+    {
+        std::vector<double> noise(2 * count(), 0.0);
+        Vector2d step = Vector2d::Zero();
+        if (which == ReferenceCircle::LSCI) {
+            std::vector<double> means(count(), 0.0);
+            for (std::size_t b = 0; sigma_mm > 0 && b < count(); ++b)
+                means[b] = sigma_mm / std::sqrt(width_) * randomNormal(seed + 1, draw, b);
+            step = leastSquaresStep(mean_, means);
+        }
+        for (std::size_t b = 0; sigma_mm > 0 && b < count(); ++b) {
+            noise[2 * b] = -sigma_mm * largest(draw, 2 * b);
+            noise[2 * b + 1] = sigma_mm * largest(draw, 2 * b + 1);
+        }
+        return which == ReferenceCircle::LSCI ? widthAfter(step, edges_, noise, edges_.near)
+                                              : drawnDeviation(edges_, noise, edges_.near, which, half);
+    }
+
+private:
+    Blocks(const std::vector<Vector2d>& points, const FittedCircle& circle, std::size_t width)
+        : width_(static_cast<double>(width))
+    {
+        edges_.fixed = circle.held;
+        const auto add = [](Zone& zone, double distance, const Vector2d& direction) {
+            zone.near.push_back(zone.near.size());
+            zone.distance_mm.push_back(distance);
+            zone.direction.push_back(direction);
+        };
+        for (std::size_t begin = 0; begin < points.size(); begin += width) {
+            const std::size_t end = std::min(points.size(), begin + width);
+            double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+            Vector2d middle = Vector2d::Zero();
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vector2d ray = points[i] - circle.centre_mm;
+                nearest = std::min(nearest, ray.norm());
+                farthest = std::max(farthest, ray.norm());
+                middle += ray / static_cast<double>(end - begin);
+            }
+            const Vector2d direction = middle.normalized();
+            add(edges_, nearest, direction);
+            add(edges_, farthest, direction);
+            add(mean_, (nearest + farthest) / 2, direction);
+        }
+    }
+
+    /// Whether the form hardly changes within a block, beside the noise; in one of a hundred it may.
+    bool areFlat(double sigma_mm) const
+    {
+        std::size_t steep = 0;
+        for (std::size_t b = 0; b < count(); ++b)
+            steep += edges_.distance_mm[2 * b + 1] - edges_.distance_mm[2 * b] > 0.25 * sigma_mm;
+        return 100 * steep <= count();
+    }
+
+    /// The largest of as many normal deviates as a block has points.
+    double largest(std::uint64_t draw, std::size_t index) const
+    {
+        const double uniform = 1.0 - randomUniform(seed, draw, index);  // never 0
+        return -Eigen::numext::ndtri(-std::expm1(std::log(uniform) / width_));
+    }
+
+    double width_;
+    Zone edges_;  ///< of each block the nearest, then the farthest point of the form
+    Zone mean_;
+};
 
 }  // namespace
 
@@ -223,20 +339,34 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
     if (noise.sigma_um == 0 && noise.spikes_um.empty()) return 0;
     const std::size_t n = prepared.distance_mm.size();
     const bool plain = NoiseDraws::isPlain(noise, band);
-    const Zone zone = zoneAbout(quietPoints(prepared, noise, band, progress), prepared.sampling, circle, noise);
+    std::vector<Vector2d> form = quietPoints(prepared, noise, band, progress);
     const double half = circle.outer_radius_mm / 2;
-    const double quiet = drawnDeviation(zone, std::vector<double>(n, 0.0), zone.near, which, half);
-    std::vector<double> changes(drawsFor(n));
+    // Few points hardly tell correlated noise from form: found by simulation of the kinds in the tests.
+    const double few = 1 + 6 / static_cast<double>(n);
+    if (const auto blocks = plain ? Blocks::of(form, circle, noise) : std::nullopt) {
+        const double quiet = blocks->deviation(0, 0, which, half);
+        std::vector<double> changes(drawsFor(blocks->count()));
+        parallelFor(changes.size(), 1, progress, [&](std::size_t k, std::size_t) {
+            changes[k] = 1000 * (blocks->deviation(k, noise.beyond_rounding_um / 1000, which, half) - quiet);
+        });
+        return few * coverageHalfWidth(std::move(changes), noise.relative_u);
+    }
+    const std::size_t stride = strideOf(noise, band, n), drawn_points = (n + stride - 1) / stride;
+    for (std::size_t i = 0; i < drawn_points; ++i) form[i] = form[i * stride];
+    form.resize(drawn_points);
+    const Zone zone = zoneAbout(form, prepared.sampling, circle, noise);
+    const double quiet = drawnDeviation(zone, std::vector<double>(drawn_points, 0.0), zone.near, which, half);
+    std::vector<double> changes(drawsFor(drawn_points));
     parallelFor(changes.size(), 4, progress, [&](std::size_t begin, std::size_t end) {
-        const NoiseDraws draw(prepared, noise, band);
-        std::vector<double> drawn(n);
+        const NoiseDraws draw(prepared, noise, band, stride);
+        std::vector<double> drawn(drawn_points);
         std::vector<std::size_t> touching;
         for (std::size_t k = begin; k < end; ++k) {
             progress.check();
             if (!plain) {
                 drawn = draw(k, progress);
             } else if (which == ReferenceCircle::LSCI) {
-                for (std::size_t i = 0; i < n; ++i) drawn[i] = draw.plain_mm(k, i);
+                for (std::size_t i = 0; i < drawn_points; ++i) drawn[i] = draw.plain_mm(k, i);
             } else {
                 touching.clear();
                 for (std::size_t j = 0; j < zone.near.size(); ++j) {
@@ -251,8 +381,6 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
             changes[k] = 1000 * (drawnDeviation(zone, drawn, some ? touching : zone.near, which, half) - quiet);
         }
     });
-    // Few points hardly tell correlated noise from form: found by simulation of the kinds in the tests.
-    const double few = 1 + 6 / static_cast<double>(n);
     return few * coverageHalfWidth(std::move(changes), noise.relative_u);
 }
 

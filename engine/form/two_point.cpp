@@ -19,20 +19,49 @@ double cross(const Vector2d& a, const Vector2d& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Corners of the convex hull, anticlockwise (Andrew's monotone chain).
+/// The hull's next corner on the way anticlockwise; corners between which the way would turn right are none.
+void add(std::vector<Vector2d>& hull, std::size_t start, const Vector2d& point)
+{
+    while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+        hull.pop_back();
+    hull.push_back(point);
+}
+
+/// Whether the points go round their centroid anticlockwise, one after the other and with no step of a quarter turn;
+/// steps back by 1e-12 rad are rounding.
+bool goesRound(std::span<const Vector2d> points)
+{
+    Vector2d centroid = Vector2d::Zero();
+    for (const Vector2d& point : points) centroid += point / static_cast<double>(points.size());
+    std::size_t turns = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector2d from = points[i] - centroid, to = points[(i + 1) % points.size()] - centroid;
+        if (!(cross(from, to) > -1e-12 * from.squaredNorm()) || !(from.dot(to) > 0)) return false;
+        turns += from.y() < 0 && to.y() >= 0;
+    }
+    return turns == 1;
+}
+
+/// Corners of the convex hull, anticlockwise: in the order of the points where they go round (Graham 1972), else
+/// sorted (Andrew's monotone chain).
 std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
 {
-    std::vector<Vector2d> sorted(points.begin(), points.end());
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Vector2d& a, const Vector2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     std::vector<Vector2d> hull;
+    const auto less = [](const Vector2d& a, const Vector2d& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    };
+    if (goesRound(points)) {
+        const auto first = std::min_element(points.begin(), points.end(), less);  // a corner for certain
+        for (auto it = first; it != points.end(); ++it) add(hull, 0, *it);
+        for (auto it = points.begin(); it <= first; ++it) add(hull, 0, *it);
+        hull.pop_back();  // the first again
+        return hull;
+    }
+    std::vector<Vector2d> sorted(points.begin(), points.end());
+    std::sort(sorted.begin(), sorted.end(), less);
     const auto chain = [&](auto begin, auto end) {
         const std::size_t start = hull.size();
-        for (auto it = begin; it != end; ++it) {
-            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *it - hull.back()) <= 0)
-                hull.pop_back();
-            hull.push_back(*it);
-        }
+        for (auto it = begin; it != end; ++it) add(hull, start, *it);
         hull.pop_back();  // the first of the other chain
     };
     chain(sorted.begin(), sorted.end());

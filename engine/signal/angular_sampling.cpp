@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "engine/signal/hampel.h"
 
@@ -15,6 +16,26 @@ constexpr double turn = 2 * std::numbers::pi;
 
 constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the weights bound the condition
 constexpr double mostLeakage = 0.1;
+
+/// Places of the values in ascending order; equal values keep the order given.
+std::vector<std::size_t> ascending(const std::vector<double>& values)
+{
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (values.empty()) return order;
+    // One turn in the order measured begins anywhere and is in order from there.
+    const auto turned = std::is_sorted_until(values.begin(), values.end());
+    if (turned == values.end()) return order;
+    if (values.back() < values.front() && std::is_sorted(turned, values.end())) {
+        std::rotate(order.begin(), order.begin() + (turned - values.begin()), order.end());
+        return order;
+    }
+    std::vector<std::pair<double, std::size_t>> pairs(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) pairs[i] = {values[i], i};
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t i = 0; i < values.size(); ++i) order[i] = pairs[i].second;
+    return order;
+}
 
 /// Largest distance of ascending different angles from evenly spaced ones, in their spacing.
 double displacementOf(const std::vector<double>& angle)
@@ -38,10 +59,7 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
     const std::size_t n = angle_rad.size();
     std::vector<double> wrapped(n);
     for (std::size_t i = 0; i < n; ++i) wrapped[i] = angle_rad[i] - turn * std::floor(angle_rad[i] / turn);
-    result.order.resize(n);
-    std::iota(result.order.begin(), result.order.end(), std::size_t{0});
-    std::stable_sort(result.order.begin(), result.order.end(),
-                     [&](std::size_t a, std::size_t b) { return wrapped[a] < wrapped[b]; });
+    result.order = ascending(wrapped);
     result.angle_rad = inOrder(result, wrapped);
 
     std::vector<double> spacing(n), different, place;

@@ -75,11 +75,134 @@ private:
     std::array<double, 2 * std::size_t{reach}> fixed_{};
 };
 
+/// For many more values than orders: each value is expanded about the nearest of evenly spaced nodes, in powers of its
+/// distance. One transform of each power: (kx)^p/p! of the largest order k and distance x falls to 2e-14 at the last.
+class Expansion {
+public:
+    static constexpr std::size_t powers = 10;
+
+    explicit Expansion(int limit)
+        : limit_(limit), size_(quickTransformLength(16 * static_cast<std::size_t>(limit))), transform_(size_)
+    {
+    }
+
+    /// Whether the transforms cost less than what they save.
+    static bool pays(std::size_t values, int limit)
+    {
+        return limit > 0 && values > 100 * static_cast<std::size_t>(limit);
+    }
+
+    std::size_t size() const { return size_; }
+
+    struct Place {
+        std::size_t node;
+        double off;  ///< in spacings of the nodes, -0.5…0.5
+    };
+    Place placeOf(double angle) const
+    {
+        double turns = angle / (2 * pi);
+        turns -= std::floor(turns);
+        const double position = turns * static_cast<double>(size_), nearest = std::floor(position + 0.5);
+        const auto node = static_cast<std::size_t>(nearest);
+        return {node < size_ ? node : node - size_, position - nearest};
+    }
+
+    /// `moments[node * powers + p]`: sum of the values about the node times off^p.
+    std::vector<Complex> sums(const std::vector<double>& moments) const
+    {
+        std::vector<Complex> result(static_cast<std::size_t>(limit_) + 1);
+        std::vector<double> moment(size_);
+        for (std::size_t p = 0; p < powers; ++p) {
+            for (std::size_t node = 0; node < size_; ++node) moment[node] = moments[node * powers + p];
+            const std::vector<Complex> spectrum = transform_.forward(moment);
+            for (std::size_t k = 0; k < result.size(); ++k) result[k] += term(k, p, -1) * spectrum[k];
+        }
+        return result;
+    }
+
+    /// The series at every node, and its derivatives: `[node * powers + p]` times off^p adds up to the value.
+    std::vector<double> derivatives(std::span<const Complex> coefficients) const
+    {
+        std::vector<double> result(size_ * powers);
+        std::vector<Complex> half(size_ / 2 + 1);
+        for (std::size_t p = 0; p < powers; ++p) {
+            for (std::size_t k = 0; k < coefficients.size(); ++k) half[k] = term(k, p, 1) * coefficients[k];
+            const std::vector<double> values = transform_.series(half);
+            for (std::size_t node = 0; node < size_; ++node) result[node * powers + p] = values[node];
+        }
+        return result;
+    }
+
+private:
+    /// (±ikh)^p / p! with the nodes' spacing h.
+    Complex term(std::size_t k, std::size_t p, int sign) const
+    {
+        const double kh = 2 * pi * static_cast<double>(k) / static_cast<double>(size_);
+        Complex result = 1;
+        for (std::size_t i = 1; i <= p; ++i) result *= Complex(0, sign * kh / static_cast<double>(i));
+        return result;
+    }
+
+    int limit_;
+    std::size_t size_;
+    FourierTransform transform_;
+};
+
+std::vector<double> added(std::vector<double> all, const std::vector<double>& part)
+{
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += part[i];
+    return all;
+}
+
+std::vector<Complex> expandedSums(std::span<const double> angle_rad, std::span<const double> values, int limit,
+                                  const Progress& progress)
+{
+    constexpr std::size_t powers = Expansion::powers;
+    const Expansion expansion(limit);
+    const std::size_t size = expansion.size() * powers;
+    return expansion.sums(parallelReduce(
+        values.size(), std::max(grain, size), progress, std::vector<double>(size, 0.0),
+        [&](std::size_t begin, std::size_t end) {
+            std::vector<double> moments(size, 0.0);
+            for (std::size_t j = begin; j < end; ++j) {
+                const Expansion::Place place = expansion.placeOf(angle_rad[j]);
+                double* moment = &moments[place.node * powers];
+                double term = values[j];
+                for (std::size_t p = 0; p < powers; ++p) {
+                    moment[p] += term;
+                    term *= place.off;
+                }
+            }
+            return moments;
+        },
+        added));
+}
+
+std::vector<double> expandedSeries(std::span<const Complex> coefficients, std::span<const double> angle_rad,
+                                   const Progress& progress)
+{
+    constexpr std::size_t powers = Expansion::powers;
+    const Expansion expansion(static_cast<int>(coefficients.size()) - 1);
+    const std::vector<double> derivatives = expansion.derivatives(coefficients);
+    std::vector<double> result(angle_rad.size());
+    parallelFor(result.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t j = begin; j < end; ++j) {
+            const Expansion::Place place = expansion.placeOf(angle_rad[j]);
+            const double* factor = &derivatives[place.node * powers];
+            double value = factor[powers - 1];
+            for (std::size_t p = powers - 1; p-- > 0;) value = value * place.off + factor[p];
+            result[j] = value;
+        }
+    });
+    return result;
+}
+
 }  // namespace
 
 std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<const double> values, int limit,
                                  const Progress& progress)
 {
+    if (Expansion::pays(values.size(), limit)) return expandedSums(angle_rad, values, limit, progress);
     const Grid grid(limit);
     // A grid for each chunk: no more grids than there is room for as many numbers as values.
     const std::vector<double> spread = parallelReduce(
@@ -92,10 +215,7 @@ std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<co
             }
             return part;
         },
-        [](std::vector<double> all, const std::vector<double>& part) {
-            for (std::size_t i = 0; i < all.size(); ++i) all[i] += part[i];
-            return all;
-        });
+        added);
     std::vector<Complex> sums = FourierTransform(grid.size()).forward(spread);
     sums.resize(static_cast<std::size_t>(limit) + 1);
     for (int k = 0; k <= limit; ++k) sums[static_cast<std::size_t>(k)] *= grid.sharpen(k);
@@ -105,6 +225,8 @@ std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<co
 std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::span<const double> angle_rad,
                                   const Progress& progress)
 {
+    if (const int limit = static_cast<int>(coefficients.size()) - 1; Expansion::pays(angle_rad.size(), limit))
+        return expandedSeries(coefficients, angle_rad, progress);
     const Grid grid(static_cast<int>(coefficients.size()) - 1);
     std::vector<Complex> half(grid.size() / 2 + 1);
     for (int k = 0; k <= grid.limit(); ++k)

@@ -56,6 +56,28 @@ TEST_P(FourierOfLength, IsTheDefinitionAndComesBack)
 INSTANTIATE_TEST_SUITE_P(AnyLength, FourierOfLength,
                          testing::Values(1, 2, 3, 5, 8, 15, 59, 61, 199, 200, 202, 257, 360, 1009));
 
+/// Many more values than orders go another way.
+TEST(NonuniformFourier, SumsAndSeriesOfManyValuesAreTheDefinition)
+{
+    const std::vector<double> values = noise(20000, 4);
+    std::vector<double> angle(values.size());
+    for (std::size_t j = 0; j < angle.size(); ++j) angle[j] = turn * (3 * randomUniform(6, 0, j) - 1);
+    angle[2] = 0;
+    angle[3] = turn;
+    for (const int limit : {1, 2, 50, 190}) {
+        const std::vector<Complex> found = fourierSums(angle, values, limit);
+        const std::vector<Complex> expected = sums(angle, values, limit);
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t k = 0; k < found.size(); ++k)
+            EXPECT_LT(std::abs(found[k] - expected[k]), 1e-12 * static_cast<double>(values.size())) << k;
+        std::vector<Complex> series = expected;
+        for (Complex& c : series) c /= static_cast<double>(values.size());
+        const std::vector<double> many = fourierSeries(series, angle);
+        const std::vector<double> few = fourierSeries(series, std::vector<double>(angle.begin(), angle.begin() + 90));
+        for (std::size_t j = 0; j < few.size(); ++j) EXPECT_NEAR(many[j], few[j], 1e-12) << j;
+    }
+}
+
 TEST(NonuniformFourier, SumsAreTheDefinition)
 {
     const std::vector<double> values = noise(300, 3);

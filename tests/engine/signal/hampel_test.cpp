@@ -56,6 +56,46 @@ TEST(Hampel, EqualAndMissingValues)
     EXPECT_TRUE(hampelOutliers({}).empty());
 }
 
+/// The definition itself, window by window.
+std::vector<std::uint8_t> byDefinition(const std::vector<double>& values, const HampelOptions& options)
+{
+    const auto n = static_cast<int>(values.size());
+    std::vector<double> distance(values.size(), std::numeric_limits<double>::infinity()), spread(values.size()), all;
+    for (int i = 0; i < n; ++i) {
+        std::vector<double> window;
+        for (int j = i - options.half_window; j <= i + options.half_window; ++j)
+            if (options.closed || (j >= 0 && j < n))
+                if (const double value = values[static_cast<std::size_t>((j + n) % n)]; std::isfinite(value))
+                    window.push_back(value);
+        const auto at = static_cast<std::size_t>(i);
+        if (!std::isfinite(values[at])) continue;
+        spread[at] = robustSpread(window);
+        distance[at] = std::abs(values[at] - median(window));
+        all.push_back(distance[at]);
+    }
+    const double overall = 1.4826 * median(all);
+    std::vector<std::uint8_t> result;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        result.push_back(distance[i] > options.threshold * std::max(spread[i], overall));
+    return result;
+}
+
+TEST(Hampel, IsTheDefinitionForClosedAndOpenRecordsWithHoles)
+{
+    std::vector<double> values(20000);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::round(4 * randomNormal(9, 0, i)) / 4;  // with equal values
+        if (randomUniform(9, 1, i) < 0.2) values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+    for (const int half : {1, 2, 5})
+        for (const bool closed : {true, false}) {
+            const HampelOptions options{.half_window = half, .threshold = 2, .closed = closed};
+            const std::vector<std::uint8_t> found = hampelOutliers(values, options);
+            EXPECT_GT(std::accumulate(found.begin(), found.end(), 0), 4000);  // the missing ones at least
+            EXPECT_EQ(found, byDefinition(values, options)) << half << closed;
+        }
+}
+
 TEST(Median, OfEvenOddAndNone)
 {
     EXPECT_EQ(median({3, 1, 2}), 2);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -26,7 +27,7 @@ T parallelReduce(std::size_t count, std::size_t grain, const Progress& progress,
     std::vector<Part> parts((count + grain - 1) / grain, Part{start});
     parallelFor(count, grain, progress,
                 [&](std::size_t begin, std::size_t end) { parts[begin / grain].value = map(begin, end); });
-    for (const Part& part : parts) start = fold(start, part.value);
+    for (const Part& part : parts) start = fold(std::move(start), part.value);
     return start;
 }
 

@@ -18,9 +18,8 @@ struct CloudFigure {
 };
 
 /// Root mean square distance of the copy's used points to the nearest reference point, those further than
-/// `max_distance_mm` left out. Of more than 100 000 used points so many are asked, in runs of neighbours in the file,
-/// which find their answers together; the standard error is that of the scatter from run to run, for neighbours say
-/// similar things. Throws Cancelled.
+/// `max_distance_mm` left out. Of more than 100 000 used points 25 000 drawn ones are asked, spread over all of them;
+/// the standard error is that of the drawing. Throws Cancelled.
 CloudFigure compareClouds(const std::vector<Eigen::Vector3d>& reference_mm,
                           const std::vector<Eigen::Vector3d>& moved_copy_mm, const std::vector<std::uint8_t>& used,
                           double max_distance_mm, const Progress& progress = {});

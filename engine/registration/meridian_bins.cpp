@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/registration/quick_turn.h"
+
 namespace lathelier {
 namespace {
 
@@ -176,7 +178,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
             for (std::size_t k = from; k < to; ++k) {
                 const std::size_t i = by_z.items[k];
                 const Eigen::Vector3d p = axis_T_scan * sample[i];
-                const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
+                const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
             }
             if (std::popcount(inner & outer) >= kSharedSectors * std::popcount(inner)) {
@@ -207,7 +209,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     std::vector<double> radii(sample.size());
     for (std::size_t i = 0; i < sample.size(); ++i) {
         const Eigen::Vector3d p = axis_T_scan * sample[i];
-        points[i] = {p.z(), std::hypot(p.x(), p.y())};
+        points[i] = {p.z(), p.head<2>().norm()};
         radii[i] = points[i].r;
         low = std::min(low, p.z());
         high = std::max(high, p.z());

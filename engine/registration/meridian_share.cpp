@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/registration/meridian_bins.h"
+#include "engine/registration/quick_turn.h"
 
 namespace lathelier {
 namespace {
@@ -83,8 +84,8 @@ std::vector<Place> placesOf(const std::vector<Eigen::Vector3d>& sample, const Ei
     places.reserve(sample.size());
     for (const Eigen::Vector3d& point : sample) {
         const Eigen::Vector3d p = axis_T_scan * point;
-        const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
-        places.push_back({p.z(), std::hypot(p.x(), p.y()), std::min(15, static_cast<int>(turn * kSectors))});
+        const double turn = quickTurn(p.y(), p.x()) + 0.5;
+        places.push_back({p.z(), p.head<2>().norm(), std::min(15, static_cast<int>(turn * kSectors))});
     }
     return places;
 }
@@ -104,7 +105,7 @@ double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isom
     std::size_t good = 0;
     for (const Eigen::Vector3d& point : sample) {
         const Eigen::Vector3d p = axis_T_scan * point;
-        const double r = std::hypot(p.x(), p.y());
+        const double r = p.head<2>().norm();
         const int key = bins.find(p.z(), r);
         if (key >= 0 && isOnBin(bins, key, p.z(), r, widest)) ++good;
     }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/core/parallel.h"
-#include "engine/core/random.h"
+#include "engine/registration/drawn_places.h"
 #include "engine/registration/meridian_bins.h"
 #include "engine/registration/revolution_step.h"
 
@@ -20,16 +20,13 @@ constexpr std::size_t kVotes = 200000;    // that the axis is found with…
 constexpr std::size_t kMost = 2'000'000;  // …before so many settle it, and the radii
 constexpr std::size_t kGrain = 16384;
 
-/// Points spread over the whole cloud: one from each of `count` equal runs, at a drawn place, so that no grid of the
-/// scanner is met in step.
+/// `count` points spread over the whole cloud.
 std::vector<Vector3d> samplePoints(const std::vector<Vector3d>& points, std::size_t count)
 {
     if (points.size() <= count) return points;
-    std::vector<Vector3d> sample(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double place = (static_cast<double>(i) + randomUniform(11, 0, i)) * static_cast<double>(points.size());
-        sample[i] = points[std::min(points.size() - 1, static_cast<std::size_t>(place / static_cast<double>(count)))];
-    }
+    std::vector<Vector3d> sample;
+    sample.reserve(count);
+    for (const std::size_t place : drawnPlaces(points.size(), count, 11)) sample.push_back(points[place]);
     return sample;
 }
 

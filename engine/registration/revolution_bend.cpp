@@ -95,7 +95,7 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     for (const Vector3d& point : sample) {
         const Vector3d p = axis_T_scan * point;
         const double place = (p.z() - start) / length * static_cast<double>(kSections);
-        const double r = std::hypot(p.x(), p.y());
+        const double r = p.head<2>().norm();
         if (!(place >= 0) || place >= static_cast<double>(kSections) || r == 0) continue;
         const auto side = static_cast<std::size_t>((p.z() - bins.z_start_mm) / bins.step_mm);
         if (side >= static_cast<std::size_t>(bins.side_count)) continue;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/quick_turn.h"
 
 namespace lathelier {
 namespace {
@@ -170,7 +171,7 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                 }
                 const int row = static_cast<int>((p.z() - line.zFirst_mm()) / map.z_step_mm);
                 if (p.z() < line.zFirst_mm() || row >= map.z_count) continue;
-                const double turn = std::atan2(p.y(), p.x()) / (2 * kPi);
+                const double turn = quickTurn(p.y(), p.x());
                 const int column =
                     std::min(map.angle_count - 1, static_cast<int>((turn < 0 ? turn + 1 : turn) * map.angle_count));
                 part.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) +

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "engine/registration/quick_turn.h"
 #include "engine/registration/revolution_axis.h"
 
 namespace lathelier {
@@ -36,7 +37,7 @@ double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample,
             r - fit.profile.radius_mm[bin] - fit.profile.slope[bin] * (p.z() - fit.profile.middle_mm(bin));
         if (!(std::abs(error) < 6 * fit.sigma_mm)) continue;
         errors.push_back(std::abs(error));
-        const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
+        const double turn = quickTurn(p.y(), p.x()) + 0.5;
         counts[std::min(sectors - 1, static_cast<std::size_t>(turn * static_cast<double>(sectors)))] += 1;
     }
     std::vector<double> sorted = counts;

@@ -28,19 +28,34 @@ double medianOf(std::vector<double>& values)
 
 }  // namespace
 
-double samplingFloor_mm(const std::vector<Vector3d>& points, const Neighbours& index, const Progress& progress)
+std::vector<Vector3d> samplingPlaces(const std::vector<Vector3d>& points_mm)
 {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    if (points.size() < 200) return none;
+    std::vector<Vector3d> places;
+    for (std::size_t k = 0; k < kPlaces && !points_mm.empty(); ++k)
+        places.push_back(points_mm[(2 * k + 1) * points_mm.size() / (2 * kPlaces)]);
+    return places;
+}
+
+std::size_t samplingNeighbours(std::size_t points)
+{
+    return std::min(kPatch, points / 4);
+}
+
+SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighbours& index, const Progress& progress)
+{
+    SamplingFloor result;
+    if (points_mm.size() < 200) return result;
     std::vector<std::vector<Vector3d>> patches;
     double expected_mm2 = std::numeric_limits<double>::infinity();
     std::vector<Neighbours::Found> found;
-    for (std::size_t k = 0; k < kPlaces; ++k) {
+    for (const Vector3d& place : samplingPlaces(points_mm)) {
         progress.check();
-        const Vector3d& place = points[(2 * k + 1) * points.size() / (2 * kPlaces)];
-        index.nearestUnsorted(place, std::min(kPatch, points.size() / 4), expected_mm2, found);
+        index.nearestUnsorted(place, samplingNeighbours(points_mm.size()), expected_mm2, found);
         std::vector<Vector3d>& patch = patches.emplace_back();
-        for (const Neighbours::Found& near : found) patch.push_back(index.point_mm(near.place) - place);
+        for (const Neighbours::Found& near : found) {
+            patch.push_back(index.point_mm(near.place) - place);
+            result.reach_mm = std::max(result.reach_mm, patch.back().norm());
+        }
     }
 
     std::vector<double> nearest, area;
@@ -68,11 +83,12 @@ double samplingFloor_mm(const std::vector<Vector3d>& points, const Neighbours& i
             nearest.push_back(std::sqrt(distances[1]));
         }
     }
-    if (area.empty()) return none;
+    if (area.empty()) return result;
     const double cell = medianOf(area);
     const double a = std::clamp(medianOf(nearest), 1e-3 * std::sqrt(cell), std::sqrt(cell));
     const double b = cell / a;
-    return std::sqrt((a * a + b * b) / 12);
+    result.rms_mm = std::sqrt((a * a + b * b) / 12);
+    return result;
 }
 
 }  // namespace lathelier

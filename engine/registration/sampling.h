@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -10,11 +12,20 @@ namespace lathelier {
 
 class Neighbours;
 
+struct SamplingFloor {
+    double rms_mm = std::numeric_limits<double>::quiet_NaN();  ///< NaN with fewer than 200 points
+    double reach_mm = 0;  ///< the neighbours of the places looked at lie within this distance of them
+};
+
+/// The places of a cloud that samplingFloor() looks at, and how many of their neighbours.
+std::vector<Eigen::Vector3d> samplingPlaces(const std::vector<Eigen::Vector3d>& points_mm);
+std::size_t samplingNeighbours(std::size_t points);
+
 /// Root mean square distance from a random place of the surface to the nearest sample, √((a² + b²)/12) for a grid of
 /// a × b: what the cloud-to-cloud RMSE of identical, noiseless parts amounts to. a is the median distance to the
-/// nearest sample, a·b the median area of a sample, both in the tangent plane at some hundred places. NaN with fewer
-/// than 200 points. `index` is of the same points.
-double samplingFloor_mm(const std::vector<Eigen::Vector3d>& points, const Neighbours& index,
-                        const Progress& progress = {});
+/// nearest sample, a·b the median area of a sample, both in the tangent plane at some hundred places. `index` is of
+/// the points, or of those near the places.
+SamplingFloor samplingFloor(const std::vector<Eigen::Vector3d>& points_mm, const Neighbours& index,
+                            const Progress& progress = {});
 
 }  // namespace lathelier

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/quick_turn.h"
 #include "engine/registration/scanner_axis.h"
 
 namespace lathelier {
@@ -166,11 +167,11 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 if (e < 0) continue;
                 const Edge& edge = edges[static_cast<std::size_t>(e)];
                 const Eigen::Vector3d p = fit.onAxis(points[i]);
-                const double r = std::hypot(p.x(), p.y());
+                const double r = p.head<2>().norm();
                 const double high = std::max(edge.before_mm, edge.after_mm);
                 const double height = heightOf(edge);
                 if (r > high + reach || r < high - height - reach || r == 0) continue;
-                const double turn = std::atan2(p.y(), p.x()) / (2 * kPi) + 0.5;
+                const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 double own = z * edge.sign;
                 if (scanner) {
                     own = rayHeight(p, *scanner, edge, missDepth(edge, fit));

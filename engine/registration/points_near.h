@@ -1,0 +1,25 @@
+// The part of a large cloud that lies near some places: what an index for a few questions needs.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/core/progress.h"
+
+namespace lathelier {
+
+/// Places and how far around each of them points are wanted.
+struct Vicinity {
+    std::vector<Eigen::Vector3d> places_mm;
+    double radius_mm = 0;
+};
+
+/// All points within the radius of any place of any vicinity, and some further ones, in the order given. All are
+/// finite. Throws Cancelled.
+std::vector<Eigen::Vector3d> pointsNear(const std::vector<Eigen::Vector3d>& points_mm,
+                                        const std::vector<Vicinity>& vicinities, const Progress& progress = {});
+
+/// About the distance between neighbours of a cloud that covers a surface: the root of its area for each point.
+double roughSpacing_mm(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress = {});
+
+}  // namespace lathelier

@@ -1,12 +1,13 @@
 // The desktop application.
 #include <QApplication>
+#include <QFile>
 #include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTimer>
 #include <csignal>
 #include <iostream>
+#include <optional>
 
 #include "app/gui/arguments.h"
 #include "app/gui/main_window.h"
@@ -15,6 +16,9 @@
 #include "app/gui/shots.h"
 #include "app/gui/shutdown.h"
 #include "app/gui/theme.h"
+#include "engine/core/error.h"
+#include "engine/io/file.h"
+#include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 
 using namespace lathelier;
@@ -83,10 +87,17 @@ int main(int argc, char** argv)
     const Theme theme(application);
 
     // Screenshots and reports neither use nor change the user's own settings.
-    QTemporaryDir fresh;
-    if (!arguments.shots.isEmpty() || !arguments.report.isEmpty()) {
+    const bool apart = !arguments.shots.isEmpty() || !arguments.report.isEmpty();
+    std::optional<PartFolder> fresh;
+    try {
+        if (apart) fresh.emplace();
+    } catch (const Error& error) {
+        std::cerr << screenText(error).toStdString() << '\n';
+        return 5;
+    }
+    if (fresh) {
         QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, fresh.path());
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QFile::decodeName(fresh->path().c_str()));
     }
     Languages languages;
     languages.use(arguments.language.isEmpty() ? readSettings().language : arguments.language);

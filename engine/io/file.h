@@ -57,6 +57,21 @@ using Append = std::function<void(std::string_view)>;
 void writeFile(const std::string& path, const std::function<void(const Append& append)>& write);
 void writeFile(const std::string& path, std::string_view content);
 
+/// A folder of this process alone in the system's place for temporary files, removed with all that is in it at the end
+/// of its life; after a crash, by a later program. Error fileNotWritable.
+class PartFolder {
+public:
+    PartFolder();
+    ~PartFolder();
+    PartFolder(const PartFolder&) = delete;
+    PartFolder& operator=(const PartFolder&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
 /// Lower-case hexadecimal SHA-256. Throws Cancelled.
 /// `passed` hears how many bytes are done.
 std::string sha256(std::string_view bytes, const Progress& progress = {},

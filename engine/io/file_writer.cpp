@@ -103,8 +103,8 @@ pid_t ownerOf(const std::string& name)
     return problem == std::errc() && end != to && *end == '-' && number > 0 ? static_cast<pid_t>(number) : 0;
 }
 
-/// Removes what processes that ended in the middle of writing have left in `folder`: once for each folder, and only
-/// files that nobody has written to for an hour, for the process may live on another machine.
+/// Removes what processes that ended in the middle of their work have left in `folder`: once for each folder, and only
+/// what nobody has written to for an hour, for the process may live on another machine.
 void sweep(const fs::path& folder)
 {
     static std::mutex mutex;
@@ -119,7 +119,7 @@ void sweep(const fs::path& folder)
         const pid_t owner = ownerOf(entry->path().filename().string());
         if (owner == 0 || ::kill(owner, 0) == 0 || errno != ESRCH) continue;
         std::error_code unknown;
-        if (entry->last_write_time(unknown) < old && !unknown) fs::remove(entry->path(), unknown);
+        if (entry->last_write_time(unknown) < old && !unknown) fs::remove_all(entry->path(), unknown);
     }
 }
 
@@ -177,6 +177,26 @@ void writeFile(const std::string& path, const std::function<void(const Append& a
 void writeFile(const std::string& path, std::string_view content)
 {
     writeFile(path, [content](const Append& append) { append(content); });
+}
+
+PartFolder::PartFolder()
+{
+    std::error_code problem;
+    const fs::path place = fs::temp_directory_path(problem);
+    if (problem) throwNotWritable("TMPDIR", problem.value());
+    sweep(place);
+    int failure = 0;
+    do {
+        path_ = nameBeside((place / "folder").string());
+        failure = ::mkdir(path_.c_str(), 0700) == 0 ? 0 : errno;
+    } while (failure == EEXIST);
+    if (failure != 0) throwNotWritable(path_, failure);
+}
+
+PartFolder::~PartFolder()
+{
+    std::error_code problem;
+    fs::remove_all(path_, problem);
 }
 
 }  // namespace lathelier

@@ -1,6 +1,9 @@
 // Roundness of one profile: the whole evaluation, and its parts.
 #include <benchmark/benchmark.h>
 
+#include <numbers>
+
+#include "engine/core/random.h"
 #include "engine/form/prepared_profile.h"
 #include "engine/form/superimpose.h"
 #include "tests/engine/form/noise_kinds.h"
@@ -29,7 +32,22 @@ BENCHMARK(evaluation)
     ->Args({3600, 0})
     ->Args({3600, 50})
     ->Args({36000, 50})
+    ->Args({1000000, 0})
+    ->Args({1000000, 50})
+    ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// Angles that are not at even steps: sums and fits instead of one transform.
+void evaluationOfUnevenSteps(benchmark::State& state)
+{
+    const auto count = static_cast<std::size_t>(state.range(0));
+    std::vector<double> angle = evenAngles(count);
+    for (std::size_t i = 0; i < count; ++i)
+        angle[i] += 0.6 * randomUniform(7, 0, i) * 2 * std::numbers::pi / static_cast<double>(count);
+    const Profile profile = lobedProfile(angle, {{2, .003, 1}, {7, .001, 2}}, {.03, .04}, .0005);
+    for (auto _ : state) benchmark::DoNotOptimize(roundness(profile));
+}
+BENCHMARK(evaluationOfUnevenSteps)->Arg(36000)->Arg(1000000)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Share of parts whose true RONt lies within the stated uncertainty, for each kind of noise at many points.
 void coverage(benchmark::State& state)

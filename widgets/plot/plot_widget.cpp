@@ -4,10 +4,10 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QTemporaryDir>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
@@ -61,10 +61,14 @@ bool PlotWidget::savePicture(const QString& path)
         QBuffer buffer(&bytes);
         if (!buffer.open(QIODevice::WriteOnly) || !picture().save(&buffer, "PNG")) return false;
     } else {
-        const QTemporaryDir aside;
-        QFile file(aside.filePath("plot." + QFileInfo(path).suffix()));
-        if (!saveVector(file.fileName()) || !file.open(QIODevice::ReadOnly)) return false;
-        bytes = file.readAll();
+        try {
+            const PartFolder aside;
+            QFile file(QFile::decodeName(aside.path().c_str()) + "/plot." + QFileInfo(path).suffix());
+            if (!saveVector(file.fileName()) || !file.open(QIODevice::ReadOnly)) return false;
+            bytes = file.readAll();
+        } catch (const Error&) {
+            return false;
+        }
     }
     return write(path, bytes);
 }

@@ -184,6 +184,35 @@ TEST_F(FileTest, sweepsWhatDeadProcessesLeft)
     folder_ = folder_.parent_path();
 }
 
+TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
+{
+    const std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "";
+    ::setenv("TMPDIR", folder_.c_str(), 1);
+    const pid_t killed = ::fork();
+    if (killed == 0) {
+        const PartFolder mine;
+        std::ofstream(mine.path() + "/plot.pdf") << "x";
+        ::_exit(0);  // without destructors, as a killed program
+    }
+    ::waitpid(killed, nullptr, 0);
+    const std::string left = path(".lathelier-" + std::to_string(killed) + "-0.part");
+    EXPECT_TRUE(fs::exists(left + "/plot.pdf"));
+    fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
+    std::string own;
+    {
+        const PartFolder later;
+        own = later.path();
+        EXPECT_TRUE(fs::is_directory(own));
+        EXPECT_EQ(fs::status(own).permissions(), fs::perms::owner_all);
+        EXPECT_FALSE(fs::exists(left));
+        std::ofstream(own + "/a") << "x";
+    }
+    EXPECT_FALSE(fs::exists(own));
+    ::setenv("TMPDIR", path("missing").c_str(), 1);
+    EXPECT_EQ(errorOf([] { PartFolder(); }).code(), errors::fileNotWritable);
+    before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
+}
+
 TEST_F(FileTest, saysWhyAFileCannotBeRead)
 {
     const Error missing = errorOf([&] { FileBytes file(path("missing")); });

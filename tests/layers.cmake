@@ -1,11 +1,21 @@
 # The layering rule as a test: cmake -D SOURCE_DIR=… -P layers.cmake
-# - engine includes neither Qt nor VTK, nor widgets or app; an engine folder includes itself and those to its left;
+# - engine includes neither Qt nor VTK, nor widgets or app; a room includes itself and those that engine/rooms.cmake names;
 # - headers of the engine show no third-party type but std, Eigen and JSON's forward declaration;
 # - widgets include no app; a panel folder includes itself and what panels share, never another panel;
 # - the command line (app/cli) includes the engine only.
 cmake_policy(VERSION 3.25)
-set(engine_order core signal io form spindle registration features beam receptance cutting stability deflection
-    gcode cad cam report project)
+set(known_rooms "")
+macro(room name)
+    cmake_parse_arguments(room "" "" "USES;LINKS" ${ARGN})
+    foreach(used ${room_USES})
+        if(NOT used IN_LIST known_rooms)
+            message(FATAL_ERROR "layers:\n  engine/rooms.cmake: ${name} uses ${used}, which stands below it or nowhere")
+        endif()
+    endforeach()
+    list(APPEND known_rooms ${name})
+    set(uses_${name} ${room_USES})
+endmacro()
+include(${SOURCE_DIR}/engine/rooms.cmake)
 set(shared_widgets core plot scene spindle_common)  # widgets/<folder> that every panel may include
 set(foreign_in_headers "PCL|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
 set(findings "")
@@ -49,12 +59,10 @@ foreach(relative ${files})
             elseif(target_house MATCHES "^(widgets|app)$")
                 complain("upward include of ${name}")
             elseif(target_house STREQUAL "engine")
-                list(FIND engine_order "${room}" here)
-                list(FIND engine_order "${target_room}" there)
-                if(here LESS 0 OR there LESS 0)
-                    complain("unknown engine folder in ${name}; add it to engine_order")
-                elseif(there GREATER here)
-                    complain("${room} includes ${name} to its right")
+                if(NOT room IN_LIST known_rooms)
+                    complain("the room ${room} is missing in engine/rooms.cmake")
+                elseif(NOT target_room STREQUAL room AND NOT target_room IN_LIST uses_${room})
+                    complain("${room} includes ${name}, and engine/rooms.cmake does not let it")
                 endif()
             elseif(relative MATCHES "\\.h$" AND name MATCHES "^(${foreign_in_headers})")
                 complain("a header shows ${name}")

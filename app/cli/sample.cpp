@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verbs.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 

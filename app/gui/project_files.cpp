@@ -9,7 +9,7 @@
 #include <QStandardPaths>
 
 #include "app/gui/settings.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "widgets/core/language.h"
 #include "widgets/core/number_edit.h"
 #include "widgets/core/worker.h"

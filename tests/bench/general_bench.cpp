@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/cloud_distance.h"
 #include "engine/registration/general.h"
 #include "engine/registration/surface_deviation.h"

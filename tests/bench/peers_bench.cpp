@@ -11,7 +11,7 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
 
 #ifdef LATHELIER_WITH_PCL

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QScreen>
 
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "widgets/scene/scene_view.h"
 
 using namespace lathelier;

@@ -1,7 +1,7 @@
 // From a record in memory to its longitudinal section: averages of 20 × 200 angles, and 20 × 40 revolutions raw.
 #include <benchmark/benchmark.h>
 
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/spindle/longitudinal.h"
 #include "engine/spindle/record_plan.h"
 #include "engine/spindle/section_signals.h"

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "tests/app/cli/golden_spindle.h"
 #include "tests/app/cli/golden_wrong_kind.h"
 #include "tests/engine/io/lgraph_files.h"

@@ -1,6 +1,6 @@
 #include "tests/app/cli/golden_spindle.h"
 
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 
 namespace lathelier::golden {
 namespace {

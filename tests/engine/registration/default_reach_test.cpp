@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/compare.h"
 #include "tests/engine/registration/synthetic_pair.h"
 

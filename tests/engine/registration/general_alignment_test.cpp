@@ -10,7 +10,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/io/io_codes.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
 #include "engine/registration/observability.h"
 #include "engine/registration/registration_codes.h"

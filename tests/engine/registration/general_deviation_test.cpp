@@ -10,7 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface_deviation.h"
 

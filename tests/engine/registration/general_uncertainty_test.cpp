@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
 #include "engine/registration/general_reference.h"
 #include "tests/engine/registration/noisy_scan.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/core/random.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier::testing_pair {
 

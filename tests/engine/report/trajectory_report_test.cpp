@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/file.h"
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/report/html.h"
 #include "engine/report/plain_text.h"
 #include "engine/report/section_file.h"

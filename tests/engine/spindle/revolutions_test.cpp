@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/spindle/record_plan.h"
 #include "engine/spindle/section_signals.h"
 #include "engine/spindle/spindle_codes.h"

@@ -11,7 +11,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/spindle/surface_image.h"
 #include "tests/engine/spindle/truth.h"
 

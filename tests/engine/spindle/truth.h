@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/spindle/trajectory.h"
 
 namespace lathelier {

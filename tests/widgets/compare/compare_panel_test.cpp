@@ -18,7 +18,7 @@
 #include <fstream>
 
 #include "engine/project/project_codes.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
 #include "widgets/core/resources.h"

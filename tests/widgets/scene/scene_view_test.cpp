@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "widgets/scene/scene_canvas.h"
 
 using namespace lathelier;

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "tests/widgets/core/drop_files.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"

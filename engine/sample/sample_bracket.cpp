@@ -8,7 +8,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 #include "engine/registration/surface_samples.h"
 
 namespace lathelier {

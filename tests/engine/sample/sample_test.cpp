@@ -1,4 +1,4 @@
-#include "engine/project/sample.h"
+#include "engine/sample/sample.h"
 
 #include <gtest/gtest.h>
 

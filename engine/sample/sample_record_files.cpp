@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 
 namespace lathelier {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample_record.h"
 #include "engine/io/io_codes.h"
 
 #include <gtest/gtest.h>

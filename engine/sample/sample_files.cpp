@@ -9,8 +9,8 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project.h"
-#include "engine/project/sample.h"
-#include "engine/project/sample_record.h"
+#include "engine/sample/sample.h"
+#include "engine/sample/sample_record.h"
 
 namespace lathelier {
 namespace {

@@ -1,0 +1,12 @@
+# The rooms of the engine, one folder each, and which others each may use besides itself: the link of their libraries
+# (engine/CMakeLists.txt) and the check of their includes (tests/layers.cmake) both follow this list.
+# room(name [USES rooms…] [LINKS libraries…])
+room(core LINKS nlohmann_json::nlohmann_json TBB::tbb fmt::fmt Threads::Threads)
+room(signal USES core)
+room(io USES core LINKS fmt::fmt OpenSSL::Crypto)
+room(form USES core signal io)
+room(spindle USES core signal io form)
+room(registration USES core LINKS CGAL::CGAL)
+room(report USES core io form spindle registration LINKS fmt::fmt ZLIB::ZLIB)
+room(project USES core io)
+room(sample USES core io form registration project LINKS fmt::fmt)

@@ -16,7 +16,7 @@ macro(room name)
     set(uses_${name} ${room_USES})
 endmacro()
 include(${SOURCE_DIR}/engine/rooms.cmake)
-set(shared_widgets core plot scene spindle_common)  # widgets/<folder> that every panel may include
+set(shared_widgets core plot scene trajectory_common)  # widgets/<folder> that every panel may include
 set(foreign_in_headers "PCL|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
 set(findings "")
 

@@ -8,8 +8,8 @@
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/registration/compare_json.h"
-#include "engine/report/compare_report.h"
-#include "engine/report/deviation_file.h"
+#include "engine/registration/compare_report.h"
+#include "engine/registration/deviation_file.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {

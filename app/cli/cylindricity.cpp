@@ -6,8 +6,8 @@
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/form/cylindricity_json.h"
+#include "engine/form/roundness_report.h"
 #include "engine/report/plain_text.h"
-#include "engine/report/roundness_report.h"
 
 namespace lathelier::cli {
 namespace {

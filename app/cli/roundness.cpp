@@ -8,11 +8,11 @@
 #include "app/cli/filter_option.h"
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
+#include "engine/form/roundness_dfq.h"
 #include "engine/form/roundness_json.h"
+#include "engine/form/roundness_report.h"
 #include "engine/form/superimpose.h"
 #include "engine/report/plain_text.h"
-#include "engine/report/roundness_dfq.h"
-#include "engine/report/roundness_report.h"
 
 namespace lathelier::cli {
 namespace {

@@ -11,10 +11,10 @@
 #include "engine/core/failure.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
+#include "engine/form/verify_report.h"
 #include "engine/io/units.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
-#include "engine/report/verify_report.h"
 
 namespace lathelier::cli {
 namespace {

@@ -1,5 +1,5 @@
 // trajectory RECORD...: from probe records to the image of the machined surface, its sections and the spindle's motion.
-#include "engine/spindle/trajectory.h"
+#include "engine/trajectory/trajectory.h"
 
 #include <nlohmann/json.hpp>
 
@@ -7,9 +7,9 @@
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
 #include "engine/report/plain_text.h"
-#include "engine/report/section_file.h"
-#include "engine/report/trajectory_report.h"
-#include "engine/spindle/trajectory_json.h"
+#include "engine/trajectory/section_file.h"
+#include "engine/trajectory/trajectory_json.h"
+#include "engine/trajectory/trajectory_report.h"
 
 namespace lathelier::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/cli/verbs.h"
 #include "engine/form/verify_json.h"
+#include "engine/form/verify_report.h"
 #include "engine/report/plain_text.h"
-#include "engine/report/verify_report.h"
 
 namespace lathelier::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "engine/report/verify_report.h"
+#include "engine/form/verify_report.h"
 #include "widgets/core/copy_table.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_files.h"

@@ -1,4 +1,5 @@
 // The two reference circles without local optima: least squares and smallest enclosing.
+// Source: Kåsa, IEEE Trans. Instrum. Meas. 25 (1976) 8-14 (start); Gärtner, ESA 1999 (smallest enclosing circle).
 #pragma once
 
 #include <span>

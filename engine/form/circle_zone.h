@@ -5,6 +5,7 @@
 // the bound is sharp to second order, and squares far from the optimum are few. Both the exchange and the proof work
 // on a small set of points that grows by the extreme points of each centre tried: a bound from some of the points
 // is a bound for all, and each circle claimed has been measured on all.
+// Source of branch and bound: Land and Doig, Econometrica 28 (1960) 497-520. The bound is derived above.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Reference circles as JSON, as scripts know them (COMMAND_LINE.md).
+// Reference circles as JSON, as scripts know them.
 #pragma once
 
 #include "engine/core/json.h"

@@ -1,4 +1,5 @@
 // Least-squares and minimum-zone cylinders.
+// Source: ISO 12180-1; Forbes, "Least-squares best-fit geometric elements", NPL report DITC 140/89.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
 // The smallest largest value of linear functions over a cube of N dimensions: one step of a minimax fit.
+// Source: exchange of Stiefel, Numer. Math. 1 (1959) 1-28, as a dual method.
 #pragma once
 
 #include <Eigen/Core>

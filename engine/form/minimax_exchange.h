@@ -1,4 +1,6 @@
 // The minimax exchange: steps of the linear problem until nothing is left to gain.
+// Source: Osborne and Watson, "An algorithm for minimax approximation in the nonlinear case", Comput. J. 12 (1969)
+// 63-68.
 #pragma once
 
 #include <algorithm>

@@ -101,10 +101,10 @@ struct RoundnessResult {
 
 /// Evaluates `profile` about its fitted centres, wherever the origin is. Deterministic. Without a filter the circles
 /// are those of the given points, untouched. Notes: undersampled, gapsInProfile, partialArc, anglesUneven,
-/// duplicatePoints, revolutionsOverlaid, outliersRemoved, sectorsExcluded, minimumZoneNotUnique, inscribedNotUnique,
-/// certificateOpen, noiseNotKnown, sizeNominal, nominalRadiusMatters, harmonicsLimited, harmonicsEstimated,
-/// resolutionCounted, noiseCorrelated, spikesCounted, twoPointIncomplete. Errors as fitCircles(); valueNotUnderstood.
-/// Throws Cancelled.
+/// pointsNotFinite, duplicatePoints, revolutionsOverlaid, outliersRemoved, sectorsExcluded, minimumZoneNotUnique,
+/// inscribedNotUnique, certificateOpen, noiseNotKnown, sizeNominal, nominalRadiusMatters, harmonicsLimited,
+/// harmonicsEstimated, resolutionCounted, noiseCorrelated, spikesCounted, twoPointIncomplete. Errors as fitCircles();
+/// valueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
                           const Progress& progress = {});
 

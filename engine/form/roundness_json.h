@@ -1,4 +1,4 @@
-// Results of roundness as JSON, as scripts know them (COMMAND_LINE.md).
+// Results of roundness as JSON, as scripts know them.
 #pragma once
 
 #include "engine/core/json.h"

@@ -1,5 +1,5 @@
 // Two profiles of the same section laid on one another: the image of the surface and the trace of a roundness
-// instrument, as the paper validates its system (largest 1.8, mean 1.4 µm).
+// instrument, as Yurkevich and Orlova validate their system (largest 1.8, mean 1.4 µm).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Sizes across a section: two-point size through the centre, and width between parallel jaws.
+// Source: ISO 14405-1 (two-point size); rotating calipers of Shamos (1978) and Toussaint (1983).
 #pragma once
 
 #include <span>

@@ -30,8 +30,8 @@ struct VerifyResult {
 /// answer exact; lobes, ellipse, nested squares and Reuleaux triangle for the other three; scattered points against
 /// all their possible contacts; the certificate's gap. Cylinders in several poses, straightness, the Gaussian filter
 /// and harmonics. The NIST circle sets (`.ds`, `.fit`) of the folder `reference_data`, when one is named; it is looked
-/// for nowhere else. Errors: fileNotFound, fileNotReadable, malformed, referenceDataMissing (a folder without circle
-/// sets: that says nothing of this installation). Throws Cancelled.
+/// for nowhere else. Errors: fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing (a folder without
+/// circle sets: that says nothing of this installation). Throws Cancelled.
 VerifyResult verify(const std::string& reference_data = {}, const Progress& progress = {});
 
 }  // namespace lathelier

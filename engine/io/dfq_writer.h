@@ -1,6 +1,6 @@
 // Q-DAS ASCII transfer format (.dfq): characteristics with limits and values for statistical process control.
-// Source: Q-DAS ASCII transfer format and the key fields that AQDEF asks of a measuring system (K0100, K1001, K2001,
-// K2002, K2101, K2110, K2111, K2120, K2121, K2142, and K0001, K0002, K0004 for every value).
+// Source: Q-DAS ASCII transfer format and the key fields that AQDEF asks of a measuring system (K0100, K1001, K1082,
+// K2001, K2002, K2022, K2101, K2110, K2111, K2120, K2121, K2142, and K0001, K0002, K0004 for every value).
 #pragma once
 
 #include <ctime>

@@ -10,16 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/input_file.h"
 #include "engine/io/file.h"
 
 namespace lathelier {
-
-/// A file as the audit names it.
-struct InputFile {
-    std::string path;
-    std::int64_t bytes = 0;
-    std::string sha256;  ///< lower-case hexadecimal
-};
 
 /// Reads files for one computation. Digests are computed beside the parsing. Not for several threads at once.
 class InputFiles {

@@ -1,5 +1,5 @@
 // The .par file of an L-Graph recording (L-Card's recorder program): what it says, checked against itself.
-// Layout: shared with form.md section 5, found from recordings of L-Graph I and II.
+// Layout: found from recordings of L-Graph I and II.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A comparison as JSON, with the keys that COMMAND_LINE.md promises.
+// A comparison as JSON, with the keys that scripts know.
 #pragma once
 
 #include "engine/core/json.h"

@@ -1,10 +1,9 @@
 #include "engine/registration/general_reference.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "engine/core/core_codes.h"
 #include "engine/core/error.h"
+#include "engine/registration/point_checks.h"
 #include "engine/registration/surface_samples.h"
 
 namespace lathelier {
@@ -14,22 +13,6 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr std::size_t mesh_samples = 200000;
 constexpr std::size_t enough_for_median = 100000;
-
-void refuseDegenerate(const Points& points, const char* role)
-{
-    const auto count = static_cast<double>(points.size());
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const auto& p : points) mean += p / count;
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const auto& p : points) spread += (p - mean) * (p - mean).transpose() / count;
-    const Eigen::Vector3d sizes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-    const auto refuse = [role](Text found) {
-        throw Error(errors::pointsDegenerate, {{"found", found}, {"role", std::string(role)}});
-    };
-    if (!(sizes[2] > 1e-24)) refuse(LT_TEXT("Engine", "in one place"));
-    if (!(sizes[1] > 1e-12 * sizes[2])) refuse(LT_TEXT("Engine", "on a line"));
-}
 
 double upperPart(std::vector<double> values, std::size_t numerator, std::size_t denominator)
 {
@@ -53,10 +36,7 @@ CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& p
 {
     CentredPoints result;
     result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
-    if (result.points_mm.size() < 4)
-        throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(result.points_mm.size())},
-                                           {"minimum", std::int64_t{4}},
-                                           {"role", std::string(role)}});
+    checkPoints(result.points_mm, role, progress, 4);
     const Points some = everyNth(result.points_mm, enough_for_median);
     std::vector<double> values(some.size());
     for (int a = 0; a < 3; ++a) {
@@ -68,7 +48,6 @@ CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& p
     result.size_mm = upperPart(values, 9, 10);
     progress.check();
     for (auto& p : result.points_mm) p -= result.middle_mm;
-    refuseDegenerate(result.points_mm, role);
     return result;
 }
 

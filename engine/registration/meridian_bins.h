@@ -57,7 +57,6 @@ struct MeridianBins {
 /// bin fall into two walls with a gap between them, each wall has a bin. Rough zones (a thread, a knurl) do not set the
 /// scatter: when the quietest fifth of the bins scatters by a third less than their median, it does, and bins that
 /// scatter more than 1.7 times that stay inactive.
-/// Source of both rules: ../shared/reference/recognition.md, section 1.
 MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count);
 
 /// Slopes anew from the values of neighbouring bins.

@@ -8,15 +8,15 @@
 namespace lathelier {
 namespace {
 
-constexpr std::size_t kLeastPoints = 50;
 constexpr double kLargest_mm = 1e7;  // beyond ten kilometres, squares of differences lose micrometres
 
 }  // namespace
 
-void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, const Progress& progress)
+void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, const Progress& progress,
+                 std::size_t least)
 {
     try {
-        const PointSpread spread = spreadOf(points, kLeastPoints, kLargest_mm, progress);
+        const PointSpread spread = spreadOf(points, least, kLargest_mm, progress);
         // Rounding of the coordinates themselves must not look like a shape.
         const double rounding = 1e-7 * spread.largest_mm;
         refuseDegenerate(spread, rounding, std::max(1e-6 * spread.extent_mm[2], rounding));

@@ -15,12 +15,11 @@ inline double quickTurn(double y, double x)
     if (larger == 0) return 0;
     const double q = std::min(a, b) / larger, s = q * q;
     const double series =
-        1 +
-        s * (-0.3333314528 +
-             s * (0.1999355085 +
-                  s * (-0.1420889944 +
-                       s * (0.1065626393 +
-                            s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257)))))));
+        1 + s * (-0.3333314528 +
+                 s * (0.1999355085 +
+                      s * (-0.1420889944 +
+                           s * (0.1065626393 +
+                                s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257)))))));
     double turn = q * series / (2 * std::numbers::pi);
     if (b > a) turn = 0.25 - turn;
     if (x < 0) turn = 0.5 - turn;

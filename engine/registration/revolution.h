@@ -1,5 +1,4 @@
 // Registration of bodies of revolution: axis on axis, then one shift along it; the roll is left alone.
-// Source: shaft-aware registration of ../shared/reference/registration.md, section 1.
 #pragma once
 
 #include <vector>

@@ -35,7 +35,6 @@ struct Bend {
 
 /// The bend of a sample about its axis (in the frame of the points). Circles about each section's own centre, robust,
 /// and a parabola through the centres; what the centres scatter about it counts in its uncertainty.
-/// Source: ../shared/reference/recognition.md, section 6.
 Bend findBend(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
               const MeridianBins& bins);
 

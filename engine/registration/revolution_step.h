@@ -1,4 +1,6 @@
 // One step of the axis fit: what every point says of the axis and of the radius in its bin.
+// Source: biweight of Beaton and Tukey, Technometrics 16 (1974) 147-185; covariance of White, Econometrica 48 (1980)
+// 817-838, over patches.
 #pragma once
 
 #include <Eigen/Geometry>

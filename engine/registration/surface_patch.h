@@ -1,4 +1,5 @@
 // A smooth piece of surface through the points of a small neighbourhood: z = quadric(x, y) in a frame of its own.
+// Source: Cazals and Pouget, Comput. Aided Geom. Des. 22 (2005) 121-146 (osculating jets).
 #pragma once
 
 #include <Eigen/Core>

@@ -56,14 +56,14 @@ Rgb insideColour(double share)
     return toRgb({insideMiddle.lightness, insideMiddle.a, insideMiddle.b + t * insideBlueYellow});
 }
 
-Rgb DeviationColours::operator()(double deviation_mm) const
+Rgb DeviationColours::operator()(double value) const
 {
-    if (!tolerance_mm) return divergingColour(deviation_mm / limit_mm);
-    const double beyond = std::abs(deviation_mm) - *tolerance_mm;
-    if (!(beyond > 0)) return insideColour(*tolerance_mm > 0 ? deviation_mm / *tolerance_mm : 0);
-    const double room = limit_mm - *tolerance_mm;
+    if (!tolerance) return divergingColour(value / limit);
+    const double beyond = std::abs(value) - *tolerance;
+    if (!(beyond > 0)) return insideColour(*tolerance > 0 ? value / *tolerance : 0);
+    const double room = limit - *tolerance;
     const double share = room > 0 ? outsideStart + (1 - outsideStart) * std::min(1.0, beyond / room) : 1.0;
-    return divergingColour(std::copysign(share, deviation_mm));
+    return divergingColour(std::copysign(share, value));
 }
 
 double niceLimit(double largest_mm)

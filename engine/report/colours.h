@@ -27,10 +27,10 @@ Rgb insideColour(double share);
 /// What is drawn from -limit to +limit, and green where |value| <= tolerance, if there is one.
 /// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
 struct DeviationColours {
-    double limit_mm = 1;                 ///< > 0
-    std::optional<double> tolerance_mm;  ///< >= 0
+    double limit = 1;                 ///< > 0
+    std::optional<double> tolerance;  ///< >= 0
 
-    Rgb operator()(double deviation_mm) const;
+    Rgb operator()(double value) const;
     friend bool operator==(const DeviationColours&, const DeviationColours&) = default;
 };
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/input_file.h"
 #include "engine/core/text.h"
 #include "engine/core/texts.h"
 #include "engine/core/value.h"
-#include "engine/io/input_files.h"
 
 namespace lathelier {
 

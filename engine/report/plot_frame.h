@@ -30,7 +30,7 @@ struct PlotFrame {
     double toY(double value) const { return bottom - (value - y.from) / (y.to - y.from) * (bottom - top); }
 };
 
-/// The colours of curves by number: original blue, copy red (LOOK.md), then colours that stay apart for colour-blind
+/// The colours of curves by number: original blue, copy red, then colours that stay apart for colour-blind
 /// eyes (Okabe and Ito); after six from the start.
 std::string_view plotColour(std::size_t number);
 

@@ -8,8 +8,8 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/surface_samples.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 namespace {

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/cloud_distance.h"
 #include "engine/registration/general.h"
 #include "engine/registration/surface_deviation.h"
+#include "engine/sample/sample.h"
 
 namespace {
 

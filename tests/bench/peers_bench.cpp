@@ -11,8 +11,8 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
+#include "engine/sample/sample.h"
 
 #ifdef LATHELIER_WITH_PCL
 #include <pcl/features/normal_3d_omp.h>

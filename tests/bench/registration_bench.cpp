@@ -1,11 +1,11 @@
 // Axis fit, shoulders, deviation and the whole comparison of two full scans of the shaft (732 000 points each).
 #include <benchmark/benchmark.h>
 
-#include "engine/sample/sample.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/meridian_line.h"
 #include "engine/registration/revolution_deviation.h"
 #include "engine/registration/statistics.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 namespace {

@@ -2,10 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/sample/sample_record.h"
-#include "engine/spindle/longitudinal.h"
-#include "engine/spindle/record_plan.h"
-#include "engine/spindle/section_signals.h"
-#include "engine/spindle/trajectory.h"
+#include "engine/trajectory/longitudinal.h"
+#include "engine/trajectory/record_plan.h"
+#include "engine/trajectory/section_signals.h"
+#include "engine/trajectory/trajectory.h"
 
 namespace lathelier {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_json.h"
-#include "engine/report/compare_report.h"
-#include "engine/report/deviation_file.h"
+#include "engine/registration/compare_report.h"
+#include "engine/registration/deviation_file.h"
 #include "engine/report/result_json.h"
 #include "widgets/compare/compare_views.h"
 #include "widgets/core/input_column.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/report/compare_report.h"
+#include "engine/registration/compare_report.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {

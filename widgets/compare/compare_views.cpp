@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/report/compare_plots.h"
+#include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_charts.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"

@@ -5,10 +5,10 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "engine/form/verify_report.h"
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
-#include "engine/report/verify_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_pdf.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "engine/spindle/trajectory.h"
+#include "engine/trajectory/trajectory.h"
 #include "widgets/plot/plot_data.h"
 #include "widgets/scene/scene_data.h"
 

@@ -1,12 +1,12 @@
 #include "widgets/longitudinal/longitudinal_panel.h"
 
+#include "engine/form/roundness_dfq.h"
 #include "engine/io/file.h"
-#include "engine/report/roundness_dfq.h"
-#include "engine/report/section_file.h"
-#include "engine/report/trajectory_report.h"
+#include "engine/trajectory/section_file.h"
+#include "engine/trajectory/trajectory_report.h"
 #include "widgets/core/language.h"
 #include "widgets/longitudinal/longitudinal_views.h"
-#include "widgets/spindle_common/spindle_inputs.h"
+#include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier {
 namespace {

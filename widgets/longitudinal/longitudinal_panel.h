@@ -1,7 +1,7 @@
 // The panel "Longitudinal": the whole workpiece, section by section, from its free end to the chuck.
 #pragma once
 
-#include "widgets/spindle_common/spindle_panel.h"
+#include "widgets/trajectory_common/spindle_panel.h"
 
 namespace lathelier {
 

@@ -8,7 +8,7 @@
 #include "engine/report/document.h"
 #include "widgets/longitudinal/longitudinal_charts.h"
 #include "widgets/plot/plot_view.h"
-#include "widgets/spindle_common/section_bar.h"
+#include "widgets/trajectory_common/section_bar.h"
 
 namespace lathelier {
 

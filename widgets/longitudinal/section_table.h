@@ -1,7 +1,7 @@
 // All sections against the tolerance.
 #pragma once
 
-#include "engine/spindle/trajectory.h"
+#include "engine/trajectory/trajectory.h"
 #include "widgets/core/copy_table.h"
 
 namespace lathelier {

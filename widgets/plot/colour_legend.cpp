@@ -18,10 +18,10 @@ struct Tick {
 std::vector<Tick> ticksOf(const DeviationColours& colours, double apart)
 {
     std::vector<Tick> ticks;
-    if (colours.tolerance_mm && *colours.tolerance_mm < colours.limit_mm)
-        for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *colours.tolerance_mm, true});
+    if (colours.tolerance && *colours.tolerance < colours.limit)
+        for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *colours.tolerance, true});
     for (const double share : {-1.0, 1.0, 0.0, -0.5, 0.5}) {
-        const double value = share * colours.limit_mm;
+        const double value = share * colours.limit;
         bool free = true;
         for (const Tick& tick : ticks) free = free && std::abs(tick.value - value) > apart;
         if (free) ticks.push_back({value, false});
@@ -59,7 +59,7 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
     const QRectF bar(room.left(), room.top() + 1.7 * line, 1.1 * line, room.height() - 2.4 * line);
     if (bar.height() < 2 * line) return painter.restore();
 
-    const double limit = colours.limit_mm;
+    const double limit = colours.limit;
     const auto height = [&](double value) { return bar.center().y() - value / limit * bar.height() / 2; };
     const int rows = std::max(1, static_cast<int>(bar.height()));
     for (int row = 0; row < rows; ++row) {
@@ -91,7 +91,7 @@ int colourLegendWidth(const DeviationColours& colours, const QString& title, con
     const QFontMetricsF metrics(bold);
     double widest = 0;
     for (const Tick& tick : ticksOf(colours, 0))
-        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick, colours.limit_mm, locale)));
+        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick, colours.limit, locale)));
     return static_cast<int>(std::ceil(
         std::max(1.8 * QFontMetricsF(font).height() + widest, QFontMetricsF(font).horizontalAdvance(title) + 2)));
 }
@@ -112,11 +112,11 @@ LimitEdit::LimitEdit(QWidget* parent) : QWidget(parent), box_(new QDoubleSpinBox
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &LimitEdit::edited);
 }
 
-void LimitEdit::setLimit(double limit_mm)
+void LimitEdit::setLimit(double limit)
 {
     const QSignalBlocker quiet(box_);
-    box_->setDecimals(limit_mm < 0.01 ? 5 : limit_mm < 0.1 ? 4 : 3);
-    box_->setValue(limit_mm);
+    box_->setDecimals(limit < 0.01 ? 5 : limit < 0.1 ? 4 : 3);
+    box_->setValue(limit);
 }
 
 double LimitEdit::limit() const
@@ -143,7 +143,7 @@ void ColourLegend::setTitle(const QString& title)
 void ColourLegend::setColours(const DeviationColours& colours)
 {
     colours_ = colours;
-    edit_->setLimit(colours.limit_mm);
+    edit_->setLimit(colours.limit);
     updateGeometry();
     update();
 }

@@ -23,11 +23,11 @@ class LimitEdit : public QWidget {
 
 public:
     explicit LimitEdit(QWidget* parent = nullptr);
-    void setLimit(double limit_mm);
+    void setLimit(double limit);
     double limit() const;
 
 signals:
-    void edited(double limit_mm);
+    void edited(double limit);
 
 private:
     QDoubleSpinBox* box_;
@@ -44,7 +44,7 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    void limitEdited(double limit_mm);
+    void limitEdited(double limit);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -134,7 +134,7 @@ void MapView::setColours(const DeviationColours& colours)
 {
     content_->colours = colours;
     content_->legend->colours = colours;
-    content_->edit->setLimit(colours.limit_mm);
+    content_->edit->setLimit(colours.limit);
     recolour();
     placeEdit();
     redraw();

@@ -1,12 +1,12 @@
 #include "widgets/roundness/roundness_panel.h"
 
+#include "engine/form/roundness_dfq.h"
+#include "engine/form/roundness_report.h"
 #include "engine/io/file.h"
-#include "engine/report/roundness_dfq.h"
-#include "engine/report/roundness_report.h"
 #include "widgets/core/language.h"
 #include "widgets/roundness/roundness_charts.h"
 #include "widgets/roundness/roundness_views.h"
-#include "widgets/spindle_common/spindle_inputs.h"
+#include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier {
 namespace {

@@ -1,7 +1,7 @@
 // The panel "Roundness": how round is this section, by which circle and filter, and how sure is that?
 #pragma once
 
-#include "widgets/spindle_common/spindle_panel.h"
+#include "widgets/trajectory_common/spindle_panel.h"
 
 namespace lathelier {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/report/roundness_report.h"
+#include "engine/form/roundness_report.h"
 #include "widgets/core/language.h"
 #include "widgets/roundness/roundness_charts.h"
 

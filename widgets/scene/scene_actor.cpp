@@ -161,13 +161,13 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
     constexpr int steps = 4096;
     std::vector<Rgb> table(steps + 1);
     for (int i = 0; i <= steps; ++i)
-        table[static_cast<std::size_t>(i)] = colours(colours.limit_mm * (2.0 * i / steps - 1));
+        table[static_cast<std::size_t>(i)] = colours(colours.limit * (2.0 * i / steps - 1));
     parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Rgb c = plain;
             if (valued) {
                 const double value = static_cast<double>((*object.values)[i]);
-                const double at = std::clamp((value / colours.limit_mm + 1) / 2, 0.0, 1.0);
+                const double at = std::clamp((value / colours.limit + 1) / 2, 0.0, 1.0);
                 c = std::isnan(value) ? Rgb{150, 150, 150} : table[static_cast<std::size_t>(std::lround(at * steps))];
             }
             store(i, shaded(c, brightness(i)));

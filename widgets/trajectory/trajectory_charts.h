@@ -1,7 +1,7 @@
 // Records and trajectories as the values of their plots.
 #pragma once
 
-#include "engine/spindle/trajectory.h"
+#include "engine/trajectory/trajectory.h"
 #include "widgets/plot/plot_data.h"
 #include "widgets/plot/polar_data.h"
 #include "widgets/plot/xy_view.h"

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "engine/io/file.h"
-#include "engine/report/section_file.h"
-#include "engine/report/trajectory_plots.h"
-#include "engine/report/trajectory_report.h"
+#include "engine/io/io_codes.h"
+#include "engine/trajectory/section_file.h"
+#include "engine/trajectory/trajectory_plots.h"
+#include "engine/trajectory/trajectory_report.h"
 #include "widgets/core/language.h"
-#include "widgets/spindle_common/spindle_inputs.h"
 #include "widgets/trajectory/trajectory_charts.h"
 #include "widgets/trajectory/trajectory_views.h"
+#include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier {
 namespace {
@@ -45,17 +46,15 @@ QuantityTable motionTable(const TrajectorySection& section, std::size_t probe)
              {LT_TEXT("Engine", "Total error motion"), motion.total_um, um, 2}}};
 }
 
-/// The motion in the chosen section. The workpiece's form is the report of the other panels; of the whole report of
-/// trajectories only method and parameters, which come last, are taken over.
+/// The motion in the chosen section. The workpiece's form is the report of the other panels.
 Document reportOf(const SpindlePicture& picture, const Language& language)
 {
     const TrajectoryResult& result = *picture.trajectory;
     const TrajectorySection& section = *picture.chosenSection();
-    Document whole = trajectoryReport(result, picture.inputs, language);
     Document document;
     document.title = LT_TEXT("Engine", "Motion of spindle and tool");
     document.inputs = picture.inputs;
-    document.synthetic = whole.synthetic || picture.synthetic;
+    document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
     Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {motionHeadline(section)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
@@ -63,7 +62,7 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
     motion.blocks.push_back(picture.notes);
     document.sections.push_back(std::move(motion));
     document.sections.push_back({LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section), envelopePlot(section)}});
-    if (!whole.sections.empty()) document.sections.push_back(std::move(whole.sections.back()));
+    document.sections.push_back(trajectoryMethod(result, language));
     saySection(picture, document);
     document.results = {trajectoryJson(picture)};
     return document;

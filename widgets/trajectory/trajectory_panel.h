@@ -1,7 +1,7 @@
 // The panel "Trajectory": what the probes recorded, how axis and tool move, and how well the spindle turns.
 #pragma once
 
-#include "widgets/spindle_common/spindle_panel.h"
+#include "widgets/trajectory_common/spindle_panel.h"
 
 namespace lathelier {
 

@@ -11,7 +11,7 @@
 #include "widgets/plot/plot_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/plot/xy_view.h"
-#include "widgets/spindle_common/section_bar.h"
+#include "widgets/trajectory_common/section_bar.h"
 
 namespace lathelier {
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/sample/sample.h"
 #include "engine/registration/compare.h"
+#include "engine/sample/sample.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
 namespace lathelier {

@@ -10,10 +10,10 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/io/io_codes.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
 #include "engine/registration/observability.h"
 #include "engine/registration/registration_codes.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 namespace {

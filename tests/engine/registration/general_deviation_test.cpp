@@ -10,9 +10,9 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface_deviation.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 namespace {

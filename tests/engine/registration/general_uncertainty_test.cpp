@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/sample/sample.h"
 #include "engine/registration/general.h"
 #include "engine/registration/general_reference.h"
+#include "engine/sample/sample.h"
 #include "tests/engine/registration/noisy_scan.h"
 
 namespace lathelier {

@@ -7,10 +7,10 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/random.h"
-#include "engine/sample/sample.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_axis.h"
+#include "engine/sample/sample.h"
 
 namespace lathelier {
 namespace {

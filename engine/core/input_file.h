@@ -1,0 +1,16 @@
+// A file that an answer rests on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace lathelier {
+
+/// A file as the audit names it.
+struct InputFile {
+    std::string path;
+    std::int64_t bytes = 0;
+    std::string sha256;  ///< lower-case hexadecimal
+};
+
+}  // namespace lathelier

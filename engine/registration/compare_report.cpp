@@ -1,0 +1,238 @@
+#include "engine/registration/compare_report.h"
+
+#include "engine/io/io_codes.h"
+#include "engine/registration/compare_plots.h"
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
+
+namespace lathelier {
+namespace {
+
+const Text mm = LT_TEXT("Engine", "mm");
+const Text um = LT_TEXT("Engine", "µm");
+const Text percent = LT_TEXT("Engine", "%");
+
+Text methodName(CompareMethod method)
+{
+    switch (method) {
+        case CompareMethod::Auto: break;
+        case CompareMethod::Revolution: return LT_TEXT("Engine", "body of revolution");
+        case CompareMethod::Plane: return LT_TEXT("Engine", "point to plane");
+        case CompareMethod::Point: return LT_TEXT("Engine", "point to point");
+    }
+    return LT_TEXT("Engine", "automatic");
+}
+
+/// A number of which a sign is expected; not given where the deviations have none.
+Value signedValue(double value, bool has_sign)
+{
+    return has_sign ? Value(value) : Value();
+}
+
+Value given(const std::optional<double>& value)
+{
+    return value ? Value(*value) : Value();
+}
+
+QuantityTable statisticsTable(const CompareResult& result)
+{
+    const DeviationStatistics& s = result.statistics;
+    const bool sign = result.has_sign;
+    QuantityTable table{
+        LT_TEXT("Engine", "Deviation of the copy from the original's surface"),
+        {{LT_TEXT("Engine", "Root mean square"), s.rmse_mm, mm, 4},
+         {LT_TEXT("Engine", "Mean"), signedValue(s.mean_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Standard deviation"), signedValue(s.std_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Robust standard deviation (MAD)"), signedValue(s.mad_sigma_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Median"), signedValue(s.median_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Smallest"), signedValue(s.min_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "Largest"), signedValue(s.max_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "95 % of the points lie between"), signedValue(s.p2_5_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "… and"), signedValue(s.p97_5_mm, sign), mm, 4},
+         {LT_TEXT("Engine", "95 % of the sizes lie below"), s.p95_abs_mm, mm, 4}}};
+    std::erase_if(table.rows, [](const Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
+    return table;
+}
+
+QuantityTable verdictTable(const CompareResult& result)
+{
+    const DeviationStatistics& s = result.statistics;
+    const CompareParameters& asked = result.parameters;
+    QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
+    if (result.verdict) {
+        const bool pass = *result.verdict == Verdict::Pass;
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Verdict"),
+             pass ? Value(LT_TEXT("Engine", "within tolerance")) : Value(LT_TEXT("Engine", "out of tolerance")),
+             {}});
+        table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
+        table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
+    } else {
+        table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
+    }
+    if (asked.scanner_accuracy_mm) {
+        table.rows.push_back({LT_TEXT("Engine", "Scanner's accuracy"), given(asked.scanner_accuracy_mm), mm});
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Difference told from the scanner's accuracy"),
+             result.distinguishable_from_scanner ? Value(*result.distinguishable_from_scanner) : Value(),
+             {}});
+    }
+    table.rows.push_back(
+        {LT_TEXT("Engine", "Overlap (points of the copy that were used)"), s.overlap_percent, percent, 2});
+    table.rows.push_back({LT_TEXT("Engine", "Points used"), s.points_used, {}});
+    table.rows.push_back({LT_TEXT("Engine", "Points left out"), s.points_excluded, {}});
+    return table;
+}
+
+Table zonesTable(const CompareResult& result)
+{
+    Table table{LT_TEXT("Engine", "Zones along the axis"),
+                {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
+                 LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
+                {},
+                {2, 2, 4, 4}};
+    for (const Zone& zone : result.zones)
+        table.rows.push_back({zone.z_start_mm, zone.z_end_mm, zone.mean_mm, zone.std_mm, zone.points});
+    return table;
+}
+
+QuantityTable alignmentTable(const CompareResult& result)
+{
+    const Alignment& alignment = result.alignment;
+    const bool axial = alignment.reference_axis.has_value();
+    const AlignmentUncertainty& u = alignment.uncertainty;
+    return {LT_TEXT("Engine", "Alignment"),
+            {{LT_TEXT("Engine", "Method"), methodName(result.method_used), {}},
+             {LT_TEXT("Engine", "Converged"), alignment.converged, {}},
+             {LT_TEXT("Engine", "Iterations"), std::int64_t{alignment.iterations}, {}},
+             {axial ? LT_TEXT("Engine", "Uncertainty along the axis (k = 2)")
+                    : LT_TEXT("Engine", "Uncertainty, largest direction (k = 2)"),
+              u.axial_um, um, 2},
+             {axial ? LT_TEXT("Engine", "Uncertainty across the axis (k = 2)")
+                    : LT_TEXT("Engine", "Uncertainty across it (k = 2)"),
+              u.radial_um, um, 2},
+             {axial ? LT_TEXT("Engine", "Uncertainty of the axis's direction (k = 2)")
+                    : LT_TEXT("Engine", "Uncertainty of the rotation (k = 2)"),
+              u.axis_deg, LT_TEXT("Engine", "°"), 5}}};
+}
+
+QuantityTable paperTable(const CompareResult& result)
+{
+    return {LT_TEXT("Engine", "Nearest-point figure, as in the source paper"),
+            {{LT_TEXT("Engine", "Cloud-to-cloud RMSE"), result.cloud_to_cloud_rmse_mm, mm, 4},
+             {LT_TEXT("Engine", "Its floor: what sampling alone gives"), result.sampling_floor_mm, mm, 4}}};
+}
+
+Table freeMotionsTable(const CompareResult& result)
+{
+    Table table{
+        LT_TEXT("Engine", "Motions the geometry does not determine"),
+        {LT_TEXT("Engine", "motion"), LT_TEXT("Engine", "direction x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"),
+         LT_TEXT("Engine", "through x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "z (mm)")},
+        {},
+        {0, 5, 5, 5, 3, 3, 3}};
+    for (const FreeMotion& motion : result.alignment.free_motions)
+        table.rows.push_back({motion.kind == FreeMotion::Kind::Rotation ? LT_TEXT("Engine", "rotation")
+                                                                        : LT_TEXT("Engine", "translation"),
+                              motion.direction.x(), motion.direction.y(), motion.direction.z(), motion.point_mm.x(),
+                              motion.point_mm.y(), motion.point_mm.z()});
+    return table;
+}
+
+Table transformTable(const CompareResult& result)
+{
+    Table table{
+        LT_TEXT("Engine", "From the copy's coordinates to the original's"),
+        {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"), LT_TEXT("Engine", "shift (mm)")},
+        {},
+        {9, 9, 9, 6}};
+    const Eigen::Matrix4d matrix = result.alignment.reference_T_copy.matrix();
+    for (int row = 0; row < 3; ++row)
+        table.rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
+    return table;
+}
+
+Section whereSection(const CompareResult& result, const Language& language, std::vector<Picture> pictures)
+{
+    Section section{LT_TEXT("Engine", "Where"), {}};
+    section.blocks.push_back(
+        result.has_sign
+            ? Paragraph{LT_TEXT("Engine",
+                                "Deviations are measured along the normal of the original's surface; "
+                                "plus means material in excess."),
+                        {}}
+            : Paragraph{LT_TEXT("Engine", "Deviations are distances from the original's surface, without a sign."),
+                        {}});
+    for (Picture& picture : pictures) section.blocks.push_back(std::move(picture));
+    if (result.unrolled && result.parameters.tolerance_mm) section.blocks.push_back(unrolledMap(result, true));
+    if (result.unrolled) section.blocks.push_back(unrolledMap(result, false));
+    if (result.meridian) {
+        section.blocks.push_back(deviationAlongAxis(result));
+        section.blocks.push_back(magnifiedMeridian(result, language));
+    }
+    section.blocks.push_back(histogramPlot(result));
+    if (!result.zones.empty()) section.blocks.push_back(zonesTable(result));
+    return section;
+}
+
+Section certaintySection(const CompareResult& result)
+{
+    Section section{LT_TEXT("Engine", "How sure"), {alignmentTable(result), paperTable(result)}};
+    section.blocks.push_back(Paragraph{
+        LT_TEXT("Engine",
+                "The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring "
+                "points: even identical parts reach its floor. The deviation from the surface does not depend on it."),
+        {}});
+    if (!result.alignment.free_motions.empty()) section.blocks.push_back(freeMotionsTable(result));
+    return section;
+}
+
+}  // namespace
+
+Headline headline(const CompareResult& result, const Language& language)
+{
+    const DeviationStatistics& s = result.statistics;
+    std::string line = "RMS " + fixed(s.rmse_mm, 4, language) + " mm";
+    const auto add = [&](const std::string& part) { line += " · " + part; };
+    if (result.has_sign) {
+        const std::string plus = s.mean_mm > 0 ? "+" : "";
+        add(fill(text(LT_TEXT("Engine", "mean {mean} mm"), language), {{"mean", plus + fixed(s.mean_mm, 4, language)}},
+                 language));
+    }
+    add(text(methodName(result.method_used), language));
+    if (result.within_tolerance_percent && result.parameters.tolerance_mm)
+        add(fill(text(LT_TEXT("Engine", "{share} % within ±{tolerance} mm"), language),
+                 {{"share", fixed(*result.within_tolerance_percent, 1, language)},
+                  {"tolerance", *result.parameters.tolerance_mm}},
+                 language));
+    std::optional<bool> pass;
+    if (result.verdict) pass = *result.verdict == Verdict::Pass;
+    return {keptTogether(line), pass};
+}
+
+Section compareSummary(const CompareResult& result, const Language& language)
+{
+    Section section{LT_TEXT("Engine", "Result"),
+                    {headline(result, language), statisticsTable(result), verdictTable(result)}};
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs, const Language& language,
+                       std::vector<Picture> pictures)
+{
+    Document document;
+    document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
+    document.inputs = inputs;
+    document.synthetic = contains(result.notes, notes::syntheticData);
+    document.sections = {compareSummary(result, language),
+                         whereSection(result, language, std::move(pictures)),
+                         certaintySection(result),
+                         {LT_TEXT("Engine", "Method and parameters"),
+                          {parametersTable(result.parameters, language), transformTable(result)}}};
+    return document;
+}
+
+}  // namespace lathelier

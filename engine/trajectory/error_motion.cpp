@@ -1,0 +1,163 @@
+#include "engine/trajectory/error_motion.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lathelier {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double rad = std::numbers::pi / 180;
+
+struct Extent {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    void add(double value)
+    {
+        if (!std::isfinite(value)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    double range() const { return high >= low ? high - low : nan; }
+};
+
+/// c0 + c1 cosθ + c2 sinθ through the finite values by least squares.
+Eigen::Vector3d firstHarmonic(std::span<const double> values, std::span<const double> angle_deg)
+{
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) continue;
+        const Eigen::Vector3d base(1, std::cos(rad * angle_deg[i]), std::sin(rad * angle_deg[i]));
+        normal += base * base.transpose();
+        right += values[i] * base;
+    }
+    return normal.ldlt().solve(right);
+}
+
+double at(const Eigen::Vector3d& c, double angle_deg)
+{
+    return c[0] + c[1] * std::cos(rad * angle_deg) + c[2] * std::sin(rad * angle_deg);
+}
+
+}  // namespace
+
+double studentQuantile95(std::int64_t degrees_of_freedom)
+{
+    // Exact for few; then the expansion in 1/ν (Abramowitz and Stegun 26.7.5), right to 3e-4 from ν = 5 on.
+    constexpr std::array<double, 5> exact{nan, 12.706204736, 4.302652730, 3.182446305, 2.776445105};
+    if (degrees_of_freedom < 1) return nan;
+    if (degrees_of_freedom < static_cast<std::int64_t>(exact.size()))
+        return exact[static_cast<std::size_t>(degrees_of_freedom)];
+    constexpr double z = 1.959963984540054;
+    const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z, z9 = z7 * z * z;
+    const double v = 1 / static_cast<double>(degrees_of_freedom);
+    return z + v * ((z3 + z) / 4 + v * ((5 * z5 + 16 * z3 + 3 * z) / 96 +
+                                        v * ((3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / 384 +
+                                             v * (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / 92160)));
+}
+
+ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
+{
+    const auto p = static_cast<std::size_t>(probe);
+    ProbeStatistics result;
+    for (std::size_t i = 0; i < signals.points; ++i) {
+        double sum = 0;
+        std::int64_t count = 0;
+        Extent extent;
+        for (std::size_t k = 0; k < signals.revolutions(); ++k) {
+            const double value = signals.at(p, k, i);
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            ++count;
+            extent.add(value);
+        }
+        const double mean = count > 0 ? sum / static_cast<double>(count) : nan;
+        double squares = 0;
+        for (std::size_t k = 0; k < signals.revolutions(); ++k) {
+            const double away = signals.at(p, k, i) - mean;
+            if (std::isfinite(away)) squares += away * away;
+        }
+        const double deviation = count > 1 ? std::sqrt(squares / static_cast<double>(count - 1)) : nan;
+        result.mean_um.push_back(mean);
+        result.std_um.push_back(deviation);
+        result.min_um.push_back(count > 0 ? extent.low : nan);
+        result.max_um.push_back(count > 0 ? extent.high : nan);
+        result.confidence_um.push_back(studentQuantile95(count - 1) * deviation /
+                                       std::sqrt(static_cast<double>(count)));
+    }
+    return result;
+}
+
+ErrorMotion errorMotion(std::span<const double> values_um, std::span<const double> angle_deg)
+{
+    const std::size_t points = angle_deg.size();
+    const std::size_t revolutions = points > 0 ? values_um.size() / points : 0;
+    std::vector<double> mean(points, nan);
+    Extent asynchronous;
+    asynchronous.low = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+        double sum = 0;
+        std::size_t count = 0;
+        Extent extent;
+        for (std::size_t k = 0; k < revolutions; ++k) {
+            const double value = values_um[k * points + i];
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            ++count;
+            extent.add(value);
+        }
+        if (count == 0) continue;
+        mean[i] = sum / static_cast<double>(count);
+        asynchronous.add(extent.range());
+    }
+    ErrorMotion result = errorMotionOfMean(mean, angle_deg);
+    if (revolutions < 2) return result;
+    result.asynchronous_um = asynchronous.range();
+    Extent total;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double removed = mean[i] - result.synchronous_curve_um[i];
+        for (std::size_t k = 0; k < revolutions; ++k) total.add(values_um[k * points + i] - removed);
+    }
+    result.total_um = total.range();
+    return result;
+}
+
+ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const double> angle_deg)
+{
+    ErrorMotion result;
+    result.asynchronous_um = nan;
+    result.total_um = nan;
+    const Eigen::Vector3d removed = firstHarmonic(mean_um, angle_deg);
+    Extent extent;
+    for (std::size_t i = 0; i < mean_um.size(); ++i) {
+        result.synchronous_curve_um.push_back(mean_um[i] - at(removed, angle_deg[i]));
+        extent.add(result.synchronous_curve_um.back());
+    }
+    result.synchronous_um = extent.range();
+    return result;
+}
+
+std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<const double> y_um,
+                                      std::span<const double> angle_deg)
+{
+    // The eccentric mandrel shows which way the recorded angle turns: x + jy holds e^{jθ} or e^{-jθ}.
+    const std::span<const double> first_x = x_um.first(std::min(x_um.size(), angle_deg.size()));
+    const std::span<const double> first_y = y_um.first(first_x.size());
+    const Eigen::Vector3d x = firstHarmonic(first_x, angle_deg);
+    const Eigen::Vector3d y = firstHarmonic(first_y, angle_deg);
+    const double forward = std::hypot(x[1] + y[2], y[1] - x[2]);
+    const double backward = std::hypot(x[1] - y[2], y[1] + x[2]);
+    const double sense = forward >= backward ? 1 : -1;
+    std::vector<double> result(x_um.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double angle = rad * angle_deg[i % angle_deg.size()];
+        result[i] = x_um[i] * std::cos(angle) + sense * y_um[i] * std::sin(angle);
+    }
+    return result;
+}
+
+}  // namespace lathelier

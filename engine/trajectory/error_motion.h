@@ -1,0 +1,28 @@
+// Statistics over the revolutions of a section, and the error motion of a spindle by ISO 230-7.
+#pragma once
+
+#include <span>
+
+#include "engine/trajectory/section_signals.h"
+#include "engine/trajectory/trajectory.h"
+
+namespace lathelier {
+
+/// 0.975 quantile of Student's distribution: what a two-sided confidence of 95 % takes.
+double studentQuantile95(std::int64_t degrees_of_freedom);
+
+/// Mean, standard deviation, extremes and confidence of the mean of one probe at each angle; NaN where no value is.
+ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe);
+
+/// Error motion of values in µm [revolution][angle] at `angle_deg` (any angles, at least three different ones): k = 0
+/// and 1 of the mean curve, the setting of the probe and the eccentricity of the mandrel, are removed.
+ErrorMotion errorMotion(std::span<const double> values_um, std::span<const double> angle_deg);
+
+/// The same for a mean curve alone: asynchronous and total motion are not known from it (NaN).
+ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const double> angle_deg);
+
+/// Rotating sensitive direction: X cosθ + Y sinθ, with θ turning the way the axis itself goes round.
+std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<const double> y_um,
+                                      std::span<const double> angle_deg);
+
+}  // namespace lathelier

@@ -1,0 +1,118 @@
+#include "engine/trajectory/record_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/header_lines.h"
+#include "engine/trajectory/trajectory_codes.h"
+
+namespace lathelier {
+namespace {
+
+constexpr std::int64_t fewestRevolutions = 2;
+
+/// A record that states another speed than its marks have: two marks in a turn, or a wrong time.
+void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& notes)
+{
+    constexpr double tolerance = 0.1;
+    const auto stated = headerNumber(prepared.record->header, "rpm_nominal");
+    const auto speed = stated ? stated : headerNumber(prepared.record->header, "speed_rpm");
+    if (!speed || !prepared.clock.isKnown()) return;
+    const double found_rpm = 60 / prepared.revolutions.period_s;
+    if (std::abs(found_rpm - *speed) > tolerance * *speed)
+        notes.push_back({notes::speedDiffers, {{"path", path}, {"found_rpm", found_rpm}, {"stated_rpm", *speed}}});
+}
+
+}  // namespace
+
+PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
+                       Notes& notes)
+{
+    try {
+        PreparedRecord prepared{&record, path, FrameClock(record), {}, 0, {}};
+        Notes found;
+        prepared.map = mapChannels(record, parameters, found);
+        const auto skew = parameters.channel_skew_s ? parameters.channel_skew_s : record.channel_skew_s;
+        if (skew && prepared.clock.isKnown())
+            prepared.channel_skew_s = *skew;
+        else
+            found.push_back({notes::skewUnknown, {}});
+        prepared.revolutions =
+            findRevolutions(record, prepared.clock, prepared.map, parameters, prepared.channel_skew_s);
+        for (Note& note : found) {
+            note.values.insert(note.values.begin(), {"path", path});
+            notes.push_back(std::move(note));
+        }
+        if (prepared.revolutions.irregular > 0)
+            notes.push_back({notes::revolutionsRejected,
+                             {{"path", path}, {"count", std::int64_t{prepared.revolutions.irregular}}}});
+        noteSpeed(prepared, path, notes);
+        return prepared;
+    } catch (Error& error) {
+        throw error.with("path", path);
+    }
+}
+
+/// A parameter that was not given and that the record states.
+void noteAssumed(const std::string& key, double value, Notes& notes)
+{
+    for (const FieldInfo& info : infos<TrajectoryParameters>())
+        if (info.key == key)
+            notes.push_back({notes::valueAssumed,
+                             {{"parameter", key},
+                              {"label", info.label},
+                              {"value", value},
+                              {"unit", info.unit},
+                              {"source", LT_TEXT("Engine", "the record")}}});
+}
+
+std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
+{
+    if (parameters.feed_mm_rev) return Cutting{*parameters.feed_mm_rev, parameters.sections};
+    if (!parameters.z_mm.empty()) return std::nullopt;
+    const auto feed = headerNumber(record.header, "feed_mm_rev");
+    const auto sections = headerNumber(record.header, "sections");
+    if (!feed || !sections || !(*feed > 0) || !(*sections >= 2 && *sections <= 10000)) return std::nullopt;
+    noteAssumed("feed_mm_rev", *feed, notes);
+    noteAssumed("sections", *sections, notes);
+    return Cutting{*feed, static_cast<int>(std::lround(*sections))};
+}
+
+Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters)
+{
+    Stretch stretch;
+    for (const Revolution& revolution : prepared.revolutions.all) {
+        if (!revolution.regular) continue;
+        ++stretch.found;
+        if (stretch.found <= parameters.revolutions) stretch.chosen.push_back(revolution);
+    }
+    return stretch;
+}
+
+std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
+                               const Cutting& cutting)
+{
+    const std::vector<Revolution>& all = prepared.revolutions.all;
+    const std::int64_t turns = all.back().number + 1;
+    const std::int64_t each = std::min<std::int64_t>(parameters.revolutions, turns / cutting.sections);
+    if (each < fewestRevolutions)
+        throw Error(errors::recordTooShort, {{"path", prepared.path},
+                                             {"found", turns},
+                                             {"sections", std::int64_t{cutting.sections}},
+                                             {"minimum", fewestRevolutions * cutting.sections}});
+    std::vector<Stretch> stretches(static_cast<std::size_t>(cutting.sections));
+    for (std::int64_t i = 0; i < cutting.sections; ++i) {
+        Stretch& stretch = stretches[static_cast<std::size_t>(i)];
+        const std::int64_t first = i * turns / cutting.sections;
+        const std::int64_t end = (i + 1) * turns / cutting.sections;
+        for (const Revolution& revolution : all) {
+            if (!revolution.regular || revolution.number < first || revolution.number >= end) continue;
+            ++stretch.found;
+            if (revolution.number < first + each) stretch.chosen.push_back(revolution);
+        }
+        stretch.z_mm = cutting.feed_mm_rev * (static_cast<double>(first) + static_cast<double>(each) / 2);
+    }
+    return stretches;
+}
+
+}  // namespace lathelier

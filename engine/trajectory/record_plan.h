@@ -1,0 +1,50 @@
+// What is known of the records before their sections are evaluated: places of signals, revolutions, cutting along z.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/trajectory/revolutions.h"
+
+namespace lathelier {
+
+/// A raw record made ready for sampling.
+struct PreparedRecord {
+    const ProbeRecord* record = nullptr;  ///< of the caller, who keeps it
+    std::string path;
+    FrameClock clock;
+    ChannelMap map;
+    double channel_skew_s = 0;
+    Revolutions revolutions;
+};
+
+/// Channel map, delays and revolutions of a record, with its notes. Errors carry `path`.
+PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
+                       Notes& notes);
+
+/// The revolutions of one section.
+struct Stretch {
+    std::vector<Revolution> chosen;
+    int found = 0;  ///< regular ones in the stretch
+    double z_mm = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// How a record is cut along the workpiece.
+struct Cutting {
+    double feed_mm_rev = 0;
+    int sections = 1;
+};
+
+/// The cutting asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).
+std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
+
+/// One stretch: the first `revolutions` regular ones of the record.
+Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters);
+
+/// Stretches of equal length over all turns of the record. Error recordTooShort.
+std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
+                               const Cutting& cutting);
+
+}  // namespace lathelier

@@ -1,0 +1,43 @@
+// The revolutions of a record: from the pulses of a marker, or from an encoder's angle.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/trajectory/channel_map.h"
+#include "engine/trajectory/frame_clock.h"
+
+namespace lathelier {
+
+struct Revolution {
+    std::int64_t number = 0;  ///< from 0; counts the turns of the spindle, so that a lost mark leaves a gap
+    double start_s = 0;       ///< angle 0 passes the probes, on the clock of channel 0
+    double end_s = 0;
+    bool regular = true;  ///< false: period off by more than 2 % of the median, or a pause in the recording
+};
+
+/// A period further than this from the median is not one revolution, unless it is within one frame.
+inline constexpr double periodTolerance = 0.02;
+
+struct Revolutions {
+    std::vector<Revolution> all;  ///< in order of time
+    int irregular = 0;
+    double period_s = 0;        ///< median
+    double threshold = 0;       ///< of the marker, in its unit
+    std::vector<double> turns;  ///< encoder: turns since the first frame, for each frame, never backward
+    bool falling = false;       ///< encoder: its angle runs down
+    double angle_skew_s = 0;    ///< encoder: how much later its channel is sampled than its frame
+
+    /// When the recorded angle was `fraction` (0…1) of a turn within `revolution`. Between two marks the speed is
+    /// taken as constant.
+    double timeAt(const FrameClock& clock, const Revolution& revolution, double fraction) const;
+};
+
+/// Marks are the leading edges of the pulses: crossings of the threshold into the rarer of the marker's two levels,
+/// interpolated between frames; the signal has to come back over half of the way before the next one counts.
+/// Errors: markerNotFound (`channel`, `reason`) where the signal is no row of pulses, markerElsewhere (`candidate`)
+/// when another channel is; angleNotTurning; tooFewRevolutions (`found`, `minimum` 2).
+Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
+                            const TrajectoryParameters& parameters, double channel_skew_s);
+
+}  // namespace lathelier

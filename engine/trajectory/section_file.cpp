@@ -1,0 +1,80 @@
+#include "engine/trajectory/section_file.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+
+#include "engine/form/roundness_json.h"
+#include "engine/io/file.h"
+
+namespace lathelier {
+namespace {
+
+void append(std::string& out, double value)
+{
+    if (!out.empty() && out.back() != '\n') out += ',';
+    if (!std::isfinite(value)) return;
+    std::array<char, 32> digits{};
+    out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+void append(std::string& out, std::initializer_list<double> values)
+{
+    for (const double value : values) append(out, value);
+}
+
+double at(const std::vector<double>& values, std::size_t i)
+{
+    return i < values.size() ? values[i] : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+void writeSectionTable(const std::string& path, const TrajectoryResult& result)
+{
+    std::string out =
+        "section,z_mm,revolutions_used,diameter_mm,centre_x_um,centre_y_um,RONt_LSCI_um,RONt_MZCI_um,RONt_MICI_um,"
+        "RONt_MCCI_um,two_point_range_um,run_out_um,synchronous_um,asynchronous_um,total_um,tolerance_um,verdict\n";
+    for (const TrajectorySection& s : result.sections) {
+        const ReferenceCircles& c = s.roundness.circles;
+        append(out, {static_cast<double>(s.section), s.z_mm, static_cast<double>(s.revolutions_used),
+                     2 * c.LSCI.radius_mm, 1e3 * c.LSCI.centre_mm.x(), 1e3 * c.LSCI.centre_mm.y(), c.LSCI.RONt_um,
+                     c.MZCI.RONt_um, c.MICI.RONt_um, c.MCCI.RONt_um, s.roundness.two_point.range_um, s.run_out_um,
+                     s.spindle.synchronous_um, s.spindle.asynchronous_um, s.spindle.total_um,
+                     result.parameters.form.tolerance_um.value_or(std::numeric_limits<double>::quiet_NaN())});
+        out += ',';
+        if (s.roundness.verdict) out += key(*s.roundness.verdict);
+        out += '\n';
+    }
+    writeFile(path, out);
+}
+
+void writeImages(const std::string& path, const TrajectoryResult& result)
+{
+    std::string out = "section,z_mm,i,angle_deg,body_angle_deg,radius_mm,x_mm,y_mm";
+    for (const std::string probe : {"X3", "Y3", "Xp", "Yp"})
+        out.append(",")
+            .append(probe)
+            .append("_um,s")
+            .append(probe)
+            .append("_um,confidence_")
+            .append(probe)
+            .append("_um");
+    out += '\n';
+    for (const TrajectorySection& s : result.sections)
+        for (std::size_t i = 0; i < s.angle_deg.size(); ++i) {
+            const double angle = at(s.body_angle_deg, i) * std::numbers::pi / 180;
+            const double radius_mm = at(s.radius_mm, i);
+            append(out, {static_cast<double>(s.section), s.z_mm, static_cast<double>(i), s.angle_deg[i],
+                         at(s.body_angle_deg, i), radius_mm, radius_mm * std::cos(angle), radius_mm * std::sin(angle)});
+            for (const ProbeStatistics& probe : s.probes)
+                append(out, {at(probe.mean_um, i), at(probe.std_um, i), at(probe.confidence_um, i)});
+            out += '\n';
+        }
+    writeFile(path, out);
+}
+
+}  // namespace lathelier

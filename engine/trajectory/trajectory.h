@@ -1,0 +1,145 @@
+// From the signals of probes around a spindle to the image of the machined surface, section by section.
+// Source: Yurkevich & Orlova, "The System of Accuracy Control on Lathes" ("Lagrang"), equation (1) with the corrected
+// polar angle; ISO 230-7 (axes of rotation, fixed sensitive direction).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/profile.h"
+#include "engine/core/progress.h"
+#include "engine/form/roundness.h"
+#include "engine/io/probe_reader.h"
+
+namespace lathelier {
+
+enum class Rotation { Same, Opposite };  ///< the body angle runs as the recorded one, or against it
+enum class Drift { None, Section };      ///< Section: the slope within and between revolutions; the mean stays
+
+struct TrajectoryParameters {
+    std::optional<double> workpiece_diameter_mm;            ///< default: the record's own ("D_mm"); else Error
+    int points = 200;                                       ///< angles of a revolution
+    int revolutions = 40;                                   ///< of a section
+    std::optional<double> channel_skew_s;                   ///< default: the record's own, else 0
+    std::string channels = "marker=0,X3=1,Y3=2,Xp=3,Yp=4";  ///< places among the record's channels; "angle=0" too;
+                                                            ///< "-X3=1" turns a sign
+    double sensitivity_um_per_V = 50;                       ///< of displacement channels in volts
+    std::optional<double> marker_threshold_V;               ///< default: half way between its levels
+    Rotation rotation = Rotation::Same;
+    std::string z_mm;                   ///< "5,10,15": one for each record
+    std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece. Default: as the
+                                        ///< record itself says when it states both feed_mm_rev and sections
+    int sections = 20;
+    Drift drift = Drift::None;
+    OutlierRule outliers = OutlierRule::None;  ///< samples and revolutions
+    double outlier_sigmas = 4;
+    RoundnessParameters form;  ///< filter, circle and tolerance of every section
+};
+
+template <>
+const std::vector<Field<TrajectoryParameters>>& fields<TrajectoryParameters>();
+
+/// One probe over the revolutions of a section.
+struct ProbeStatistics {
+    std::vector<double> mean_um, std_um, min_um, max_um, confidence_um;  ///< for each angle; 95 % of the mean
+};
+
+/// ISO 230-7 error motion of one probe, fixed sensitive direction, k = 0 and 1 removed from the mean.
+struct ErrorMotion {
+    double synchronous_um = 0;
+    double asynchronous_um = 0;                ///< NaN when only averages are known
+    double total_um = 0;                       ///< likewise
+    std::vector<double> synchronous_curve_um;  ///< mean for each angle, k = 0 and 1 removed
+};
+
+enum class Probe { X3, Y3, Xp, Yp };
+
+struct TrajectorySection {
+    int section = 0;
+    std::string record;  ///< name of the record
+    double z_mm = std::numeric_limits<double>::quiet_NaN();
+    int revolutions_found = 0;  ///< regular ones; averages: as the file says, else 0
+    int revolutions_used = 0;
+    std::int64_t samples_rejected = 0;
+    std::array<double, 4> drift_um_per_rev{};  ///< slope of each probe, removed only when asked for
+    double speed_rpm = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> angle_deg;                                  ///< as recorded, uniform
+    std::array<ProbeStatistics, 4> probes;                          ///< in the order of Probe
+    std::array<std::vector<std::vector<float>>, 4> revolutions_um;  ///< [probe][revolution][angle]; empty for averages
+    std::vector<double> radius_mm;                                  ///< |AP| of the mean trajectories
+    std::vector<double> body_angle_deg;                             ///< its corrected polar angle on the part
+    std::vector<double> envelope_min_mm, envelope_max_mm;           ///< of the images of single revolutions
+    std::vector<double> revolution_RONt_um;                         ///< RONt(LSCI) of each single revolution's image
+    Profile image;                                                  ///< the geometric image, size nominal
+    double run_out_um = 0;                    ///< max R_i - min R_i about the spindle axis: the paper's
+    RoundnessResult roundness;                ///< its verdict is Undecided where the form is not measured
+    bool form_measured = true;                ///< false: noise, drift or asynchronous motion drown RONt
+    ErrorMotion spindle;                      ///< of the sensitive direction (X3)
+    std::array<ErrorMotion, 4> error_motion;  ///< of every probe
+    std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
+};
+
+/// The sections along the workpiece, z from the free end. Profile R(u) = c0 + c1 u + c2 u² over u in [-1, 1].
+struct LongitudinalSection {
+    std::vector<double> z_mm;
+    std::vector<double> radius_mm;           ///< LSC radius of each section
+    std::vector<Eigen::Vector2d> centre_um;  ///< LSC centres
+    double taper_diameter_um = 0;            ///< + when the diameter grows with z: 4 c1
+    double barrel_um = 0;                    ///< + barrel, - saddle, on radius: -c2
+    double diameter_range_um = 0;            ///< largest - smallest LSC diameter; half of it: GOST 24642-81
+    double half_diameter_range_um = 0;
+    double axis_straightness_um = 0;     ///< of the LSC centres
+    double profile_straightness_um = 0;  ///< residual of R(z) about its line
+    double CYLt_LSCY_um = 0;  ///< NaN, as the next one, when the stack is too short for an axis (noCylindricity)
+    double CYLt_MZCY_um = 0;
+    std::array<double, 3> fit_mm{};  ///< c0, c1, c2
+};
+
+struct TrajectoryResult {
+    TrajectoryParameters parameters;
+    double workpiece_diameter_mm = 0;  ///< used
+    Values cutting;                    ///< what the records say of themselves: speed, feed, workpiece, tool…
+    std::vector<TrajectorySection> sections;
+    std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
+    double mandrel_form_um = 0.2;        ///< floor: two probes cannot tell the mandrel's form from its motion
+    std::optional<FormVerdict> verdict;  ///< of the worst section, with form.tolerance_um
+    Notes notes;
+
+    /// Index of the section with the largest deviation by form.circle; none without sections.
+    std::optional<std::size_t> worstSection() const;
+};
+
+/// Evaluates one or several records, in order. An averaged record brings its own sections. One record with
+/// `feed_mm_rev` is cut into `sections` stretches of equal length from its first mark on, z = 0 at that mark; the first
+/// `revolutions` of each stretch make the section, whose z_mm is the middle of them. The same bits for any number of
+/// threads.
+/// Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
+/// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;
+/// valueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown, revolutionsRejected,
+/// fewerRevolutions, revolutionsIncomplete, revolutionsUnused, noCylindricity, speedDiffers, Channel…,
+/// displacementsLarge, motionOutliers, averagesOnly, formNotMeasured, zUnknown or tooFewSections (no longitudinal
+/// section), valueAssumed, sizeReferenced, mandrelFloor; those of roundness() once each. Throws Cancelled.
+TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const TrajectoryParameters& parameters = {},
+                            const Progress& progress = {});
+TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
+                            const Progress& progress = {});
+
+/// One signal with its revolutions, for the time plot: thinned to at most `limit` points, the extremes kept.
+struct TimeSignal {
+    std::string channel;                ///< its name in the record
+    std::string signal;                 ///< "X3"…, "marker", "angle"; empty when the map does not name it
+    std::vector<double> time_s, value;  ///< µm for displacements, as recorded for others
+    std::vector<double> revolution_starts_s;
+};
+
+/// Every channel of a record. A map or a marker that does not fit is no error here: the plot is to show why.
+std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryParameters& parameters, int limit = 4000,
+                                    const Progress& progress = {});
+
+}  // namespace lathelier

@@ -1,0 +1,12 @@
+// Results of trajectories as JSON, as scripts know them.
+#pragma once
+
+#include "engine/core/json.h"
+#include "engine/trajectory/trajectory.h"
+
+namespace lathelier {
+
+/// `sections`, `longitudinal` (null without known z), `workpiece_diameter_mm`, `cutting`, `verdict`…
+Json toJson(const TrajectoryResult& result);
+
+}  // namespace lathelier

@@ -1,0 +1,25 @@
+// Trajectories, geometric images and the longitudinal section as a report, and as one sentence.
+#pragma once
+
+#include <vector>
+
+#include "engine/report/document.h"
+#include "engine/trajectory/trajectory.h"
+
+namespace lathelier {
+
+/// "RONt(MZCI) 9.4 µm (section 7 of 20) · taper +16.0 µm on diameter · barrel 5.0 µm": the worst section first.
+Headline headline(const TrajectoryResult& result, const Language& language = {});
+
+/// Headline, longitudinal figures, verdict and notes: what the command line prints.
+Section trajectorySummary(const TrajectoryResult& result, const Language& language = {});
+
+/// What was computed, how, and with which parameters: the last section of a report.
+Section trajectoryMethod(const TrajectoryResult& result, const Language& language = {});
+
+/// Longitudinal section and table of all sections against tolerance; image and trajectories of the worst section;
+/// error motion of the spindle; cutting data; method and parameters; notes.
+Document trajectoryReport(const TrajectoryResult& result, const std::vector<InputFile>& inputs,
+                          const Language& language = {});
+
+}  // namespace lathelier

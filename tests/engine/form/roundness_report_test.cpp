@@ -1,0 +1,131 @@
+#include "engine/form/roundness_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/report/html.h"
+#include "engine/report/plain_text.h"
+#include "tests/engine/form/made_profile.h"
+
+namespace lathelier {
+namespace {
+
+RoundnessResult made(RoundnessParameters parameters = {})
+{
+    Profile profile = lobedProfile(evenAngles(720), {{2, .004, 1}, {3, .002, 0}}, {.02, .01}, .0003);
+    profile.name = "section 1 <left>";
+    return roundness(profile, parameters);
+}
+
+TEST(RoundnessReport, TheHeadlineNamesCircleFilterAndVerdict)
+{
+    RoundnessParameters parameters;
+    EXPECT_EQ(headline(made()).text.find("RONt(MZCI) "), 0u);
+    EXPECT_NE(headline(made()).text.find("no filter"), std::string::npos);
+    EXPECT_FALSE(headline(made()).verdict);
+    parameters.cutoff_upr = 50;
+    parameters.tolerance_um = 20;
+    const Headline pass = headline(made(parameters));
+    EXPECT_NE(pass.text.find("G 1-50\u00A0UPR"), std::string::npos) << pass.text;
+    EXPECT_NE(pass.text.find("within 20\u00A0µm"), std::string::npos) << pass.text;
+    EXPECT_EQ(pass.verdict, true);
+    parameters.tolerance_um = 2;
+    parameters.circle = ReferenceCircle::LSCI;
+    const Headline fail = headline(made(parameters));
+    EXPECT_EQ(fail.text.find("RONt(LSCI) "), 0u);
+    EXPECT_NE(fail.text.find("above 2\u00A0µm"), std::string::npos) << fail.text;
+    EXPECT_EQ(fail.verdict, false);
+    const double value = headlineDeviation_um(made(parameters));
+    parameters.tolerance_um = value;
+    parameters.decision = DecisionRule::Guarded;
+    const Headline open = headline(made(parameters));
+    EXPECT_FALSE(open.verdict);
+    EXPECT_NE(open.text.find("? not decided"), std::string::npos) << open.text;
+    EXPECT_EQ(filterName({15, 500}), "G 15-500 UPR");
+}
+
+TEST(RoundnessReport, HoldsEverythingOnce)
+{
+    RoundnessParameters parameters;
+    parameters.tolerance_um = 20;
+    const std::string html = toHtml(roundnessReport({made(parameters)}, {}));
+    for (const std::string wanted : {"minimum zone (MZCI)", "maximum inscribed (MICI)", "Sizes across the section",
+                                     "Deviations magnified", "Undulations per revolution", "how much of the value",
+                                     "As in the source paper", "Expanded uncertainty", "within tolerance", "ISO 12181"})
+        EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
+    EXPECT_EQ(html.find("<left>"), std::string::npos);
+    EXPECT_EQ(html.find("nan"), std::string::npos);
+    const std::string several = toHtml(roundnessReport({made(parameters), made()}, {}));
+    EXPECT_NE(several.find("All profiles"), std::string::npos);
+    EXPECT_NE(several.find("section 1 &lt;left&gt;"), std::string::npos);
+    EXPECT_NE(toPlainText(roundnessSummary(made(parameters))).find("✓ within tolerance"), std::string::npos);
+}
+
+TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
+{
+    const RoundnessResult result = made();
+    const PolarPlot plot = roundnessPolarPlot(result);
+    EXPECT_EQ(plot.contacts.size(), result.circles.MZCI.contacts.size());
+    EXPECT_EQ(plot.circles.size(), 5u);
+    ASSERT_EQ(plot.traces.size(), 1u);
+    EXPECT_EQ(plot.traces[0].angle_deg.size(), 721u);
+    // A contact lies on its reference line, and on the profile.
+    for (const PolarPlot::Mark& mark : plot.contacts) {
+        const PolarPlot::ReferenceLine& line = plot.circles[mark.outer ? 1 : 2];
+        const double angle = mark.angle_deg * std::numbers::pi / 180;
+        const double on = line.deviation_um + line.x_um * std::cos(angle) + line.y_um * std::sin(angle);
+        EXPECT_NEAR(on, mark.deviation_um, 1e-3);
+    }
+    const Plot spectrum = spectrumPlot(result);
+    EXPECT_EQ(spectrum.curves[0].y.size() + 1, spectrum.curves[0].x.size());
+    EXPECT_NEAR(spectrum.curves[0].y[1], 4, .1);
+}
+
+TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)
+{
+    for (const ReferenceCircle which :
+         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+        RoundnessParameters parameters;
+        parameters.circle = which;
+        const RoundnessResult result = made(parameters);
+        const FittedCircle& circle = result.circles.of(which);
+        const PolarPlot plot = roundnessPolarPlot(result);
+        EXPECT_EQ(plot.base_radius_mm, circle.radius_mm);
+        EXPECT_NE(captionText(plot.traces[0].name).find(name(which)), std::string::npos);
+        const auto [low, high] =
+            std::minmax_element(plot.traces[0].deviation_um.begin(), plot.traces[0].deviation_um.end());
+        EXPECT_NEAR(*low, 1000 * (circle.inner_radius_mm - circle.radius_mm), 1e-6) << name(which);
+        EXPECT_NEAR(*high, 1000 * (circle.outer_radius_mm - circle.radius_mm), 1e-6) << name(which);
+        for (const PolarPlot::Mark& mark : plot.contacts)
+            EXPECT_NEAR(mark.deviation_um, mark.outer ? *high : *low, 1e-3) << name(which);
+    }
+}
+
+TEST(RoundnessReport, TheLegendOfTheCirclesDoesNotDependOnTheChosenOne)
+{
+    std::vector<std::string> first;
+    for (const ReferenceCircle which : {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MCCI}) {
+        RoundnessParameters parameters;
+        parameters.circle = which;
+        RoundnessResult result = made(parameters);
+        result.RONt_expanded_uncertainty_um = which == ReferenceCircle::LSCI ? 0.5 : 0.005;
+        std::vector<std::string> names;
+        for (const PolarPlot::ReferenceLine& line : roundnessPolarPlot(result).circles)
+            names.push_back(captionText(line.name));
+        if (first.empty()) first = names;
+        EXPECT_EQ(names, first);
+    }
+}
+
+TEST(RoundnessReport, SuperimposedProfiles)
+{
+    const Profile a = lobedProfile(evenAngles(360), {{2, .004, 1}, {3, .002, 0}});
+    const Section section = superimposeSection(superimpose(a, a));
+    EXPECT_NE(toPlainText(section).find("largest difference 0.00 µm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -1,0 +1,129 @@
+#include "engine/trajectory/channel_map.h"
+#include "engine/core/core_codes.h"
+#include "engine/trajectory/trajectory_codes.h"
+
+#include <gtest/gtest.h>
+
+namespace lathelier {
+namespace {
+
+using Unit = ProbeChannel::Unit;
+
+ProbeRecord recordWith(std::vector<Unit> units)
+{
+    ProbeRecord record;
+    for (const Unit unit : units) record.channels.push_back({"ai", unit, 1, {1, 2, 3, 4}});
+    return record;
+}
+
+TrajectoryParameters asking(const std::string& channels)
+{
+    TrajectoryParameters parameters;
+    parameters.channels = channels;
+    return parameters;
+}
+
+const ProbeRecord volts = recordWith({Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
+
+TEST(ChannelMap, SensitivityBelongsToVoltsOnly)
+{
+    const ProbeRecord record = recordWith({Unit::Volt, Unit::Volt, Unit::Micrometre, Unit::Millimetre, Unit::Volt});
+    TrajectoryParameters parameters = asking("marker=0,-X3=1,Y3=2,Xp=3, - Yp = 4 ");
+    parameters.sensitivity_um_per_V = 80;
+    Notes notes;
+    const ChannelMap map = mapChannels(record, parameters, notes);
+    EXPECT_EQ(map.probes[0].um_per_value, -80);
+    EXPECT_EQ(map.probes[1].um_per_value, 1);
+    EXPECT_EQ(map.probes[2].um_per_value, 1000);
+    EXPECT_EQ(map.probes[3].um_per_value, -80);
+    EXPECT_FALSE(map.is_angle);
+}
+
+TEST(ChannelMap, ChannelsGoByPlaceOrName)
+{
+    ProbeRecord record = volts;
+    const char* names[] = {"Tip", "west", "south", "trigger", "north"};
+    for (std::size_t i = 0; i < 5; ++i) record.channels[i].name = names[i];
+    Notes notes;
+    const ChannelMap map = mapChannels(record, asking("Marker=Trigger,X3=0,Y3=WEST,Xp=2,Yp=north"), notes);
+    EXPECT_EQ(map.reference, 3u);
+    EXPECT_EQ(map.probes[1].channel, 1u);
+    EXPECT_EQ(map.probes[3].channel, 4u);
+}
+
+TEST(ChannelMap, HeadingsRuleUnlessAMapIsGiven)
+{
+    ProbeRecord record =
+        recordWith({Unit::Micrometre, Unit::Micrometre, Unit::Micrometre, Unit::Micrometre, Unit::Degree});
+    const char* names[] = {"Yp", "xp", "Y3", "X3", "angle"};
+    for (std::size_t i = 0; i < 5; ++i) record.channels[i].name = names[i];
+    Notes notes;
+    const ChannelMap map = mapChannels(record, {}, notes);
+    EXPECT_TRUE(map.is_angle);
+    EXPECT_EQ(map.reference, 4u);
+    EXPECT_EQ(map.probes[0].channel, 3u);
+    EXPECT_EQ(mapChannels(record, asking("angle=4,X3=0,Y3=1,Xp=2,Yp=3"), notes).probes[0].channel, 0u);
+}
+
+TEST(ChannelMap, AnAngleInTheMarkersPlaceIsAnEncoder)
+{
+    Notes notes;
+    const ProbeRecord record = recordWith({Unit::Degree, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
+    EXPECT_TRUE(mapChannels(record, {}, notes).is_angle);
+}
+
+TEST(ChannelMap, MistakesAreLocated)
+{
+    const struct {
+        const char* map;
+        std::int64_t column;
+    } cases[] = {{"marker=0,X3=1,Y3=2,Xp=3", 1},
+                 {"marker=0,X3=1,Y3=2,Xp=3,Yp", 25},
+                 {"marker=0,X3=1,Y3=2,Xp=3,Zp=4", 25},
+                 {"marker=0,X3=1,X3=2,Xp=3,Yp=4", 15},
+                 {"marker=0,X3=1,Y3=1,Xp=3,Yp=4", 15},
+                 {"marker=0,X3=0,Y3=2,Xp=3,Yp=4", 10},
+                 {"marker=0,X3=,Y3=2,Xp=3,Yp=4", 10},
+                 {"X3=1,Y3=2,Xp=3,Yp=4", 1},
+                 {"marker=0,angle=0,X3=1,Y3=2,Xp=3,Yp=4", 1},
+                 {"", 1}};
+    for (const auto& [map, column] : cases) {
+        Notes notes;
+        try {
+            mapChannels(volts, asking(map), notes);
+            ADD_FAILURE() << map;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::valueNotUnderstood) << map;
+            EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "column")), column) << map;
+        }
+    }
+    for (const char* map : {"marker=0,X3=1,Y3=2,Xp=3,Yp=5", "marker=0,X3=-1,Y3=2,Xp=3,Yp=4",
+                            "marker=0,X3=1,Y3=2,Xp=3,Yp=west", "angle=0,X3=1,Y3=2,Xp=3,Yp=4"}) {
+        Notes notes;
+        try {
+            mapChannels(volts, asking(map), notes);
+            ADD_FAILURE() << map;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::channelsUnknown) << map;
+        }
+    }
+}
+
+TEST(ChannelMap, ADeadOrSaturatedProbeIsNoted)
+{
+    ProbeRecord record = volts;
+    record.channels[2].values = {3, 3, 3, 3};
+    record.channels[4].values.clear();
+    for (int i = 0; i < 100; ++i) record.channels[4].values.push_back(std::min(i % 50, 30));
+    for (ProbeChannel& channel : record.channels) channel.values.resize(100, channel.values.back());
+    for (int i = 0; i < 100; ++i) record.channels[1].values[static_cast<std::size_t>(i)] = i;
+    for (int i = 0; i < 100; ++i) record.channels[3].values[static_cast<std::size_t>(i)] = -i;
+    Notes notes;
+    mapChannels(record, {}, notes);
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_EQ(notes[0].code, notes::channelStandsStill);
+    EXPECT_EQ(notes[1].code, notes::channelCutOff);
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -1,0 +1,43 @@
+// Results of trajectories against what the generator put in.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/sample/sample_record.h"
+#include "engine/trajectory/trajectory.h"
+
+namespace lathelier {
+
+template <class Record>
+ProbeFile fileOf(Record record)
+{
+    ProbeFile file;
+    file.facts.path = record.name;
+    file.record = std::move(record);
+    return file;
+}
+
+/// Four channels sampled finely and one after the other, five sections of eight revolutions, no noise.
+inline SpindleModel fineModel()
+{
+    SpindleModel model = quietSpindle();
+    model.sections = 5;
+    model.revolutions = 8;
+    model.rate_hz = 6500;
+    model.channel_skew_s = 1 / (5 * 6500.0);
+    return model;
+}
+
+/// Largest difference in µm of LSC centre and radius, and of RONt(LSCI) and RONt(MZCI), from the true image's.
+inline double worstDifference_um(const TrajectorySection& section, const SpindleModel& model, int index)
+{
+    const ReferenceCircles truth = fitCircles(trueImage_mm(model, index));
+    const ReferenceCircles& found = section.roundness.circles;
+    return std::max({(found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3,
+                     std::abs(found.LSCI.radius_mm - truth.LSCI.radius_mm) * 1e3,
+                     std::abs(found.LSCI.RONt_um - truth.LSCI.RONt_um),
+                     std::abs(found.MZCI.RONt_um - truth.MZCI.RONt_um)});
+}
+
+}  // namespace lathelier

@@ -1,0 +1,67 @@
+// Which section of a record is looked at, chosen once for all panels of the workspace; and which angle.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/trajectory_common/spindle_panel.h"
+
+namespace lathelier {
+
+/// "◀ Section 7 of 20 · z 35 mm ▶ worst". Hidden when there is no record.
+class SectionBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SectionBar(QWidget* parent = nullptr);
+    void setPicture(const SpindlePicture& picture, bool chosen);
+    bool isWorst() const { return worst_->isChecked(); }
+
+signals:
+    void sectionWanted(std::optional<int> section);  ///< its number; none: the worst one
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void step(int by);
+    void fill();
+
+    std::shared_ptr<const TrajectoryResult> result_;
+    std::size_t index_ = 0;
+    QToolButton* before_;
+    QComboBox* box_;
+    QToolButton* after_;
+    QToolButton* worst_;
+};
+
+/// Plays the marked angle around once a few seconds, and shows it.
+class AngleBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AngleBar(MarkedAngle& angle, QWidget* parent = nullptr);
+    bool isPlaying() const { return timer_.isActive(); }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void retranslate();
+    void play(bool on);
+    void showAngle();
+
+    MarkedAngle& angle_;
+    QToolButton* play_;
+    QSlider* slider_;
+    QLabel* text_;
+    QTimer timer_;
+};
+
+}  // namespace lathelier

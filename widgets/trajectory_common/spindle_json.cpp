@@ -1,0 +1,28 @@
+// Results of the workspace as JSON.
+#include <nlohmann/json.hpp>
+
+#include "engine/form/roundness_json.h"
+#include "engine/report/result_json.h"
+#include "engine/trajectory/trajectory_json.h"
+#include "widgets/trajectory_common/spindle_picture.h"
+
+namespace lathelier {
+
+std::string roundnessJson(const SpindlePicture& picture)
+{
+    const RoundnessResult& result = *picture.roundness();
+    Json profile{{"path", picture.inputs.empty() ? "" : picture.inputs.front().path}};
+    profile.update(toJson(result));
+    Json whole{{"profiles", Json::array({profile})}};
+    if (picture.superimposed) whole["superimposed"] = toJson(*picture.superimposed);
+    return toText(wholeResult("roundness", picture.inputs, toValues(result.parameters), whole, picture.notes));
+}
+
+std::string trajectoryJson(const SpindlePicture& picture)
+{
+    const TrajectoryResult& result = *picture.trajectory;
+    return toText(
+        wholeResult("trajectory", picture.inputs, toValues(result.parameters), toJson(result), picture.notes));
+}
+
+}  // namespace lathelier

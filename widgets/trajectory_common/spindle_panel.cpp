@@ -1,0 +1,170 @@
+#include "widgets/trajectory_common/spindle_panel.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/io/io_codes.h"
+#include "engine/io/probe_reader.h"
+#include "engine/io/profile_reader.h"
+#include "widgets/core/input_box.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/trajectory_common/spindle_inputs.h"
+
+namespace lathelier {
+namespace {
+
+double numberOf(const FileFacts& facts, const char* name)
+{
+    const Value* value = find(facts.details, name);
+    if (!value) return std::numeric_limits<double>::quiet_NaN();
+    if (const auto* number = std::get_if<double>(value)) return *number;
+    if (const auto* count = std::get_if<std::int64_t>(value)) return static_cast<double>(*count);
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+void MarkedAngle::takeBack()
+{
+    set(before_deg_);
+}
+
+void MarkedAngle::set(std::optional<double> angle_deg)
+{
+    if (angle_deg == angle_deg_) return;
+    before_deg_ = angle_deg_;
+    angle_deg_ = angle_deg;
+    emit changed();
+}
+
+PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleWant want)
+{
+    PanelFacts facts;
+    facts.id = id;
+    facts.title = title;
+    facts.icon = icon;
+    facts.workspaces = {"roundness"};
+    facts.state = spindleState;
+    const bool roundness = want == SpindleWant::Roundness;
+    facts.recognises = [roundness](const std::string& path) {
+        return isProbeRecord(path) || (roundness && isProfile(path));
+    };
+    facts.hasWork = [roundness](const PanelState& state) {
+        return hasRecord(state) || (roundness && hasProfile(state));
+    };
+    facts.missing = [roundness](const PanelState& state) {
+        std::vector<Text> labels;
+        if (!hasRecord(state) && !(roundness && hasProfile(state)))
+            labels.push_back(roundness ? LT_TEXT("Engine", "Probe record or profile") : recordRole().label);
+        return labels;
+    };
+    return facts;
+}
+
+PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std::vector<std::string>& plain,
+                          const std::vector<std::string>& advanced, Text invitation)
+{
+    PanelInputs inputs;
+    for (const InputRole* role : roles) inputs.roles.push_back(*role);
+    inputs.files = spindleFiles();
+    inputs.invitation = invitation;
+    inputs.defaults = toValues(RoundnessParameters{});
+    for (const auto& [name, value] : toValues(TrajectoryParameters{})) lathelier::set(inputs.defaults, name, value);
+    std::vector<FieldInfo> known = infos<TrajectoryParameters>();
+    for (const FieldInfo& info : infos<RoundnessParameters>()) known.push_back(info);
+    const auto take = [&](const std::vector<std::string>& keys, bool folded) {
+        for (const std::string& key : keys) {
+            const auto info =
+                std::find_if(known.begin(), known.end(), [&](const FieldInfo& one) { return one.key == key; });
+            if (info == known.end()) throw std::logic_error("no such parameter: " + key);
+            inputs.fields.push_back(*info);
+            inputs.fields.back().advanced = folded;
+        }
+    };
+    take(plain, false);
+    take(advanced, true);
+    return inputs;
+}
+
+SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, SpindleWant want,
+                           QWidget* parent)
+    : Panel(owner, facts, inputs, parent), want_(want), angle_(owner.stores().of<MarkedAngle>())
+{
+}
+
+SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
+{
+    fromValues<TrajectoryParameters>(state.parameters);  // refuses now, not in the worker, what is out of range
+    bandOf(fromValues<RoundnessParameters>(state.parameters));
+    return [state, want = want_, stores = session().sharedStores()](const Progress& progress) {
+        return findPicture(state, want, *stores, progress);
+    };
+}
+
+void SpindlePanel::assignFiles(PanelState& state, const QStringList& paths) const
+{
+    assignSpindleFiles(state, paths, want_ == SpindleWant::Roundness);
+}
+
+Worker::Job SpindlePanel::makeReadingJob(const PanelState& state) const
+{
+    return [profiles = session().stores().of<ProfileStore>(),
+            state](const Progress& progress) -> std::shared_ptr<const void> {
+        for (const InputRole* role : {&profileRole(), &traceRole()})
+            for (const Source& source : sourcesOf(state, *role)) profiles->load(source, progress);
+        return nullptr;
+    };
+}
+
+QString SpindlePanel::understood(const InputRole& role, const Source& source) const
+{
+    if (role.role != recordRole().role) {
+        const LoadedProfilePtr loaded = session().stores().of<ProfileStore>()->known(source);
+        if (!loaded) return {};
+        return understoodText(loaded->file.facts, tr("%L1 points").arg(loaded->file.profile.points_mm.size()));
+    }
+    const LoadedRecordPtr loaded = session().stores().of<RecordStore>()->known(source);
+    if (!loaded) return {};
+    const FileFacts& facts = loaded->file.facts;
+    QStringList amount;
+    if (const auto* averages = std::get_if<AveragedRecord>(&loaded->file.record)) {
+        amount << tr("averages of %L1 sections").arg(averages->sections.size());
+    } else {
+        const auto& record = std::get<ProbeRecord>(loaded->file.record);
+        amount << tr("%L1 channels").arg(record.channels.size()) << tr("%L1 frames").arg(record.frames());
+        const double duration_s = numberOf(facts, "duration_s");
+        if (std::isfinite(duration_s)) amount << tr("%1 s").arg(screenNumber(duration_s, 2));
+        if (std::isfinite(record.rate_hz)) amount << tr("%1 kHz").arg(screenNumber(record.rate_hz / 1000, 2));
+    }
+    return understoodText(facts, amount.join(QStringLiteral(" · ")));
+}
+
+void SpindlePanel::chooseSection(std::optional<int> section)
+{
+    const QString step = section ? tr("Choose section %1").arg(*section) : tr("Choose the worst section");
+    setParameter(sectionKey, section ? Value(std::int64_t{*section}) : Value(), step, "roundness/section");
+}
+
+bool SpindlePanel::isSectionChosen() const
+{
+    const Value* section = lathelier::find(state().parameters, sectionKey);
+    return section && std::holds_alternative<std::int64_t>(*section);
+}
+
+void SpindlePanel::setParameter(const std::string& key, const Value& value, const QString& step,
+                                const QString& mergeKey)
+{
+    editState(
+        step, [&](PanelState& state) { lathelier::set(state.parameters, key, value); }, mergeKey);
+}
+
+void SpindlePanel::sayNotWritten(const QString& path)
+{
+    const Error error(errors::fileNotWritable,
+                      {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
+    emit messageRaised({error, facts().title});
+}
+
+}  // namespace lathelier

@@ -21,7 +21,7 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
 {
     const auto deviations = request.outputs.find(deviationsOption);
     const bool wanted = deviations != request.outputs.end();
-    if (wanted && !isDeviationFile(deviations->second))  // said before the work, not after it
+    if (wanted && !registration::isDeviationFile(deviations->second))  // said before the work, not after it
         throw Error(errors::valueNotUnderstood, {{"parameter", deviationsOption},
                                                  {"found", deviations->second},
                                                  {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
@@ -29,9 +29,9 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
     const ScanFile reference =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);
     const ScanFile copy = readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
-    const auto result = std::make_shared<CompareResult>();
+    const auto result = std::make_shared<registration::CompareResult>();
     try {
-        *result = compare(reference.scan, copy.scan, fromValues<CompareParameters>(request.parameters),
+        *result = compare(reference.scan, copy.scan, fromValues<registration::CompareParameters>(request.parameters),
                           progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")));
     } catch (Error& error) {  // the engine names the role of the scan at fault; here is its file
         const Value* const role = find(error.values(), "role");
@@ -47,8 +47,8 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
 
     answer.json = [result] { return toJson(*result); };
     answer.report = [result] { return compareReport(*result, {}); };
-    if (result->verdict == Verdict::Pass) answer.pass = true;
-    if (result->verdict == Verdict::Fail) answer.pass = false;  // what is undecided is neither
+    if (result->verdict == registration::Verdict::Pass) answer.pass = true;
+    if (result->verdict == registration::Verdict::Fail) answer.pass = false;  // what is undecided is neither
     answer.summary = toPlainText(compareSummary(*result));
 }
 
@@ -60,7 +60,7 @@ Verb compareVerb()
             "Compare a copy with its original: alignment, signed surface "
             "deviation, verdict.",
             {{"REFERENCE", "The original: a point cloud or mesh."}, {"COPY", "The copy: a point cloud or mesh."}},
-            optionsOf<CompareParameters>(),
+            optionsOf<registration::CompareParameters>(),
             optionsOf<ImportOptions>(),
             {{deviationsOption,
               "Write every point of the copy with its "

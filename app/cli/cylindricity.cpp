@@ -16,15 +16,15 @@ void runCylindricity(const Request& request, InputFiles& inputs, const Progress&
 {
     const ScanFile file =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
-    const auto result = std::make_shared<CylindricityResult>(
-        cylindricity(file.scan.points_mm, fromValues<CylindricityParameters>(request.parameters),
+    const auto result = std::make_shared<form::CylindricityResult>(
+        cylindricity(file.scan.points_mm, fromValues<form::CylindricityParameters>(request.parameters),
                      progress.part(0.3, 1, LT_TEXT("Engine", "Fitting cylinders"))));
     answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
     result->notes = answer.notes;  // the report shows those of the file as well
     answer.json = [result] { return toJson(*result); };
     answer.report = [result] { return cylindricityReport(*result, {}); };
-    if (result->verdict && *result->verdict != FormVerdict::Undecided)
-        answer.pass = *result->verdict == FormVerdict::Pass;
+    if (result->verdict && *result->verdict != form::FormVerdict::Undecided)
+        answer.pass = *result->verdict == form::FormVerdict::Pass;
     answer.summary = toPlainText(cylindricitySummary(*result));
 }
 
@@ -35,7 +35,7 @@ Verb cylindricityVerb()
     return {"cylindricity",
             "Cylindricity of points: least-squares and minimum-zone cylinder, axis straightness, verdict.",
             {{"FILE", "Points x, y, z of a cylindrical surface: a cloud, a mesh, or stacked sections."}},
-            optionsOf<CylindricityParameters>(),
+            optionsOf<form::CylindricityParameters>(),
             optionsOf<ImportOptions>(),
             {},
             true,

@@ -25,7 +25,7 @@ Option noFilterOption()
                       LT_TEXT("Engine", "Evaluate the points as they are; this is the default."));
 }
 
-void checkNoFilter(const Request& request, const RoundnessParameters& parameters)
+void checkNoFilter(const Request& request, const form::RoundnessParameters& parameters)
 {
     const bool filtered = !bandOf(parameters).isAll();
     const Value* none = find(request.parameters, noFilterKey);

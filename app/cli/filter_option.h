@@ -12,6 +12,6 @@ Option flagOption(const char* key, Text label, Text help);
 Option noFilterOption();
 
 /// Error valueNotUnderstood when --no-filter stands beside a filter.
-void checkNoFilter(const Request& request, const RoundnessParameters& parameters);
+void checkNoFilter(const Request& request, const form::RoundnessParameters& parameters);
 
 }  // namespace lathelier::cli

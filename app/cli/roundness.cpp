@@ -24,8 +24,8 @@ constexpr const char* mirroredKey = "mirrored";
 /// What a request has found so far; JSON and report are made from it when asked for.
 struct Found {
     std::vector<std::string> paths;
-    std::vector<RoundnessResult> results;
-    std::optional<SuperimposeResult> superimposed;
+    std::vector<form::RoundnessResult> results;
+    std::optional<form::SuperimposeResult> superimposed;
 };
 
 bool isSet(const Request& request, const char* key)
@@ -42,7 +42,7 @@ std::optional<std::string> wordOf(const Request& request, const char* key)
 }
 
 /// Wrong combinations are said before the work.
-void checkCombination(const Request& request, const RoundnessParameters& parameters)
+void checkCombination(const Request& request, const form::RoundnessParameters& parameters)
 {
     checkNoFilter(request, parameters);
     if (wordOf(request, superimposeKey) && request.operands.size() != 1)
@@ -56,20 +56,20 @@ Json toJson(const Found& found)
     Json json{{"profiles", Json::array()}};
     for (std::size_t i = 0; i < found.results.size(); ++i) {
         Json profile{{"path", found.paths[i]}};
-        profile.update(lathelier::toJson(found.results[i]));
+        profile.update(form::toJson(found.results[i]));
         json["profiles"].push_back(std::move(profile));
     }
-    if (found.superimposed) json["superimposed"] = lathelier::toJson(*found.superimposed);
+    if (found.superimposed) json["superimposed"] = form::toJson(*found.superimposed);
     return json;
 }
 
 /// All pass: pass; any out of tolerance: fail; otherwise none.
-std::optional<bool> verdictOf(const std::vector<RoundnessResult>& results)
+std::optional<bool> verdictOf(const std::vector<form::RoundnessResult>& results)
 {
     bool all = !results.empty();
-    for (const RoundnessResult& result : results) {
-        if (result.verdict == FormVerdict::Fail) return false;
-        all &= result.verdict == FormVerdict::Pass;
+    for (const form::RoundnessResult& result : results) {
+        if (result.verdict == form::FormVerdict::Fail) return false;
+        all &= result.verdict == form::FormVerdict::Pass;
     }
     return all ? std::optional(true) : std::nullopt;
 }
@@ -98,11 +98,11 @@ std::vector<std::string> measuredTimes(const std::vector<std::string>& paths)
 }
 
 void superimposeOther(const Request& request, const std::string& path, const Profile& first,
-                      const RoundnessParameters& parameters, InputFiles& inputs, const Progress& progress,
+                      const form::RoundnessParameters& parameters, InputFiles& inputs, const Progress& progress,
                       Answer& answer, Found& found)
 {
     const ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
-    SuperimposeParameters wanted;
+    form::SuperimposeParameters wanted;
     wanted.form = parameters;
     wanted.mirrored = isSet(request, mirroredKey);
     try {
@@ -117,7 +117,7 @@ void superimposeOther(const Request& request, const std::string& path, const Pro
 
 void runRoundness(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
-    const auto parameters = fromValues<RoundnessParameters>(request.parameters);
+    const auto parameters = fromValues<form::RoundnessParameters>(request.parameters);
     checkCombination(request, parameters);
     const auto found = std::make_shared<Found>();
     answer.json = [found] { return toJson(*found); };
@@ -130,7 +130,7 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
             const std::size_t before = answer.notes.size();
             const ProfileFile file =
                 readProfile(path, request, inputs, part.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
-            RoundnessResult result =
+            form::RoundnessResult result =
                 roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")));
             if (result.name.empty()) result.name = path;
             answer.notes.insert(answer.notes.end(), result.notes.begin(), result.notes.end());
@@ -158,7 +158,7 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
 
 std::vector<Option> roundnessOptions()
 {
-    std::vector<Option> options = optionsOf<RoundnessParameters>();
+    std::vector<Option> options = optionsOf<form::RoundnessParameters>();
     options.insert(options.begin(), noFilterOption());
     FieldInfo other;
     other.key = superimposeKey;

@@ -94,7 +94,7 @@ void writeReport(const std::string& path, const Answer& answer, InputFiles& inpu
     Document document = answer.report();
     document.inputs = inputs.list();
     document.created = now();
-    quoteVerification(document, verify({}, progress));
+    form::quoteVerification(document, form::verify({}, progress));
     writeFile(path, toHtml(document));
 }
 

@@ -13,20 +13,13 @@ struct SampleParameters {
     int seed = 1;
 };
 
-}  // namespace
-}  // namespace cli
-
-template <>
-const std::vector<Field<cli::SampleParameters>>& fields<cli::SampleParameters>()
+const std::vector<Field<SampleParameters>>& fieldsOf(const SampleParameters*)
 {
-    static const std::vector<Field<cli::SampleParameters>> all{
-        field("seed", &cli::SampleParameters::seed, Range{0, 1000000},
+    static const std::vector<Field<SampleParameters>> all{
+        field("seed", &SampleParameters::seed, Range{0, 1000000},
               Label{{"Seed"}, {"Start of the random numbers; the same seed gives the same files."}})};
     return all;
 }
-
-namespace cli {
-namespace {
 
 void runSample(const Request& request, InputFiles&, const Progress& progress, Answer& answer)
 {

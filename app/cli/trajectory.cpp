@@ -27,14 +27,14 @@ std::vector<Option> readingOptions()
 
 std::vector<Option> trajectoryOptions()
 {
-    std::vector<Option> options = optionsOf<TrajectoryParameters>();
+    std::vector<Option> options = optionsOf<trajectory::TrajectoryParameters>();
     options.insert(options.begin(), noFilterOption());
     return options;
 }
 
 void runTrajectory(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
 {
-    const auto parameters = fromValues<TrajectoryParameters>(request.parameters);
+    const auto parameters = fromValues<trajectory::TrajectoryParameters>(request.parameters);
     checkNoFilter(request, parameters.form);
     std::vector<ProbeFile> records;
     const auto count = static_cast<double>(request.operands.size());
@@ -44,19 +44,20 @@ void runTrajectory(const Request& request, InputFiles& inputs, const Progress& p
             progress.part(0.4 * done / count, 0.4 * (done + 1) / count, LT_TEXT("Engine", "Reading"));
         records.push_back(readRecord(path, request, inputs, reading, answer));
     }
-    auto result = std::make_shared<TrajectoryResult>(trajectory(records, parameters, progress.part(0.4, 1)));
+    auto result = std::make_shared<trajectory::TrajectoryResult>(
+        trajectory::trajectory(records, parameters, progress.part(0.4, 1)));
     answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
     result->notes = answer.notes;  // the report shows those of the files as well
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
-        writeSectionTable(table->second, *result);
+        trajectory::writeSectionTable(table->second, *result);
     if (const auto image = request.outputs.find(imageOption); image != request.outputs.end())
-        writeImages(image->second, *result);
+        trajectory::writeImages(image->second, *result);
 
     answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return trajectoryReport(*result, {}); };
-    if (result->verdict && *result->verdict != FormVerdict::Undecided)
-        answer.pass = *result->verdict == FormVerdict::Pass;
-    answer.summary = toPlainText(trajectorySummary(*result));
+    answer.report = [result] { return trajectory::trajectoryReport(*result, {}); };
+    if (result->verdict && *result->verdict != form::FormVerdict::Undecided)
+        answer.pass = *result->verdict == form::FormVerdict::Pass;
+    answer.summary = toPlainText(trajectory::trajectorySummary(*result));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ VerifyDialog::VerifyDialog(QWidget* parent)
     connect(&timer_, &QTimer::timeout, this, &VerifyDialog::poll);
     timer_.start(33);
     worker_.request([](const Progress& progress) -> std::shared_ptr<const void> {
-        return std::make_shared<const VerifyResult>(verify({}, progress));
+        return std::make_shared<const form::VerifyResult>(form::verify({}, progress));
     });
 }
 
@@ -66,7 +66,7 @@ void VerifyDialog::poll()
     timer_.stop();
     bar_->hide();
     if (const auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) {
-        result_ = std::static_pointer_cast<const VerifyResult>(*value);
+        result_ = std::static_pointer_cast<const form::VerifyResult>(*value);
         showResult();
     } else if (const auto* error = std::get_if<Error>(&*outcome)) {
         headline_->setText(screenText(*error));

@@ -24,7 +24,7 @@ public:
     explicit VerifyDialog(QWidget* parent = nullptr);
 
     /// Null while it computes, or when it was stopped.
-    std::shared_ptr<const VerifyResult> result() const { return result_; }
+    std::shared_ptr<const form::VerifyResult> result() const { return result_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -36,7 +36,7 @@ private:
     void showResult();
     void writeReportFile();
 
-    std::shared_ptr<const VerifyResult> result_;
+    std::shared_ptr<const form::VerifyResult> result_;
     QLabel* headline_;
     QLabel* about_;
     CopyTable* table_;

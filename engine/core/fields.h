@@ -42,9 +42,13 @@ struct Field {
     std::function<void(P&, const Value&)> set;
 };
 
-/// The description of P, specialised beside each parameter struct.
+/// The description of P: what `const std::vector<Field<P>>& fieldsOf(const P*)` gives, which stands beside each
+/// parameter struct, in its namespace.
 template <class P>
-const std::vector<Field<P>>& fields();
+const std::vector<Field<P>>& fields()
+{
+    return fieldsOf(static_cast<const P*>(nullptr));
+}
 
 /// Throws Error valueOutOfRange or valueNotUnderstood when `value` is nothing this field takes.
 void check(const FieldInfo& info, const Value& value);

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// The direction, turned so that its largest coordinate is positive.
 inline Eigen::Vector3d towardPositive(const Eigen::Vector3d& direction)
@@ -29,4 +29,4 @@ struct AxisFrame {
     Eigen::Vector3d toWorld(const Eigen::Vector3d& v) const { return local_R_world.transpose() * v; }
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,7 +4,7 @@
 
 #include "engine/form/circle_simple.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 struct Disc {
@@ -89,4 +89,4 @@ EnclosingCircle enclosingCircle(std::span<const Eigen::Vector2d> points)
         });
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/form/circle_simple.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr Eigen::Index blockSize = 512;
@@ -136,4 +136,4 @@ LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
     return {circle.head<2>(), circle[2], std::sqrt(now.squares / static_cast<double>(points.size()))};
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr Eigen::Index bundleSize = 64;
@@ -177,4 +177,4 @@ std::array<CirclePoints::Sector, CirclePoints::sectorCount> CirclePoints::sector
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Points about the middle of their bounding box, in units of about half its size: a power of two, so that scaling
 /// costs no bit. All that follows counts in these units; toMm() leads back.
@@ -69,4 +69,4 @@ private:
     double extent_ = 1;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -67,4 +67,4 @@ std::vector<HalfPlane> inscribedRegion(const CirclePoints& points, const Vector2
     return edgesOf(hull(std::move(all)));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

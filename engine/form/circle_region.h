@@ -6,7 +6,7 @@
 #include "engine/form/circle_points.h"
 #include "engine/form/linear_minimax.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// The convex hull of the points and of `centre` (the least-squares circle's: an arc of less than half a turn does not
 /// hold it) as half planes. Where the points surround `centre` closely, a polygon of some of them stands for the hull:
@@ -15,4 +15,4 @@ namespace lathelier {
 std::vector<HalfPlane> inscribedRegion(const CirclePoints& points, const Eigen::Vector2d& centre,
                                        const std::array<CirclePoints::Sector, CirclePoints::sectorCount>& sectors);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

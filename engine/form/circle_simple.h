@@ -7,7 +7,7 @@
 
 #include "engine/form/circle_points.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct LeastSquaresCircle {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -30,4 +30,4 @@ struct EnclosingCircle {
 EnclosingCircle enclosingCircle(const CirclePoints& points);
 EnclosingCircle enclosingCircle(std::span<const Eigen::Vector2d> points);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

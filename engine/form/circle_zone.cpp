@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::form {
 
 using Eigen::Vector2d;
 
@@ -87,4 +87,4 @@ ZoneOptimum ZoneProblem::descend(const Vector2d& start)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -15,7 +15,7 @@
 #include "engine/form/circle_points.h"
 #include "engine/form/minimax_exchange.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// A centre, what it reaches, and what it rests on.
 struct ZoneOptimum {
@@ -82,4 +82,4 @@ private:
     std::vector<HalfPlane> limits_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,7 +4,7 @@
 
 #include "engine/form/circle_zone.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 using Eigen::Vector2d;
 
@@ -123,4 +123,4 @@ ZoneProof ZoneProblem::prove(ZoneOptimum& best, const Vector2d& middle, double h
     return proof;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 #include "engine/form/circle_simple.h"
 #include "engine/form/circle_zone.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -148,4 +148,4 @@ ReferenceCircles fitCircles(std::span<const Vector2d> points_mm, const CircleOpt
     return circles;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -12,7 +12,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Least squares, minimum zone, maximum inscribed, minimum circumscribed reference circle.
 enum class ReferenceCircle { LSCI, MZCI, MICI, MCCI };
@@ -67,4 +67,4 @@ ReferenceCircles fitCircles(std::span<const Eigen::Vector2d> points_mm, const Ci
 /// The geometric least-squares circle alone, of three points or more. Errors as fitCircles().
 FittedCircle fitLeastSquaresCircle(std::span<const Eigen::Vector2d> points_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// What all four have; a number that does not exist is null.
@@ -43,4 +43,4 @@ Json toJson(const ReferenceCircles& circles)
             {"MCCI", exact(circles.MCCI)}};
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,9 +4,9 @@
 #include "engine/core/json.h"
 #include "engine/form/circles.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// {"LSCI": {…}, "MZCI": {…}, "MICI": {…}, "MCCI": {…}}
 Json toJson(const ReferenceCircles& circles);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -6,7 +6,7 @@
 
 #include "engine/form/cylinder_points.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct LeastSquaresCylinder {
     AxisParameters axis = AxisParameters::Zero();
@@ -41,4 +41,4 @@ struct MinimumZoneCylinder {
 MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const AxisParameters& start,
                                         const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -10,7 +10,7 @@
 #include "engine/core/random.h"
 #include "engine/form/cylinder_fits.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
@@ -177,4 +177,4 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
     return guess;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

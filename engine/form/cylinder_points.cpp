@@ -6,7 +6,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr Eigen::Index blockSize = 512;
@@ -114,4 +114,4 @@ AxisDistance distanceFrom(const AxisParameters& axis, const Eigen::Vector3d& poi
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

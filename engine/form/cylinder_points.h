@@ -8,7 +8,7 @@
 #include "engine/core/progress.h"
 #include "engine/form/axis_frame.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// An axis near z: through (x0, y0, 0) along (tx, ty, 1).
 using AxisParameters = Eigen::Vector4d;
@@ -55,4 +55,4 @@ struct AxisDistance {
 };
 AxisDistance distanceFrom(const AxisParameters& axis, const Eigen::Vector3d& point);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

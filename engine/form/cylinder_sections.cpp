@@ -8,7 +8,7 @@
 #include "engine/form/axis_frame.h"
 #include "engine/form/circles.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 SectionStack sectionsAlong(std::span<const Eigen::Vector3d> points_mm, const Eigen::Vector3d& axis_point_mm,
                            const Eigen::Vector3d& axis_direction, const Progress& progress)
@@ -58,4 +58,4 @@ SectionStack sectionsAlong(std::span<const Eigen::Vector3d> points_mm, const Eig
     return stack;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct SectionStack {
     double length_mm = 0;                     ///< of all points along the axis
@@ -19,4 +19,4 @@ struct SectionStack {
 SectionStack sectionsAlong(std::span<const Eigen::Vector3d> points_mm, const Eigen::Vector3d& axis_point_mm,
                            const Eigen::Vector3d& axis_direction, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

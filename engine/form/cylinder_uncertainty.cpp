@@ -9,7 +9,7 @@
 #include "engine/form/drawn_changes.h"
 #include "engine/form/linear_minimax.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr std::uint64_t seed = 12180;
@@ -109,4 +109,4 @@ double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquar
     return few * coverageHalfWidth(std::move(changes), 0);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

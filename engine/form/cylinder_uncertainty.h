@@ -4,7 +4,7 @@
 
 #include "engine/form/cylinder_fits.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Expanded uncertainty (95 %) of the width of the minimum zone, in the points' own unit of length, for independent
 /// noise of standard deviation `sigma` on every point. Noise is laid on the form without noise: the waves around (to 8
@@ -13,4 +13,4 @@ namespace lathelier {
 double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquaresCylinder& fit, double sigma,
                                   const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

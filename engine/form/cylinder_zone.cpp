@@ -6,7 +6,7 @@
 #include "engine/form/cylinder_fits.h"
 #include "engine/form/minimax_exchange.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// The width of the zone about an axis, on all points or on the working set alone.
@@ -146,4 +146,4 @@ MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const Axis
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -9,7 +9,7 @@
 #include "engine/form/cylinder_uncertainty.h"
 #include "engine/form/form_codes.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
@@ -110,4 +110,4 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -12,7 +12,7 @@
 #include "engine/core/progress.h"
 #include "engine/form/roundness.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct FittedCylinder {
     Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();    ///< on the axis, nearest to the points' centroid
@@ -33,8 +33,7 @@ struct CylindricityParameters {
     std::optional<double> probe_uncertainty_um;  ///< one standard deviation of a point; needed for the guarded decision
 };
 
-template <>
-const std::vector<Field<CylindricityParameters>>& fields<CylindricityParameters>();
+const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityParameters*);
 
 struct CylindricityResult {
     CylindricityParameters parameters;
@@ -69,4 +68,4 @@ struct StraightnessResult {
 /// Errors: tooFewPoints (fewer than 2), pointsDegenerate (all in one place).
 StraightnessResult straightness(std::span<const Eigen::Vector3d> points_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

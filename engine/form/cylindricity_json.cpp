@@ -4,7 +4,7 @@
 
 #include "engine/form/roundness_json.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 Json commonKeys(const FittedCylinder& cylinder)
@@ -39,4 +39,4 @@ Json toJson(const CylindricityResult& result)
     return json;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,9 +4,9 @@
 #include "engine/core/json.h"
 #include "engine/form/cylindricity.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// The keys of the command line's `cylindricity`, without those every result has.
 Json toJson(const CylindricityResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

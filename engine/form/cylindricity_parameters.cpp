@@ -1,9 +1,8 @@
 #include "engine/form/cylindricity.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
-template <>
-const std::vector<Field<CylindricityParameters>>& fields<CylindricityParameters>()
+const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityParameters*)
 {
     using P = CylindricityParameters;
     static const std::vector<Field<P>> all{
@@ -24,4 +23,4 @@ const std::vector<Field<CylindricityParameters>>& fields<CylindricityParameters>
     return all;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -5,7 +5,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
@@ -101,4 +101,4 @@ Document cylindricityReport(const CylindricityResult& result, const std::vector<
     return document;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

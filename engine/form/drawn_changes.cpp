@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// Of the draws, so that 95 of 100 remain when the form they are laid on is itself an estimate.
@@ -41,4 +41,4 @@ double coverageHalfWidth(std::vector<double> changes, double relative_u)
     return std::max(normal, *place);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

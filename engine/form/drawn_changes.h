@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Half-width of an interval about the measured deviation that holds the one without noise in 95 of 100 measurements.
 /// `changes`: how much noise changed the deviation in each of at least two draws. Their mean counts, for extremes of
@@ -12,4 +12,4 @@ namespace lathelier {
 /// uncertainty); or, where it is wider, the interval as counted, which single spikes need.
 double coverageHalfWidth(std::vector<double> changes, double relative_u);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

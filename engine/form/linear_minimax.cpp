@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// normal · (step / half, value) ≥ bound. Steps are counted in halves of the cube, so that all normals are of like
@@ -227,4 +227,4 @@ template MinimaxStep<2> minimax<2>(const LinearDistances<2>&, MinimaxGoal, doubl
 template MinimaxStep<4> minimax<4>(const LinearDistances<4>&, MinimaxGoal, double, const std::vector<Limit<4>>&,
                                    double);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

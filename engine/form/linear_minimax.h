@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// normal · step ≤ offset, the normal of length one.
 template <int N>
@@ -62,4 +62,4 @@ MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, do
                        const std::vector<Limit<N>>& limits = {},
                        double enough = std::numeric_limits<double>::infinity());
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 
 #include "engine/form/linear_minimax.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 template <int N>
 struct ExchangeResult {
@@ -57,4 +57,4 @@ ExchangeResult<N> exchange(Problem& problem, const Eigen::Vector<double, N>& sta
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

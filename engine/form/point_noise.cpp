@@ -10,7 +10,7 @@
 #include "engine/signal/hampel.h"
 #include "engine/signal/nonuniform_fourier.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Complex = std::complex<double>;
@@ -45,7 +45,7 @@ WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::
     for (std::size_t m = from; m <= to; m += stride)
         if (!skip[m]) values.push_back(power[m]);
     if (values.empty()) return {};
-    const double clip = 6 * median(values) / std::log(2.0);
+    const double clip = 6 * signal::median(values) / std::log(2.0);
     double sum = 0;
     for (const double value : values) sum += std::min(value, clip);
     return {sum / static_cast<double>(values.size()) / (1 - std::exp(-6.0)), values.size()};
@@ -107,7 +107,7 @@ PowerFloor floorOf(const std::vector<double>& power, const std::vector<std::uint
 /// Squared amplitudes of the orders 0…n/2 of a sequence.
 std::vector<double> periodogram(std::span<const double> values)
 {
-    const std::vector<Complex> spectrum = FourierTransform(values.size()).forward(values);
+    const std::vector<Complex> spectrum = signal::FourierTransform(values.size()).forward(values);
     std::vector<double> power;
     power.reserve(spectrum.size());
     const double scale = 4 / (static_cast<double>(values.size()) * static_cast<double>(values.size()));
@@ -137,7 +137,7 @@ Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& co
     std::vector<Complex> lines(coefficients.size());
     for (std::size_t k = 1; k < lines.size(); ++k)
         if (form.isLine[k]) lines[k] = coefficients[k];
-    form.values = fourierSeries(lines, prepared.sampling.angle_rad, progress);
+    form.values = signal::fourierSeries(lines, prepared.sampling.angle_rad, progress);
     return form;
 }
 
@@ -147,7 +147,7 @@ Form standingOutOfArc(const std::vector<double>& deviation)
     const std::size_t n = deviation.size();
     std::vector<double> mirrored(deviation);
     mirrored.insert(mirrored.end(), deviation.rbegin(), deviation.rend());
-    const FourierTransform transform(2 * n);
+    const signal::FourierTransform transform(2 * n);
     std::vector<Complex> spectrum = transform.forward(mirrored);
     std::vector<double> power;
     power.reserve(spectrum.size());
@@ -170,8 +170,8 @@ Form standingOutOfArc(const std::vector<double>& deviation)
 std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double>& rest, double least_um)
 {
     const std::size_t n = rest.size();
-    const double sigma = std::max(robustSpread(rest), least_um);
-    const double middle = median(rest);
+    const double sigma = std::max(signal::robustSpread(rest), least_um);
+    const double middle = signal::median(rest);
     std::vector<std::uint8_t> out(n), spike(n);
     std::size_t count = 0;
     for (std::size_t i = 0; i < n; ++i) count += out[i] = std::abs(rest[i] - middle) > spikeSigma * sigma;
@@ -216,7 +216,7 @@ void refine(const PreparedProfile& prepared, const std::vector<double>& rest, co
         total += prepared.sampling.weight[i];
     }
     const std::vector<Complex> sums =
-        fourierSums(prepared.sampling.angle_rad, weighted, static_cast<int>(coefficients.size()) - 1, progress);
+        signal::fourierSums(prepared.sampling.angle_rad, weighted, static_cast<int>(coefficients.size()) - 1, progress);
     for (std::size_t k = 1; k < coefficients.size(); ++k)
         coefficients[k] = (isLine[k] ? coefficients[k] : 0) + sums[k] / total;
 }
@@ -270,8 +270,8 @@ double resolutionOf(const Profile& profile)
     return across > 0 ? std::max(across, step(y)) : 0;
 }
 
-PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<Harmonic>& harmonics, double resolution_mm,
-                         std::optional<double> stated_um, const Progress& progress)
+PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<signal::Harmonic>& harmonics,
+                         double resolution_mm, std::optional<double> stated_um, const Progress& progress)
 {
     PointNoise noise;
     const std::size_t n = prepared.distance_mm.size();
@@ -283,7 +283,7 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<Harm
 
     const bool arc = harmonics.size() < leastHarmonics;
     std::vector<Complex> coefficients(harmonics.size() + 1);
-    for (const Harmonic& h : harmonics)
+    for (const signal::Harmonic& h : harmonics)
         coefficients[static_cast<std::size_t>(h.upr)] = std::polar(h.amplitude / 2, -h.phase_rad);
     Form form = arc ? standingOutOfArc(deviation) : standingOut(prepared, coefficients, progress);
     std::vector<double> rest = difference(deviation, form.values);
@@ -337,4 +337,4 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<Harm
     return noise;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

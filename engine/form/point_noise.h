@@ -8,7 +8,7 @@
 
 #include "engine/form/prepared_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct PointNoise {
     double sigma_um = 0;            ///< standard deviation of a point, without spikes; NaN: not known
@@ -29,7 +29,7 @@ double resolutionOf(const Profile& profile);
 /// Splits the prepared profile into form and noise; `harmonics` in µm about prepared.centre_mm. Noise is at least that
 /// of the resolution (step/√12). A `stated` standard deviation replaces what would be found, as independent noise. For
 /// fewer than 32 points sigma_um is NaN unless stated.
-PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<Harmonic>& harmonics, double resolution_mm,
-                         std::optional<double> stated_um, const Progress& progress = {});
+PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<signal::Harmonic>& harmonics,
+                         double resolution_mm, std::optional<double> stated_um, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::form

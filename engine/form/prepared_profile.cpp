@@ -8,7 +8,7 @@
 #include "engine/signal/closed_filter.h"
 #include "engine/signal/hampel.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -42,7 +42,7 @@ void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& 
     parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) angle[i] = angleAbout(circle.centre_mm, points[i]);
     });
-    prepared.sampling = sampleAngles(angle);
+    prepared.sampling = signal::sampleAngles(angle);
     std::vector<std::size_t> given;
     given.reserve(points.size());
     for (std::size_t i = 0; i < prepared.used.size(); ++i)
@@ -81,7 +81,7 @@ bool exclude(const Profile& profile, const std::vector<Interval>& sectors, Prepa
 /// Leaves out what stands out; true when anything did.
 bool removeOutliers(PreparedProfile& prepared, const Progress& progress)
 {
-    const std::vector<std::uint8_t> found = hampelOutliers(prepared.distance_mm, {}, progress);
+    const std::vector<std::uint8_t> found = signal::hampelOutliers(prepared.distance_mm, {}, progress);
     const auto count = static_cast<std::size_t>(std::count(found.begin(), found.end(), 1));
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i]) prepared.used[prepared.index[i]] = 0;
@@ -124,19 +124,20 @@ PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared
     return prepared;
 }
 
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, const Progress& progress)
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const signal::ProfileBand& band,
+                                 const Progress& progress)
 {
     const double cutoff_upr = std::max(band.high_upr.value_or(0), band.low_upr.value_or(0));
-    ClosedFilter filter(prepared.sampling, prepared.distance_mm, cutoff_upr);
+    signal::ClosedFilter filter(prepared.sampling, prepared.distance_mm, cutoff_upr);
     return evaluateProfile(prepared, band, filter, progress);
 }
 
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, ClosedFilter& filter,
-                                 const Progress& progress)
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const signal::ProfileBand& band,
+                                 signal::ClosedFilter& filter, const Progress& progress)
 {
-    EvaluatedProfile result{prepared.points_mm, FilterWay::Uniform};
+    EvaluatedProfile result{prepared.points_mm, signal::FilterWay::Uniform};
     if (band.isAll()) return result;
-    const FilteredValues filtered = filter(band, progress);
+    const signal::FilteredValues filtered = filter(band, progress);
     result.way = filtered.way;
     for (std::size_t i = 0; i < result.points_mm.size(); ++i) {
         const double angle = prepared.sampling.angle_rad[i];
@@ -145,4 +146,4 @@ EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileB
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,9 +8,11 @@
 #include "engine/form/roundness.h"
 #include "engine/signal/angular_sampling.h"
 
-namespace lathelier {
-
+namespace lathelier::signal {
 class ClosedFilter;
+}
+
+namespace lathelier::form {
 
 struct PreparedProfile {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();  ///< of the least-squares circle of the points that count
@@ -20,7 +22,7 @@ struct PreparedProfile {
     std::vector<std::size_t> index;          ///< given points that count, in order of angle
     std::vector<Eigen::Vector2d> points_mm;  ///< in that order
     std::vector<double> distance_mm;         ///< from the centre, in that order
-    AngularSampling sampling;                ///< of points_mm; its order is already applied
+    signal::AngularSampling sampling;        ///< of points_mm; its order is already applied
 };
 
 /// Leaves out sectors (angles as seen from the centre that results) and outliers. Errors as fitLeastSquaresCircle().
@@ -33,16 +35,16 @@ PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared
 /// The prepared points after the filter: on the rays from the centre, in the same order; without a filter as they are.
 struct EvaluatedProfile {
     std::vector<Eigen::Vector2d> points_mm;
-    FilterWay way = FilterWay::Uniform;
+    signal::FilterWay way = signal::FilterWay::Uniform;
 };
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band,
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const signal::ProfileBand& band,
                                  const Progress& progress = {});
 
 /// The same with `filter`, which is of the prepared distances.
-EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const ProfileBand& band, ClosedFilter& filter,
-                                 const Progress& progress = {});
+EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const signal::ProfileBand& band,
+                                 signal::ClosedFilter& filter, const Progress& progress = {});
 
 /// Is the angle in one of the sectors? Sectors may run through 0°.
 bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

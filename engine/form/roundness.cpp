@@ -14,7 +14,7 @@
 #include "engine/form/two_point.h"
 #include "engine/io/io_codes.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -28,7 +28,7 @@ void pointContactsToGiven(FittedCircle& circle, const std::vector<std::size_t>& 
     for (CircleContact& contact : circle.contacts) contact.index = index[contact.index];
 }
 
-std::vector<Harmonic> harmonicsOf(const PreparedProfile& prepared, std::size_t given, const Progress& progress)
+std::vector<signal::Harmonic> harmonicsOf(const PreparedProfile& prepared, std::size_t given, const Progress& progress)
 {
     const int limit = std::min(mostHarmonics, static_cast<int>(given / 2));
     std::vector<double> deviation_um;
@@ -74,10 +74,11 @@ double turnsOf(const RoundnessResult& result)
 }
 
 /// What the points are like.
-void noteSampling(const Profile& profile, const PreparedProfile& prepared, const ProfileBand& band, Notes& notes)
+void noteSampling(const Profile& profile, const PreparedProfile& prepared, const signal::ProfileBand& band,
+                  Notes& notes)
 {
     const auto count = [](std::size_t value) { return static_cast<std::int64_t>(value); };
-    const AngularSampling& sampling = prepared.sampling;
+    const signal::AngularSampling& sampling = prepared.sampling;
     if (profile.size_is_nominal) notes.push_back({notes::sizeNominal, {}});
     if (prepared.not_finite > 0)
         notes.push_back({notes::pointsNotFinite, {{"path", profile.name}, {"count", count(prepared.not_finite)}}});
@@ -102,11 +103,11 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
 }
 
 /// Which harmonics there are, and which of them are estimates.
-void noteHarmonics(const RoundnessResult& result, const AngularSampling& sampling, Notes& notes)
+void noteHarmonics(const RoundnessResult& result, const signal::AngularSampling& sampling, Notes& notes)
 {
     const auto asked = std::min<std::size_t>(mostHarmonics, sampling.different / 2);
     const std::size_t found = result.harmonics.size();
-    const CarriedOrders carried = carriedOrders(sampling);
+    const signal::CarriedOrders carried = carriedOrders(sampling);
     if (found < asked)
         notes.push_back({notes::harmonicsLimited,
                          {{"carried_upr", static_cast<std::int64_t>(found)},
@@ -169,7 +170,7 @@ FormVerdict decide(double deviation_um, double uncertainty_um, double tolerance_
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters, const Progress& progress)
 {
     progress.report(0);
-    const ProfileBand band = bandOf(parameters);
+    const signal::ProfileBand band = bandOf(parameters);
     const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers, progress);
     progress.report(0.04);
     EvaluatedProfile evaluated = evaluateProfile(prepared, band, progress);
@@ -247,4 +248,4 @@ double headlineDeviation_um(const RoundnessResult& result)
     return result.circles.of(result.parameters.circle).RONt_um;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -15,7 +15,7 @@
 #include "engine/form/circles.h"
 #include "engine/signal/closed_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 enum class OutlierRule { None, Hampel };
 /// Simple: pass when RONt ≤ T. Guarded: pass when RONt + U ≤ T, fail when RONt - U > T, else no verdict.
@@ -33,12 +33,11 @@ struct RoundnessParameters {
                                                  ///< is found from the profile's own point-to-point noise
 };
 
-template <>
-const std::vector<Field<RoundnessParameters>>& fields<RoundnessParameters>();
+const std::vector<Field<RoundnessParameters>>& fieldsOf(const RoundnessParameters*);
 
 /// The band that the parameters ask for; a lower end of 1 UPR or less damps nothing. Error valueNotUnderstood when
 /// both are given, or more than one band, or an empty one.
-ProfileBand bandOf(const RoundnessParameters& parameters);
+signal::ProfileBand bandOf(const RoundnessParameters& parameters);
 
 /// Sizes measured across the section.
 struct TwoPointSize {
@@ -51,7 +50,7 @@ struct TwoPointSize {
 
 /// RONt by one circle, filter and outlier rule: how much of the verdict is the method?
 struct MethodRow {
-    ProfileBand band;
+    signal::ProfileBand band;
     OutlierRule outliers = OutlierRule::None;
     std::array<double, 4> RONt_um{};  ///< in the order of ReferenceCircle; NaN where the sampling does not carry it
     bool undersampled = false;
@@ -81,10 +80,10 @@ struct RoundnessResult {
     std::vector<double> angle_rad;              ///< of each given point about the LSC centre of the raw profile
     std::vector<Eigen::Vector2d> evaluated_mm;  ///< the points that were judged: filtered, in order of angle
     std::vector<std::size_t> evaluated_index;   ///< the given point each belongs to (contacts count in given points)
-    FilterWay filter_way = FilterWay::Uniform;  ///< how uneven angles and gaps were filtered
-    ReferenceCircles circles;                   ///< of the evaluated points; contacts index the given points
+    signal::FilterWay filter_way = signal::FilterWay::Uniform;  ///< how uneven angles and gaps were filtered
+    ReferenceCircles circles;  ///< of the evaluated points; contacts index the given points
     TwoPointSize two_point;
-    std::vector<Harmonic> harmonics;  ///< amplitudes in µm, of the unfiltered profile about its LSC centre
+    std::vector<signal::Harmonic> harmonics;  ///< amplitudes in µm, of the unfiltered profile about its LSC centre
     std::vector<MethodRow> methods;
     std::vector<RoundnessHint> hints;
     PaperValues paper;
@@ -111,4 +110,4 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
 /// RONt_um of the circle that the parameters name.
 double headlineDeviation_um(const RoundnessResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,7 +4,7 @@
 
 #include "engine/form/roundness_report.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr std::size_t longestPartNumber = 30;  // of K1001, in characters
@@ -75,4 +75,4 @@ QdasFile qdasFile(const std::vector<RoundnessResult>& results, const std::vector
     return file;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 #include "engine/form/roundness.h"
 #include "engine/io/dfq_writer.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// RONt by the four circles: one characteristic each, of which every result gives a value; results that were filtered
 /// or limited otherwise have characteristics of their own. Zero is the natural lower limit, the tolerance the upper one
@@ -15,4 +15,4 @@ namespace lathelier {
 /// of each result (qdasTime()); where it is missing, the present.
 QdasFile qdasFile(const std::vector<RoundnessResult>& results, const std::vector<std::string>& measured = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::form

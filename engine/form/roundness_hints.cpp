@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double leastShare_percent = 10;
@@ -31,11 +31,11 @@ Text usualCause(int upr)
 std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
 {
     double variance = 0;
-    for (const Harmonic& h : result.harmonics)
+    for (const signal::Harmonic& h : result.harmonics)
         if (h.upr >= 2) variance += h.amplitude * h.amplitude / 2;
     std::vector<RoundnessHint> hints;
     for (std::size_t k = 0; k < result.harmonics.size(); ++k) {
-        const Harmonic& h = result.harmonics[k];
+        const signal::Harmonic& h = result.harmonics[k];
         const double share = variance > 0 ? 100 * h.amplitude * h.amplitude / 2 / variance : 0;
         if (h.upr >= 2 && share >= leastShare_percent && h.amplitude > result.harmonic_floor_um[k])
             hints.push_back({h.upr, h.amplitude, share, usualCause(h.upr)});
@@ -50,4 +50,4 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
     return hints;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -5,7 +5,7 @@
 
 #include "engine/form/roundness.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// The strongest harmonics that hold at least a tenth of the form's variance and stand out of the points' noise, at
 /// most four, the strongest first; after them the eccentricity when it is larger than the form.
@@ -14,4 +14,4 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result);
 /// What waves of `upr` undulations per revolution usually come from.
 Text usualCause(int upr);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

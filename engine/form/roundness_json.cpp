@@ -5,7 +5,7 @@
 
 #include "engine/form/circles_json.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 Json toJson(const MethodRow& row)
@@ -20,12 +20,12 @@ Json toJson(const MethodRow& row)
     return json;
 }
 
-const char* key(FilterWay way)
+const char* key(signal::FilterWay way)
 {
     switch (way) {
-        case FilterWay::Uniform: return "uniform";
-        case FilterWay::Series: return "series";
-        case FilterWay::Regression: return "regression";
+        case signal::FilterWay::Uniform: return "uniform";
+        case signal::FilterWay::Series: return "series";
+        case signal::FilterWay::Regression: return "regression";
     }
     return "";
 }
@@ -57,10 +57,10 @@ Json toJson(const TwoPointSize& size)
             {"caliper_smallest_mm", number(size.caliper_smallest_mm)}};
 }
 
-Json toJson(const std::vector<Harmonic>& harmonics)
+Json toJson(const std::vector<signal::Harmonic>& harmonics)
 {
     Json json = Json::array();
-    for (const Harmonic& h : harmonics)
+    for (const signal::Harmonic& h : harmonics)
         json.push_back({{"upr", h.upr},
                         {"amplitude_um", number(h.amplitude)},
                         {"phase_deg", number(h.phase_rad * 180 / std::numbers::pi)}});
@@ -69,7 +69,7 @@ Json toJson(const std::vector<Harmonic>& harmonics)
 
 Json toJson(const RoundnessResult& result)
 {
-    const ProfileBand band = bandOf(result.parameters);
+    const signal::ProfileBand band = bandOf(result.parameters);
     Json json{{"name", result.name}, {"points", result.points}};
     json["points_used"] = result.evaluated_index.size();
     json["filter"] = {{"low_upr", number(band.low_upr)},
@@ -114,4 +114,4 @@ Json toJson(const SuperimposeResult& result)
             {"notes", toJson(result.notes)}};
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -6,7 +6,7 @@
 
 #include "engine/signal/closed_filter.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double samplesAtLeast = 2.5;  ///< a wave; with fewer the samples do not see it at all
@@ -16,7 +16,7 @@ std::array<double, 4> deviations(const ReferenceCircles& circles)
     return {circles.LSCI.RONt_um, circles.MZCI.RONt_um, circles.MICI.RONt_um, circles.MCCI.RONt_um};
 }
 
-double pointsPerTurn(const AngularSampling& sampling)
+double pointsPerTurn(const signal::AngularSampling& sampling)
 {
     return 2 * std::numbers::pi / sampling.median_spacing_rad;
 }
@@ -24,9 +24,9 @@ double pointsPerTurn(const AngularSampling& sampling)
 /// A turn of 105 points carries 15 UPR: rounding of the angles must not tell otherwise.
 constexpr double rounding = 1 + 1e-6;
 
-std::vector<ProfileBand> bandsFor(const AngularSampling& sampling, const ProfileBand& asked)
+std::vector<signal::ProfileBand> bandsFor(const signal::AngularSampling& sampling, const signal::ProfileBand& asked)
 {
-    std::vector<ProfileBand> bands{{}};
+    std::vector<signal::ProfileBand> bands{{}};
     for (const double cutoff : standardCutoffs) {
         if (cutoff > 500 || cutoff * samplesAtLeast > pointsPerTurn(sampling) * rounding) break;
         bands.push_back({{}, cutoff});
@@ -38,8 +38,8 @@ std::vector<ProfileBand> bandsFor(const AngularSampling& sampling, const Profile
 
 /// The filtered points. Of a profile with many more points than its waves need, fewer at even angles: 400 to a wave of
 /// the cut-off, whose height they miss by 3e-5 at most.
-std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const ProfileBand& band,
-                                            ClosedFilter& filter, const Progress& progress)
+std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const signal::ProfileBand& band,
+                                            signal::ClosedFilter& filter, const Progress& progress)
 {
     constexpr double pointsPerWave = 400;
     constexpr std::size_t worthIt = 4;
@@ -59,15 +59,15 @@ std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const
 
 }  // namespace
 
-double carriedCutoff(const AngularSampling& sampling)
+double carriedCutoff(const signal::AngularSampling& sampling)
 {
     // Where the spacing varies smoothly, the widest has to carry the wave as well; beside gaps there is a note.
-    const bool even = sampling.displacement <= AngularSampling::nearlyEven || sampling.gaps > 0;
+    const bool even = sampling.displacement <= signal::AngularSampling::nearlyEven || sampling.gaps > 0;
     const double spacing_rad = even ? sampling.median_spacing_rad : sampling.largest_regular_rad;
-    return 2 * std::numbers::pi / spacing_rad / samplesPerCutoff * rounding;
+    return 2 * std::numbers::pi / spacing_rad / signal::samplesPerCutoff * rounding;
 }
 
-double carriedStandardCutoff(const AngularSampling& sampling)
+double carriedStandardCutoff(const signal::AngularSampling& sampling)
 {
     double carried = 0;
     for (const double cutoff : standardCutoffs)
@@ -79,11 +79,11 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
                                   const RoundnessParameters& parameters, const ReferenceCircles& chosen,
                                   const Progress& progress)
 {
-    const ProfileBand asked = bandOf(parameters);
+    const signal::ProfileBand asked = bandOf(parameters);
     const bool hampel = parameters.outliers == OutlierRule::Hampel;
     const PreparedProfile other = hampel ? prepareProfile(profile, parameters.exclude_deg, OutlierRule::None, progress)
                                          : withoutOutliers(profile, prepared, progress);
-    const std::vector<ProfileBand> bands = bandsFor(prepared.sampling, asked);
+    const std::vector<signal::ProfileBand> bands = bandsFor(prepared.sampling, asked);
     std::vector<MethodRow> rows;
     CircleOptions quick;
     quick.certify = false;
@@ -91,9 +91,9 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
         const bool own = rule == parameters.outliers;
         const PreparedProfile& points = own ? prepared : other;
         double largest_upr = 0;
-        for (const ProfileBand& band : bands)
+        for (const signal::ProfileBand& band : bands)
             largest_upr = std::max({largest_upr, band.high_upr.value_or(0), band.low_upr.value_or(0)});
-        ClosedFilter filter(points.sampling, points.distance_mm, largest_upr);
+        signal::ClosedFilter filter(points.sampling, points.distance_mm, largest_upr);
         // Where there are no outliers the rows are the same.
         const bool same = rule == OutlierRule::Hampel && points.outliers == 0;
         for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -113,4 +113,4 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
     return rows;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

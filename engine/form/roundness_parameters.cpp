@@ -4,7 +4,7 @@
 #include "engine/form/roundness.h"
 #include "engine/form/roundness_methods.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using P = RoundnessParameters;
@@ -31,8 +31,7 @@ Field<P> withUsual(Field<P> field, std::span<const double> values)
 
 }  // namespace
 
-template <>
-const std::vector<Field<P>>& fields<P>()
+const std::vector<Field<P>>& fieldsOf(const P*)
 {
     static const std::vector<Field<P>> all{
         withUsual(
@@ -79,9 +78,9 @@ const std::vector<Field<P>>& fields<P>()
     return all;
 }
 
-ProfileBand bandOf(const RoundnessParameters& parameters)
+signal::ProfileBand bandOf(const RoundnessParameters& parameters)
 {
-    ProfileBand band{{}, parameters.cutoff_upr};
+    signal::ProfileBand band{{}, parameters.cutoff_upr};
     if (parameters.band_upr.empty()) return band;
     if (parameters.cutoff_upr) reject("band_upr", parameters.band_upr, LT_TEXT("Engine", "either a cut-off or a band"));
     const Interval& wanted = parameters.band_upr.front();
@@ -92,4 +91,4 @@ ProfileBand bandOf(const RoundnessParameters& parameters)
     return band;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -6,7 +6,7 @@
 #include "engine/form/prepared_profile.h"
 #include "engine/form/roundness_report.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double um_per_mm = 1000;
@@ -50,8 +50,8 @@ PolarPlot::Trace profileTrace(const RoundnessResult& result, const Language& lan
         deviation.push_back(um_per_mm * (ray.norm() - base.radius_mm));
     }
     if (angle.empty()) return trace;
-    const AngularSampling sampling = sampleAngles(angle);
-    const double widest = AngularSampling::gapFactor * sampling.median_spacing_rad;
+    const signal::AngularSampling sampling = signal::sampleAngles(angle);
+    const double widest = signal::AngularSampling::gapFactor * sampling.median_spacing_rad;
     for (std::size_t i = 0; i <= angle.size(); ++i) {
         const bool again = i == angle.size();  // the first point closes the profile
         const std::size_t at = sampling.order[again ? 0 : i];
@@ -121,11 +121,11 @@ Plot spectrumPlot(const RoundnessResult& result)
     plot.x_title = LT_TEXT("Engine", "Undulations per revolution (UPR)");
     plot.y_title = LT_TEXT("Engine", "Amplitude (µm)");
     double largest = 0;
-    for (const Harmonic& h : result.harmonics) largest = std::max(largest, h.amplitude);
+    for (const signal::Harmonic& h : result.harmonics) largest = std::max(largest, h.amplitude);
     int shown = leastOrders;
-    for (const Harmonic& h : result.harmonics)
+    for (const signal::Harmonic& h : result.harmonics)
         if (h.amplitude > 0.05 * largest) shown = std::max(shown, h.upr + 5);
-    const ProfileBand band = bandOf(result.parameters);
+    const signal::ProfileBand band = bandOf(result.parameters);
     for (const std::optional<double>& mark : {band.low_upr, band.high_upr})
         if (mark && *mark < static_cast<double>(result.harmonics.size())) {
             plot.x_marks.push_back(*mark);
@@ -136,7 +136,7 @@ Plot spectrumPlot(const RoundnessResult& result)
     Curve bars;
     bars.style = Curve::Style::Bars;
     for (int i = 0; i < shown; ++i) {
-        const Harmonic& h = result.harmonics[static_cast<std::size_t>(i)];
+        const signal::Harmonic& h = result.harmonics[static_cast<std::size_t>(i)];
         bars.x.push_back(h.upr - 0.5);
         bars.y.push_back(h.amplitude);
     }
@@ -154,7 +154,7 @@ Table methodTable(const RoundnessResult& result, const Language& language)
                  LT_TEXT("Engine", "remark")},
                 {},
                 {0, 0, 3, 3, 3, 3, 0}};
-    const ProfileBand asked = bandOf(result.parameters);
+    const signal::ProfileBand asked = bandOf(result.parameters);
     for (const MethodRow& row : result.methods) {
         const bool chosen = row.band == asked && row.outliers == result.parameters.outliers;
         const Value remark = row.undersampled ? Value(LT_TEXT("Engine", "undersampled"))
@@ -176,20 +176,20 @@ Table harmonicsTable(const RoundnessResult& result)
                  LT_TEXT("Engine", "share of the form (%)"), LT_TEXT("Engine", "what it usually is")},
                 {},
                 {0, 3, 1, 1, 0}};
-    std::vector<Harmonic> strongest;
+    std::vector<signal::Harmonic> strongest;
     double variance = 0;
-    for (const Harmonic& h : result.harmonics)
+    for (const signal::Harmonic& h : result.harmonics)
         if (h.upr >= 2) {
             strongest.push_back(h);
             variance += h.amplitude * h.amplitude;
         }
     std::stable_sort(strongest.begin(), strongest.end(),
-                     [](const Harmonic& a, const Harmonic& b) { return a.amplitude > b.amplitude; });
+                     [](const signal::Harmonic& a, const signal::Harmonic& b) { return a.amplitude > b.amplitude; });
     strongest.resize(std::min(strongest.size(), most));
-    for (const Harmonic& h : strongest)
+    for (const signal::Harmonic& h : strongest)
         table.rows.push_back({std::int64_t{h.upr}, h.amplitude, degrees(h.phase_rad),
                               variance > 0 ? 100 * h.amplitude * h.amplitude / variance : 0, reasonOf(result, h.upr)});
     return table;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
@@ -156,7 +156,7 @@ int decimalsFor(double uncertainty_um)
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty_um))), 1, 3);
 }
 
-std::string filterName(const ProfileBand& band, const Language& language)
+std::string filterName(const signal::ProfileBand& band, const Language& language)
 {
     if (band.isAll()) return text(LT_TEXT("Engine", "no filter"), language);
     const auto number = [&](double value) { return text(Value(value), language); };
@@ -237,4 +237,4 @@ Document roundnessReport(const std::vector<RoundnessResult>& results, const std:
     return document;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/form/superimpose.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// "RONt(MZCI) 5.3 µm · G 1-50 UPR · within 8 µm ✓": the same on the command line, in the panel and in the report. The
 /// filter is part of the result's name.
@@ -37,7 +37,7 @@ Plot spectrumPlot(const RoundnessResult& result);
 Table methodTable(const RoundnessResult& result, const Language& language = {});
 
 /// "no filter", "G 1-50 UPR", "G 15-500 UPR": the filter as part of a result's name.
-std::string filterName(const ProfileBand& band, const Language& language = {});
+std::string filterName(const signal::ProfileBand& band, const Language& language = {});
 
 /// Decimals that show the first two digits of an uncertainty, one to three; two where there is none.
 int decimalsFor(double uncertainty_um);
@@ -45,4 +45,4 @@ int decimalsFor(double uncertainty_um);
 /// "pass", "fail", "not decided" as they stand in tables.
 Text verdictName(FormVerdict verdict);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

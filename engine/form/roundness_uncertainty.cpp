@@ -15,7 +15,7 @@
 #include "engine/form/linear_minimax.h"
 #include "engine/signal/fourier.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -32,8 +32,8 @@ std::size_t drawsFor(std::size_t points)
 
 /// The form without its noise, filtered. A second measurement of the measured points would lay noise on noise, and the
 /// maxima of the second tell too little of what the first have added.
-std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band,
-                                  const Progress& progress)
+std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNoise& noise,
+                                  const signal::ProfileBand& band, const Progress& progress)
 {
     const std::vector<double>& angle = prepared.sampling.angle_rad;
     std::vector<double> form = noise.form_um;
@@ -48,7 +48,7 @@ std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNo
 
 /// Filtered noise is smooth: of a long profile, 100 points to a wave of the cut-off tell its extremes.
 /// 1 where values are rounded or have spikes, which are drawn point by point.
-std::size_t strideOf(const PointNoise& noise, const ProfileBand& band, std::size_t points)
+std::size_t strideOf(const PointNoise& noise, const signal::ProfileBand& band, std::size_t points)
 {
     constexpr double pointsPerWave = 100;
     constexpr std::size_t least = 8192;
@@ -60,7 +60,8 @@ std::size_t strideOf(const PointNoise& noise, const ProfileBand& band, std::size
 /// Draws of noise on every `stride`th of the points, in mm, filtered. Nearly even spacing is enough for that.
 class NoiseDraws {
 public:
-    NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band, std::size_t stride)
+    NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const signal::ProfileBand& band,
+               std::size_t stride)
         : noise_(noise),
           band_(band),
           n_((prepared.distance_mm.size() + stride - 1) / stride),
@@ -84,7 +85,7 @@ public:
     }
 
     /// Independent points without rounding, spikes and filter: each can be drawn by itself.
-    static bool isPlain(const PointNoise& noise, const ProfileBand& band)
+    static bool isPlain(const PointNoise& noise, const signal::ProfileBand& band)
     {
         return band.isAll() && noise.power_um2.empty() && noise.spikes_um.empty() && noise.resolution_um == 0;
     }
@@ -150,11 +151,11 @@ private:
     }
 
     const PointNoise& noise_;
-    const ProfileBand& band_;
+    const signal::ProfileBand& band_;
     std::size_t n_;
     bool by_orders_;    ///< drawn as Fourier coefficients
     bool is_filtered_;  ///< and these of the filtered noise
-    FourierTransform transform_;
+    signal::FourierTransform transform_;
     std::vector<double> amplitude_mm_, transmission_;
 };
 
@@ -167,7 +168,7 @@ struct Zone {
     bool fixed = false;             ///< the centre is held by the region allowed, not by points
 };
 
-Zone zoneAbout(const std::vector<Vector2d>& points, const AngularSampling& sampling, const FittedCircle& circle,
+Zone zoneAbout(const std::vector<Vector2d>& points, const signal::AngularSampling& sampling, const FittedCircle& circle,
                const PointNoise& noise)
 {
     Zone zone;
@@ -332,7 +333,7 @@ private:
 
 }  // namespace
 
-double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise& noise, const ProfileBand& band,
+double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise& noise, const signal::ProfileBand& band,
                               ReferenceCircle which, const FittedCircle& circle, const Progress& progress)
 {
     if (!std::isfinite(noise.sigma_um)) return noise.sigma_um;
@@ -391,4 +392,4 @@ double nominalRadiusEffect_um(const Profile& profile, const PreparedProfile& pre
     return 1000 * e * e / (2 * prepared.radius_mm);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

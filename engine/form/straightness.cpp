@@ -8,7 +8,7 @@
 #include "engine/form/cylindricity.h"
 #include "engine/form/linear_minimax.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -94,4 +94,4 @@ StraightnessResult straightness(std::span<const Vector3d> points_mm)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

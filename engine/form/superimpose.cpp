@@ -11,7 +11,7 @@
 #include "engine/signal/closed_interpolation.h"
 #include "engine/signal/fourier.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -40,7 +40,7 @@ Form formOf(const Profile& profile, const RoundnessParameters& parameters, const
 /// Values at `count` uniform angles; NaN in gaps.
 std::vector<double> sampled(const Form& form, std::size_t count)
 {
-    const ClosedInterpolation at(form.prepared.sampling, form.deviation_mm);
+    const signal::ClosedInterpolation at(form.prepared.sampling, form.deviation_mm);
     std::vector<double> result(count);
     for (std::size_t i = 0; i < count; ++i) result[i] = at(turn * static_cast<double>(i) / static_cast<double>(count));
     return result;
@@ -117,7 +117,7 @@ public:
 
 private:
     const std::vector<double>& first_;
-    ClosedInterpolation second_;
+    signal::ClosedInterpolation second_;
     double step_;
 };
 
@@ -131,7 +131,7 @@ std::vector<double> withoutGaps(std::vector<double> values)
 /// Σ_i first_i second_{±(i - s)} for every shift s, by transform.
 std::vector<double> crossCorrelation(const std::vector<double>& first, const std::vector<double>& second, bool mirrored)
 {
-    const FourierTransform transform(first.size());
+    const signal::FourierTransform transform(first.size());
     std::vector<std::complex<double>> product = transform.forward(withoutGaps(first));
     const std::vector<std::complex<double>> other = transform.forward(withoutGaps(second));
     for (std::size_t k = 0; k < product.size(); ++k) product[k] *= mirrored ? other[k] : std::conj(other[k]);
@@ -256,4 +256,4 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

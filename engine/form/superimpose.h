@@ -9,7 +9,7 @@
 #include "engine/core/progress.h"
 #include "engine/form/roundness.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct SuperimposeParameters {
     RoundnessParameters form;  ///< filter and outliers of both; excluded sectors of the first, whose angles they are
@@ -37,4 +37,4 @@ struct SuperimposeResult {
 SuperimposeResult superimpose(const Profile& first, const Profile& second, const SuperimposeParameters& parameters = {},
                               const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::form

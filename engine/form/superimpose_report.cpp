@@ -1,6 +1,6 @@
 #include "engine/form/roundness_report.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 Section superimposeSection(const SuperimposeResult& result, const Language& language)
 {
@@ -33,4 +33,4 @@ Section superimposeSection(const SuperimposeResult& result, const Language& lang
     return section;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/signal/closed_interpolation.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -71,13 +71,13 @@ std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
 
 }  // namespace
 
-TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const AngularSampling& sampling,
+TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const signal::AngularSampling& sampling,
                           const Vector2d& centre_mm, const Progress& progress)
 {
     std::vector<double> distance;
     distance.reserve(points_mm.size());
     for (const Vector2d& point : points_mm) distance.push_back((point - centre_mm).norm());
-    const ClosedInterpolation profile(sampling, distance);
+    const signal::ClosedInterpolation profile(sampling, distance);
     TwoPointSize result;
     struct Sizes {
         double largest_mm = nan, smallest_mm = nan;
@@ -136,4 +136,4 @@ CaliperWidth caliperWidth(std::span<const Vector2d> points_mm)
     return width;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,12 +7,12 @@
 #include "engine/form/roundness.h"
 #include "engine/signal/angular_sampling.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// `points_mm` in order of angle about `centre_mm`, with those angles (ascending). Where no point lies opposite, the
 /// profile is interpolated between its neighbours, never beyond its extremes, so that the range is at most
 /// 2 · RONt(LSCI); across gaps there is no size.
-TwoPointSize twoPointSize(std::span<const Eigen::Vector2d> points_mm, const AngularSampling& sampling,
+TwoPointSize twoPointSize(std::span<const Eigen::Vector2d> points_mm, const signal::AngularSampling& sampling,
                           const Eigen::Vector2d& centre_mm, const Progress& progress = {});
 
 /// Largest and smallest width of the points between parallel jaws (rotating calipers on the convex hull).
@@ -21,4 +21,4 @@ struct CaliperWidth {
 };
 CaliperWidth caliperWidth(std::span<const Eigen::Vector2d> points_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -5,7 +5,7 @@
 
 #include "engine/form/verify_kinds.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 VerifyResult verify(const std::string& reference_data, const Progress& progress)
 {
@@ -34,4 +34,4 @@ VerifyResult verify(const std::string& reference_data, const Progress& progress)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

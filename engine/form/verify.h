@@ -7,7 +7,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/text.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// All sets that check one thing.
 struct VerifyKind {
@@ -34,4 +34,4 @@ struct VerifyResult {
 /// circle sets: that says nothing of this installation). Throws Cancelled.
 VerifyResult verify(const std::string& reference_data = {}, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -7,7 +7,7 @@
 #include "engine/form/circles.h"
 #include "engine/form/verify_kinds.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -218,4 +218,4 @@ VerifyKind verifyCertificates(const Progress& progress)
     return tally.done();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

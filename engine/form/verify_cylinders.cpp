@@ -5,7 +5,7 @@
 #include "engine/form/cylindricity.h"
 #include "engine/form/verify_kinds.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
@@ -92,4 +92,4 @@ VerifyKind verifyStraightness()
     return tally.done();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -4,8 +4,8 @@
 #include "engine/core/json.h"
 #include "engine/form/verify.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 Json toJson(const VerifyResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -6,7 +6,7 @@
 
 #include "engine/form/verify.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Gathers the deviations of one kind.
 class VerifyTally {
@@ -50,4 +50,4 @@ VerifyKind verifyHarmonics();
 /// Errors: fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing.
 VerifyKind verifyNistCircles(const std::string& directory, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -11,7 +11,7 @@
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ VerifyKind verifyNistCircles(const std::string& directory, const Progress& progr
     return tally.done();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

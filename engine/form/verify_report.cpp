@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// Two digits are enough, and the power of ten is what matters: "3.1e-14 mm".
@@ -82,4 +82,4 @@ void quoteVerification(Document& document, const VerifyResult& result, const Lan
                                  {said, verifyTable(result), whereNist(result), howVerified()}});
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

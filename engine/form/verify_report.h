@@ -4,7 +4,7 @@
 #include "engine/form/verify.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// "All 12 kinds of reference data agree with their known answers ✓".
 Headline headline(const VerifyResult& result, const Language& language = {});
@@ -18,4 +18,4 @@ Document verifyReport(const VerifyResult& result, const Language& language = {})
 /// Adds it to another report as its last section; once.
 void quoteVerification(Document& document, const VerifyResult& result, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -2,8 +2,7 @@
 
 namespace lathelier {
 
-template <>
-const std::vector<Field<ImportOptions>>& fields<ImportOptions>()
+const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*)
 {
     static const std::vector<Field<ImportOptions>> all = {
         field("decimal", &ImportOptions::decimal,

@@ -25,8 +25,7 @@ struct ImportOptions {
     LengthUnit unit = LengthUnit::Auto;
 };
 
-template <>
-const std::vector<Field<ImportOptions>>& fields<ImportOptions>();
+const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*);
 
 /// A row that was passed over. `line` counts from 1; in a binary file it is the number of the point.
 struct SkippedRow {

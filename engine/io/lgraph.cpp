@@ -158,8 +158,7 @@ ProbeFile readPair(const std::string& name, std::string_view par, std::string_vi
 
 }  // namespace
 
-template <>
-const std::vector<Field<RecorderOptions>>& fields<RecorderOptions>()
+const std::vector<Field<RecorderOptions>>& fieldsOf(const RecorderOptions*)
 {
     static const std::vector<Field<RecorderOptions>> all = {
         field(

@@ -21,8 +21,7 @@ struct RecorderOptions {
     std::optional<double> full_scale_V;     ///< default by device
 };
 
-template <>
-const std::vector<Field<RecorderOptions>>& fields<RecorderOptions>();
+const std::vector<Field<RecorderOptions>>& fieldsOf(const RecorderOptions*);
 
 struct ProbeFile {
     std::variant<ProbeRecord, AveragedRecord> record;

@@ -61,8 +61,7 @@ ProfileFile readTable(const std::string& name, const DecodedText& text, const Im
 
 }  // namespace
 
-template <>
-const std::vector<Field<ProfileOptions>>& fields<ProfileOptions>()
+const std::vector<Field<ProfileOptions>>& fieldsOf(const ProfileOptions*)
 {
     static const std::vector<Field<ProfileOptions>> all = {
         field("columns", &ProfileOptions::columns,

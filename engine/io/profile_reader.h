@@ -20,8 +20,7 @@ struct ProfileOptions {
     std::optional<double> nominal_radius_mm;  ///< needed when the file holds only deviations from a circle
 };
 
-template <>
-const std::vector<Field<ProfileOptions>>& fields<ProfileOptions>();
+const std::vector<Field<ProfileOptions>>& fieldsOf(const ProfileOptions*);
 
 struct ProfileFile {
     Profile profile;

@@ -7,7 +7,7 @@
 
 #include "engine/core/error.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// A straight line in space.
 struct Axis {
@@ -42,4 +42,4 @@ struct Alignment {
     Notes notes;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/neighbours_order.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t bundle = 8;  // queries that go down the tree together
@@ -55,4 +55,4 @@ std::vector<float> nearestDistances(const Neighbours& reference, const std::vect
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 class Neighbours;
 
@@ -20,4 +20,4 @@ std::vector<float> nearestDistances(const std::vector<Eigen::Vector3d>& referenc
 std::vector<float> nearestDistances(const Neighbours& reference, const std::vector<Eigen::Vector3d>& query_mm,
                                     double max_distance_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

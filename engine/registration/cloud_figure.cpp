@@ -11,7 +11,7 @@
 #include "engine/registration/points_near.h"
 #include "engine/registration/sampling.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -116,4 +116,4 @@ CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::
     return figure;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 struct CloudFigure {
     double rmse_mm = std::numeric_limits<double>::quiet_NaN();            ///< NaN: no point is within reach
@@ -24,4 +24,4 @@ CloudFigure compareClouds(const std::vector<Eigen::Vector3d>& reference_mm,
                           const std::vector<Eigen::Vector3d>& moved_copy_mm, const std::vector<std::uint8_t>& used,
                           double max_distance_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -11,7 +11,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/neighbours_order.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -297,4 +297,4 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

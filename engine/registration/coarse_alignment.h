@@ -8,7 +8,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// One point for each occupied cell of a grid whose cells are `cell_mm` wide: the point nearest to the cell's mean.
 /// In Hilbert order.
@@ -22,4 +22,4 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
                                                const std::vector<Eigen::Vector3d>& copy_mm, std::size_t count,
                                                const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -18,7 +18,7 @@
 #include "engine/registration/surface_samples.h"
 #include "engine/registration/verdict.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -350,4 +350,4 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -14,7 +14,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/alignment.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 enum class CompareMethod { Auto, Revolution, Plane, Point };  ///< Auto: Revolution for a body of revolution, else Plane
 enum class Symmetry { Auto, Revolution, None };
@@ -31,8 +31,7 @@ struct CompareParameters {
     std::vector<Interval> exclude_z_mm;         ///< clamping areas, along the reference's axis from its first data
 };
 
-template <>
-const std::vector<Field<CompareParameters>>& fields<CompareParameters>();
+const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*);
 
 /// Signed surface deviation of every point of the copy; + = material in excess. NaN where not used.
 struct DeviationStatistics {
@@ -117,4 +116,4 @@ struct CompareResult {
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
                       const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 const char* keyOf(CompareMethod method)
@@ -75,4 +75,4 @@ Json toJson(const CompareResult& result)
     return json;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,10 +4,10 @@
 #include "engine/core/json.h"
 #include "engine/registration/compare.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// All numbers of the result but the deviations of single points. `notes` and `parameters` are not included: the
 /// command adds them for every verb alike. Numbers that do not exist are null.
 Json toJson(const CompareResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -1,9 +1,8 @@
 #include "engine/registration/compare.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
-template <>
-const std::vector<Field<CompareParameters>>& fields<CompareParameters>()
+const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
 {
     using P = CompareParameters;
     static const std::vector<Field<P>> all{
@@ -51,4 +50,4 @@ const std::vector<Field<CompareParameters>>& fields<CompareParameters>()
     return all;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 
 #include "engine/report/colours.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 const Text zTitle = LT_TEXT("Engine", "Along the axis, from the first data (mm)");
@@ -172,4 +172,4 @@ Plot histogramPlot(const CompareResult& result)
     return plot;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

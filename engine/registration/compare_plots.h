@@ -4,7 +4,7 @@
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Deviations over length and angle: with the tolerance band in green, or plain, which shows the form of the error also
 /// within the band. result.unrolled has to be there.
@@ -24,4 +24,4 @@ Plot histogramPlot(const CompareResult& result);
 /// The limit of the colour scale: readable, most deviations of the map within it, and room beyond the tolerance band.
 double colourLimit_mm(const CompareResult& result, bool with_tolerance = true);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
@@ -235,4 +235,4 @@ Document compareReport(const CompareResult& result, const std::vector<InputFile>
     return document;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

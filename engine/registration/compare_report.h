@@ -6,7 +6,7 @@
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// "RMS 0.0557 mm · mean +0.0041 mm · body of revolution · 97.3 % within ±0.1 mm ✓": the same on the command line, in
 /// the panel and in the report.
@@ -20,4 +20,4 @@ Section compareSummary(const CompareResult& result, const Language& language = {
 Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs, const Language& language = {},
                        std::vector<Picture> pictures = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,7 +4,7 @@
 
 #include "engine/registration/general_reference.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double near = 0.006;
@@ -39,4 +39,4 @@ double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm)
     return std::max({near * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

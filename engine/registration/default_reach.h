@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Twice the distance within which nine tenths of the points lie from the middle (the median of each coordinate):
 /// spurious points hardly change it. At least one point, all finite.
@@ -15,4 +15,4 @@ double robustSize_mm(const std::vector<Eigen::Vector3d>& points_mm);
 /// what was found, may hold a misfit as well: ten of it count up to 2 % of the size only.
 double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm = 0);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -14,7 +14,7 @@
 #include "engine/core/parallel.h"
 #include "engine/io/file.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
@@ -107,4 +107,4 @@ void writeDeviations(const std::string& path, const Scan& copy, const CompareRes
     });
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/compare.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// True for the names writeDeviations can write: they end in .ply or .csv.
 bool isDeviationFile(const std::string& path);
@@ -19,4 +19,4 @@ bool isDeviationFile(const std::string& path);
 void writeDeviations(const std::string& path, const Scan& copy, const CompareResult& result,
                      const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

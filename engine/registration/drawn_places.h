@@ -7,7 +7,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// One place among 0…size-1 from each of `count` equal stretches, drawn within it, so that no grid of a scanner is met
 /// in step. `count` is at most `size`.
@@ -22,4 +22,4 @@ inline std::vector<std::size_t> drawnPlaces(std::size_t size, std::size_t count,
     return places;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

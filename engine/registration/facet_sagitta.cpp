@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
 {
@@ -35,4 +35,4 @@ double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, c
     return *place;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

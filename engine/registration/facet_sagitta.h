@@ -6,10 +6,10 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Of a body of revolution: what the chords of nine tenths of its side facets (those that face the axis or away from
 /// it) stay below. 0 without such facets. Throws Cancelled.
 double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 #include "engine/registration/neighbours_order.h"
 #include "engine/registration/registration_codes.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -246,4 +246,4 @@ Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod me
                         progress.part(0.4, 1));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -8,7 +8,7 @@
 #include "engine/registration/compare.h"
 #include "engine/registration/general_reference.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Brings `copy` onto `reference`; either may be a cloud or a mesh (a copy's mesh is sampled by area).
 /// `method` Point: point-to-point, offered for comparison; anything else: point-to-plane. `initial` Identity: only the
@@ -30,4 +30,4 @@ Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod me
 Alignment alignGeneral(const GeneralReference& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -6,7 +6,7 @@
 #include "engine/registration/point_checks.h"
 #include "engine/registration/surface_samples.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -68,4 +68,4 @@ GeneralReference prepareReference(const Scan& reference, const Progress& progres
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/surface.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Points about their own middle, so that far origins cost no digits.
 struct CentredPoints {
@@ -33,4 +33,4 @@ struct GeneralReference {
 /// Errors: tooFewPoints (fewer than 4), pointsDegenerate (in one place or on a line). Throws Cancelled.
 GeneralReference prepareReference(const Scan& reference, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

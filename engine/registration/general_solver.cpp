@@ -6,7 +6,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -277,4 +277,4 @@ double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_m
     return sum / static_cast<double>(all.size());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -12,7 +12,7 @@
 #include "engine/registration/observability.h"
 #include "engine/registration/surface.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 struct RefineOptions {
     double search_mm = 1;  ///< points further from the surface do not take part
@@ -50,4 +50,4 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
 double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_mm,
               const Eigen::Isometry3d& reference_T_copy, double limit_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr int finest = 6;           // cells of 1/64 of the largest ones
@@ -175,4 +175,4 @@ AlignmentUncertainty clusteredUncertainty(const MotionSystem& system, const Obse
     return clusters.result();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

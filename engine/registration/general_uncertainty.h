@@ -11,7 +11,7 @@
 
 #include "engine/registration/observability.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// One point of the copy at the end of the alignment.
 struct MotionResidual {
@@ -31,4 +31,4 @@ struct MotionResidual {
 AlignmentUncertainty clusteredUncertainty(const MotionSystem& system, const Observability& observability,
                                           double sigma_mm, const std::vector<MotionResidual>& residuals);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 
 #include "engine/registration/quick_turn.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double kToSigma = 1.4826;    // from the median absolute deviation of a normal distribution
@@ -326,4 +326,4 @@ void refineSlopes(MeridianBins& bins)
         slopesOf(bins.bins.data() + first, bins.face_columns, bins.step_mm);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// A piece of meridian: value + slope · (along - middle), where at the side `along` is z and the value a radius, and on
 /// a face `along` is the radius and the value z.
@@ -78,4 +78,4 @@ std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Ei
 double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                    const MeridianBins& bins, double noise_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector2d;
@@ -272,4 +272,4 @@ double MeridianLine::search(double z, double r, double reach) const
     return signed_distance;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 
 #include "engine/registration/revolution.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Profile, shoulders and end faces in one line, in order of z; the material lies on its lower side. Where the scan
 /// shows a bore, a second line: the material lies on its upper side.
@@ -45,4 +45,4 @@ private:
     double z_first_ = 0, z_last_ = 0;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

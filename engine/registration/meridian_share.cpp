@@ -6,7 +6,7 @@
 #include "engine/registration/meridian_bins.h"
 #include "engine/registration/quick_turn.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 struct Place {
@@ -150,4 +150,4 @@ double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::
     return static_cast<double>(good) / static_cast<double>(sample.size());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

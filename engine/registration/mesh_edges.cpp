@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 std::vector<MeshEdge> edgesOf(std::span<const TriangleCorners> triangles)
 {
@@ -41,4 +41,4 @@ CornerNumbers numberCorners(const std::vector<Eigen::Vector3d>& points_mm)
     return numbers;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 using TriangleCorners = std::array<std::uint32_t, 3>;
 
@@ -50,4 +50,4 @@ void forEachEdge(std::span<const MeshEdge> edges, Visit visit)
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Triangles (indices in `rim_mm`) that span the closed polygon `rim_mm` (3 to a few hundred different corners) and run
 /// round it in its own sense. Empty where no triangulation is found. Cost n² to n³.
 std::vector<std::array<std::uint32_t, 3>> fillHole(const std::vector<Eigen::Vector3d>& rim_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

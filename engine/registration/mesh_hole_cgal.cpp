@@ -7,7 +7,7 @@
 
 #include "engine/registration/mesh_hole.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 std::vector<std::array<std::uint32_t, 3>> fillHole(const std::vector<Eigen::Vector3d>& rim_mm)
 {
@@ -35,4 +35,4 @@ std::vector<std::array<std::uint32_t, 3>> fillHole(const std::vector<Eigen::Vect
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

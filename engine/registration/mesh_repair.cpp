@@ -8,7 +8,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/senses.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -208,4 +208,4 @@ RepairedMesh repairMesh(const Scan& mesh, const Progress& progress)
     return Repair(mesh, progress).run();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/mesh_edges.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// The mesh with the same vertices; nothing is moved.
 struct RepairedMesh {
@@ -26,4 +26,4 @@ struct RepairedMesh {
 /// opening may be meant. Throws Cancelled.
 RepairedMesh repairMesh(const Scan& mesh, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours_order.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 Neighbours::Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress)
     : order_(hilbertOrder(points_mm, progress))
@@ -159,4 +159,4 @@ void Neighbours::nearestUnsorted(const Eigen::Vector3d& query_mm, std::size_t co
     expected_mm2 = 1.2 * found.back().squared_mm2;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

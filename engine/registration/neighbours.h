@@ -10,7 +10,7 @@
 #include "engine/core/progress.h"
 #include "engine/registration/neighbours_boxes.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// An index over points, built once: n log n time, about 40 bytes a point. Points are numbered by their place in the
 /// index (0…size-1, neighbours in number are neighbours in space); input() gives their number in the input.
@@ -67,4 +67,4 @@ private:
     BoxTree boxes_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,7 +4,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 BoxTree::BoxTree(const std::vector<Box>& leaves, const Progress& progress)
 {
@@ -29,4 +29,4 @@ BoxTree::BoxTree(const std::vector<Box>& leaves, const Progress& progress)
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

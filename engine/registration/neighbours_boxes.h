@@ -12,7 +12,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// An axis-parallel box; empty when default constructed.
 struct Box {
@@ -102,4 +102,4 @@ void BoxTree::visit(const Box& query, double& limit, Leaf&& leaf) const
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

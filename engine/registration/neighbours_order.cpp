@@ -8,7 +8,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr int levels = 10;           // bits for each axis
@@ -206,4 +206,4 @@ std::vector<std::uint32_t> hilbertOrder(const std::vector<Eigen::Vector3d>& poin
     return Sorter(points_mm, progress).order();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

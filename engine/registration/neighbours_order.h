@@ -10,7 +10,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Place of a cell on the Hilbert curve through 1024³ cells; cell coordinates 0…1023. Neighbours on the curve share a
 /// face.
@@ -21,4 +21,4 @@ std::uint32_t hilbertPlace(const std::array<std::uint32_t, 3>& cell);
 /// number of threads. Throws Cancelled.
 std::vector<std::uint32_t> hilbertOrder(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

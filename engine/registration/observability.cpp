@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double free_limit = 3e-3;
@@ -127,4 +127,4 @@ AlignmentUncertainty uncertainty(const MotionSystem& system, const Observability
     return uncertaintyOf(system, sigma_mm * sigma_mm * observability.inverse);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

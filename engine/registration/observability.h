@@ -9,7 +9,7 @@
 
 #include "engine/registration/alignment.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
@@ -48,4 +48,4 @@ AlignmentUncertainty uncertaintyOf(const MotionSystem& system, const Matrix6d& c
 /// The same for independent residuals of standard deviation `sigma_mm`.
 AlignmentUncertainty uncertainty(const MotionSystem& system, const Observability& observability, double sigma_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/core/point_spread.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double kLargest_mm = 1e7;  // beyond ten kilometres, squares of differences lose micrometres
@@ -27,4 +27,4 @@ void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, c
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

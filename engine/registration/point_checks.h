@@ -7,11 +7,11 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Errors, with `role` ("reference", "copy"): tooFewPoints (fewer than `least`), coordinateTooLarge (beyond 10 km or
 /// not finite), pointsDegenerate (all in one place, on a line or in a plane).
 void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, const Progress& progress = {},
                  std::size_t least = 50);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

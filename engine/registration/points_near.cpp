@@ -9,7 +9,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -131,4 +131,4 @@ double roughSpacing_mm(const std::vector<Vector3d>& points_mm, const Progress& p
     return std::sqrt(area_mm2 / static_cast<double>(points_mm.size()));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

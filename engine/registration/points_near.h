@@ -6,7 +6,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Places and how far around each of them points are wanted.
 struct Vicinity {
@@ -22,4 +22,4 @@ std::vector<Eigen::Vector3d> pointsNear(const std::vector<Eigen::Vector3d>& poin
 /// About the distance between neighbours of a cloud that covers a surface: the root of its area for each point.
 double roughSpacing_mm(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

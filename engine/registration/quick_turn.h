@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// atan2(y, x) as a share of a turn, -0.5…0.5, to 4e-9 turns: four times as quick as the exact one. 0 for (0, 0).
 /// Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.49.
@@ -26,4 +26,4 @@ inline double quickTurn(double y, double x)
     return y < 0 ? -turn : turn;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

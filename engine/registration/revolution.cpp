@@ -9,7 +9,7 @@
 #include "engine/registration/revolution_shift.h"
 #include "engine/registration/revolution_witnesses.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Isometry3d;
@@ -20,7 +20,7 @@ constexpr double kToUm = 1e3;
 /// The part with z reversed.
 TurnedPart reversed(const TurnedPart& part)
 {
-    TurnedPart result{lathelier::reversed(part.fit), part.shoulders};
+    TurnedPart result{registration::reversed(part.fit), part.shoulders};
     std::reverse(result.shoulders.begin(), result.shoulders.end());
     for (Shoulder& s : result.shoulders) {
         s.z_mm = -s.z_mm;
@@ -131,4 +131,4 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

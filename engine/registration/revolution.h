@@ -8,7 +8,7 @@
 #include "engine/registration/revolution_axis.h"
 #include "engine/registration/revolution_shoulders.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// A body of revolution with its shoulders, in its axis frame.
 struct TurnedPart {
@@ -26,4 +26,4 @@ Axis axisOf(const RevolutionFit& fit);
 /// Error partsDoNotMatch when the two profiles have nothing in common.
 Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/registration/meridian_bins.h"
 #include "engine/registration/revolution_step.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -231,4 +231,4 @@ bool isBodyOfRevolution(const RevolutionFit& fit)
     return fit.not_turned == NotTurned::No;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 #include "engine/core/progress.h"
 #include "engine/registration/revolution_bend.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Radius along the axis in equal steps. Where there is no single radius (a shoulder, no data) it is NaN.
 struct RadiusProfile {
@@ -89,4 +89,4 @@ NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Eigen::Vector3d>
 /// The same with z reversed: the frame turned by 180° about its x axis.
 RevolutionFit reversed(const RevolutionFit& fit);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector2d;
@@ -161,4 +161,4 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     return bend;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

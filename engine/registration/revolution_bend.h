@@ -6,7 +6,7 @@
 
 #include "engine/registration/meridian_bins.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// The curve of the section centres, a parabola over the length. Where it runs straight on, the axis lies.
 struct Bend {
@@ -38,4 +38,4 @@ struct Bend {
 Bend findBend(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
               const MeridianBins& bins);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

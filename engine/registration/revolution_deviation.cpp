@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/quick_turn.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -208,4 +208,4 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
     result.unrolled = std::move(map);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -4,7 +4,7 @@
 #include "engine/registration/compare.h"
 #include "engine/registration/meridian_line.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Distance of every point (in the reference's frame) from the reference's meridian; NaN where there is none.
 std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
@@ -24,4 +24,4 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                         const std::vector<Eigen::Vector3d>& points, CompareResult& result,
                         const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/revolution_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -189,4 +189,4 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

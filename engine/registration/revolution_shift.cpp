@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 /// Cost of one shift: mean difference of the radii, capped, plus half the cap for what does not overlap.
@@ -84,4 +84,4 @@ ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, 
     return best;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -6,7 +6,7 @@
 
 #include "engine/registration/revolution_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 double lengthOf(const RadiusProfile& profile);  ///< mm
 double middleOf(const RadiusProfile& profile);  ///< z, mm
@@ -28,4 +28,4 @@ struct ShiftMatch {
 ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, double centre, double reach,
                      double home, double cap);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

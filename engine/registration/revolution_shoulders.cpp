@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/shoulder_rays.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 /// An edge ready for trial places and widths.
@@ -219,4 +219,4 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

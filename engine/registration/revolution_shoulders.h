@@ -5,7 +5,7 @@
 
 #include "engine/registration/revolution_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 struct Shoulder {
     double z_mm = 0;
@@ -28,4 +28,4 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
                            const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,
                            const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

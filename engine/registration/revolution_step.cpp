@@ -8,7 +8,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Matrix4d;
@@ -223,4 +223,4 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
     return noLess(noLess(independent, independent * places * independent), independent * rings * independent);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

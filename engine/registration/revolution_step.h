@@ -9,7 +9,7 @@
 #include "engine/core/progress.h"
 #include "engine/registration/meridian_bins.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Sums of one pass: the normal equations of the four axis parameters (per unit variance), and for each bin what
 /// eliminating its own free value takes.
@@ -60,4 +60,4 @@ Step improve(const std::vector<Eigen::Vector3d>& points, Eigen::Isometry3d& pose
 Eigen::Matrix4d covarianceOf(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& pose,
                              const MeridianBins& bins, const Step& step, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

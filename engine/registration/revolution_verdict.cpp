@@ -9,7 +9,7 @@
 #include "engine/registration/quick_turn.h"
 #include "engine/registration/revolution_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -162,4 +162,4 @@ NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Vector3d>& sampl
     return NotTurned::NotRound;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

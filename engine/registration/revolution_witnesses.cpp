@@ -6,7 +6,7 @@
 
 #include "engine/registration/revolution_shift.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 /// What one shoulder or slope says about the shift.
@@ -231,4 +231,4 @@ std::optional<AxialShift> askWitnesses(const TurnedPart& reference, const Turned
     return weigh(witnesses);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

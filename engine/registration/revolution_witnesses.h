@@ -5,7 +5,7 @@
 
 #include "engine/registration/revolution.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 struct AxialShift {
     double shift;     ///< reference z = copy z + shift, mm
@@ -16,4 +16,4 @@ struct AxialShift {
 /// `shift`; nullopt where there is none. Never from where the data end.
 std::optional<AxialShift> askWitnesses(const TurnedPart& reference, const TurnedPart& copy, double shift);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 
 #include "engine/registration/neighbours.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -91,4 +91,4 @@ SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighb
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -8,7 +8,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 class Neighbours;
 
@@ -28,4 +28,4 @@ std::size_t samplingNeighbours(std::size_t points);
 SamplingFloor samplingFloor(const std::vector<Eigen::Vector3d>& points_mm, const Neighbours& index,
                             const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

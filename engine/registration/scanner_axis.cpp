@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector2d;
@@ -165,4 +165,4 @@ std::optional<ScannerAxis> findScannerAxis(const std::vector<Vector3d>& points, 
     return axis;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

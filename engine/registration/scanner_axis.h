@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// The axis of a scanner whose rays run across it and toward it, and whose rows lie across it.
 struct ScannerAxis {
@@ -28,4 +28,4 @@ struct ScannerAxis {
 std::optional<ScannerAxis> findScannerAxis(const std::vector<Eigen::Vector3d>& points,
                                            const Eigen::Isometry3d& axis_T_scan, double radius_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

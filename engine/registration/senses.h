@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Sets of elements whose senses are known relative to each other (disjoint sets with parity).
 class Senses {
@@ -57,4 +57,4 @@ private:
     std::vector<std::uint8_t> flipped_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

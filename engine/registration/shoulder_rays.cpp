@@ -10,7 +10,7 @@
 #include "engine/registration/quick_turn.h"
 #include "engine/registration/scanner_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr int kSectors = 24;
@@ -313,4 +313,4 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

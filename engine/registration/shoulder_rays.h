@@ -6,7 +6,7 @@
 
 #include "engine/registration/revolution_axis.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Where the radius jumps, roughly. Heights are z times `sign`, so that the larger radius lies at larger heights.
 struct Edge {
@@ -39,4 +39,4 @@ std::optional<double> balance(const std::vector<Ray>& rays);
 std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                    const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

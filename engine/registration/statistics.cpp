@@ -6,7 +6,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t kGrain = 65536;
@@ -125,4 +125,4 @@ Histogram histogramOf(std::span<const float> values, const Progress& progress)
     return histogram;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -6,7 +6,7 @@
 
 #include "engine/registration/compare.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Exact order statistics: the value at rank floor(share · n) for each share in 0…1. NaN for no values.
 /// Finite values only. Time grows with the number of values, not with that of shares.
@@ -18,4 +18,4 @@ DeviationStatistics summarise(std::span<const float> used_deviations_mm, const P
 /// All values counted in bins of a round width (1, 2 or 5 times a power of ten), at most 500 of them.
 Histogram histogramOf(std::span<const float> values, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -3,7 +3,7 @@
 #include "engine/registration/surface_cloud.h"
 #include "engine/registration/surface_mesh.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress)
 {
@@ -11,4 +11,4 @@ std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress)
     return std::make_unique<CloudSurface>(scan, progress);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

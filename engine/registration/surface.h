@@ -12,7 +12,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/neighbours.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// How a point lies to the surface. Nothing was found when `distance_mm` is NaN.
 struct SurfacePlace {
@@ -62,4 +62,4 @@ public:
 /// of fewer than 4 points.
 std::unique_ptr<Surface> makeSurface(const Scan& scan, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -9,7 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/surface_orientation.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t neighbourhood = 48;  // points to a patch
@@ -289,4 +289,4 @@ bool CloudSurface::orient(const Progress& progress)
     return true;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

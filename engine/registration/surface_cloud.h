@@ -8,7 +8,7 @@
 #include "engine/registration/surface.h"
 #include "engine/registration/surface_patch.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Eight points that lie together share one patch, or more where they do not lie within one patch's reach. A patch
 /// whose residuals show an edge is replaced by up to three sheets that continue the smooth patches around. Of the
@@ -67,4 +67,4 @@ private:
     double reach_mm_ = 0;  ///< usual radius of a patch
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

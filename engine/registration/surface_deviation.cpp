@@ -8,7 +8,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 namespace {
 
@@ -66,4 +66,4 @@ SurfaceDeviation surfaceDeviation(const GeneralReference& reference,
                    progress);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

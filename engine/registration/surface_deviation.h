@@ -10,7 +10,7 @@
 #include "engine/core/scan.h"
 #include "engine/registration/general_reference.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 struct SurfaceDeviation {
     std::vector<float> deviation_mm;  ///< one per point; NaN further than asked, and where the reference has no surface
@@ -32,4 +32,4 @@ SurfaceDeviation surfaceDeviation(const GeneralReference& reference,
                                   const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
                                   double max_distance_mm, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

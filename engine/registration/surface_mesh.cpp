@@ -8,7 +8,7 @@
 #include "engine/registration/neighbours_order.h"
 #include "engine/registration/registration_codes.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr double rim_margin = 1e-4;  // of the mesh's extent
@@ -184,4 +184,4 @@ bool MeshSurface::orient(const Progress&)
     return area_mm2_ > 0;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -12,7 +12,7 @@
 #include "engine/registration/surface.h"
 #include "engine/registration/triangle.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Corners with the same coordinates are one corner, as files without shared vertices (STL) need it; a mesh that is not
 /// closed then is repaired (mesh_repair.h). Inside and outside: normals of the file, else the sense in which its facets
@@ -64,4 +64,4 @@ private:
     double sense_ = 1;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

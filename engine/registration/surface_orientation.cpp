@@ -10,7 +10,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/senses.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t links = 8;      // of an element to its neighbours
@@ -143,4 +143,4 @@ std::vector<bool> findOutside(const std::vector<SurfaceElement>& elements, const
     return flips;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// A small flat piece of surface with a normal of unknown sense.
 struct SurfaceElement {
@@ -24,4 +24,4 @@ struct SurfaceElement {
 /// everywhere. A hole seen from within only (a scanned bore) looks like a shaft and is taken for one.
 std::vector<bool> findOutside(const std::vector<SurfaceElement>& elements, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

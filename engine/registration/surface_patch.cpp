@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -145,4 +145,4 @@ std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double si
     return count;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <span>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Height over the plane through `centre_mm` spanned by `u`, `v`: h = c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y².
 struct SurfacePatch {
@@ -40,4 +40,4 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
 std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double sigma_mm, int rounds,
                            SurfacePatch& patch);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

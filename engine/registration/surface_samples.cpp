@@ -6,7 +6,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, const Progress& progress)
 {
@@ -47,4 +47,4 @@ Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, cons
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -6,11 +6,11 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// `count` points of the mesh's surface, each standing for the same area, with the unit normals of their triangles.
 /// Stratified: the i-th point lies in the i-th of `count` equal shares of the area, in the order of the triangles, at a
 /// place in its triangle drawn by `seed`. The same for any number of threads. A mesh without area gives no points.
 Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed = 0, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -1,6 +1,6 @@
 #include "engine/registration/triangle.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 // A triangle without area: the nearest of its three edges.
@@ -55,4 +55,4 @@ TrianglePoint nearestOnTriangle(const Eigen::Vector3d& query_mm, const std::arra
     return {a + (vb * scale) * ab + (vc * scale) * ac, TrianglePart::Face};
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Corner k is corner k, edge k runs from corner k to corner k+1.
 enum class TrianglePart : std::uint8_t { Corner0, Corner1, Corner2, Edge0, Edge1, Edge2, Face };
@@ -19,4 +19,4 @@ struct TrianglePoint {
 /// Also for triangles without area.
 TrianglePoint nearestOnTriangle(const Eigen::Vector3d& query_mm, const std::array<Eigen::Vector3d, 3>& corners_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

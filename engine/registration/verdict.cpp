@@ -6,7 +6,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/registration_codes.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t grain = 65536;
@@ -56,4 +56,4 @@ void judge(CompareResult& result, const CompareParameters& parameters, const Pro
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

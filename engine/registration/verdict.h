@@ -4,7 +4,7 @@
 
 #include "engine/registration/compare.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// Do `a` and `b` differ in nothing but what judge() takes: tolerance, pass percentage, scanner accuracy?
 bool sameButVerdict(const CompareParameters& a, const CompareParameters& b);
@@ -15,4 +15,4 @@ bool sameButVerdict(const CompareParameters& a, const CompareParameters& b);
 /// deviation, because a stated accuracy is hardly known better than that. A millisecond for a million points.
 void judge(CompareResult& result, const CompareParameters& parameters, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -128,7 +128,7 @@ Scan bracketMesh()
 Scan scanBracket(std::size_t count, double sigma_mm, const Eigen::Isometry3d& frame_T_part, std::uint64_t seed,
                  const Progress& progress)
 {
-    Scan scan = sampleSurface(bracketMesh(), count, seed, progress);
+    Scan scan = registration::sampleSurface(bracketMesh(), count, seed, progress);
     parallelFor(scan.points_mm.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double off = sigma_mm * randomNormal(seed, 7, i);

@@ -77,7 +77,7 @@ Json truthOf(const SpindleModel& model)
     for (int i = 0; i < model.sections; ++i)
         sections.push_back({{"section", i + 1},
                             {"z_mm", sectionMiddle_mm(model, i)},
-                            {"circles", toJson(fitCircles(trueImage_mm(model, i)))}});
+                            {"circles", toJson(form::fitCircles(trueImage_mm(model, i)))}});
     return {{"about", kSyntheticRecord},
             {"workpiece_diameter_mm", model.workpiece_diameter_mm},
             {"taper_diameter_um", model.taper_diameter_um},

@@ -9,7 +9,7 @@
 
 #include "engine/signal/hampel.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -124,4 +124,4 @@ std::vector<double> inOrder(const AngularSampling& sampling, std::span<const dou
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// Points sorted by angle, and what their spacing is like.
 struct AngularSampling {
@@ -45,4 +45,4 @@ CarriedOrders carriedOrders(const AngularSampling& sampling);
 /// `values` in the order of the sampling.
 std::vector<double> inOrder(const AngularSampling& sampling, std::span<const double> values);
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -10,7 +10,7 @@
 #include "engine/signal/fourier_fit.h"
 #include "engine/signal/nonuniform_fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -178,4 +178,4 @@ std::optional<std::vector<double>> ClosedFilter::even(const ProfileBand& band, s
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

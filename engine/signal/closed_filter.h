@@ -7,7 +7,7 @@
 
 #include "engine/signal/closed_profile.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// filterClosedAt() for the same values and several bands. The trigonometric polynomial that fits the values is made
 /// once, with the orders that the largest cut-off needs.
@@ -34,4 +34,4 @@ private:
     std::vector<std::complex<double>> fit_;  ///< empty: not made yet
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -94,4 +94,4 @@ double ClosedInterpolation::angleAt(std::ptrdiff_t i) const
     return angle_[wrapped(i)] + turn * turns;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

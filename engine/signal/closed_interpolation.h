@@ -5,7 +5,7 @@
 
 #include "engine/signal/angular_sampling.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// The value at any angle: that of the point that is there; between evenly spaced points a cubic through four
 /// neighbours; between unevenly spaced ones, whose cubic may overshoot, a monotone cubic (Fritsch and Carlson, SIAM J.
@@ -33,4 +33,4 @@ private:
     double widest_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -5,7 +5,7 @@
 
 #include "engine/signal/fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 double gaussianTransmission(double upr, double cutoff_upr)
 {
@@ -39,4 +39,4 @@ std::vector<double> filterClosed(std::span<const double> values, const ProfileBa
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

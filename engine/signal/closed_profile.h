@@ -9,7 +9,7 @@
 #include "engine/core/progress.h"
 #include "engine/signal/angular_sampling.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// Transmission of the closed Gaussian low pass at `upr` undulations per revolution: 2^-(upr/cutoff)².
 double gaussianTransmission(double upr, double cutoff_upr);
@@ -72,4 +72,4 @@ FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<doubl
 /// Samples per cut-off wave below which a filter's answer is not trusted (ISO 12181-2: 7).
 inline constexpr double samplesPerCutoff = 7;
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

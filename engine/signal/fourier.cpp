@@ -3,7 +3,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -116,4 +116,4 @@ std::size_t quickTransformLength(std::size_t minimum)
         if (largestPrimeFactor(n) <= 5) return n;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

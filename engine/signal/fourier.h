@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// Transforms of one length, prepared once. Not to be used by two threads at a time.
 class FourierTransform {
@@ -34,4 +34,4 @@ private:
 /// The least length of at least `minimum` that has no prime factor above 5, and is even: quick to transform.
 std::size_t quickTransformLength(std::size_t minimum);
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -8,7 +8,7 @@
 #include "engine/signal/fourier.h"
 #include "engine/signal/nonuniform_fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -121,4 +121,4 @@ Coefficients fitFourier(const AngularSampling& sampling, std::span<const double>
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

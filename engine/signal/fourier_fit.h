@@ -10,7 +10,7 @@
 #include "engine/core/progress.h"
 #include "engine/signal/angular_sampling.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// Coefficients c_0…c_K of value(θ) = c_0 + 2 Re Σ_{k>0} c_k e^{ikθ} that fit best, `values` being in the sampling's
 /// order. K is `limit`, or less where the sampling does not carry it (carriedOrders()) or where the normal equations
@@ -18,4 +18,4 @@ namespace lathelier {
 std::vector<std::complex<double>> fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit,
                                              const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

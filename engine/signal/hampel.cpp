@@ -7,7 +7,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 constexpr double normalPerMedian = 1.4826;
@@ -143,4 +143,4 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -7,7 +7,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 struct HampelOptions {
     int half_window = 5;      ///< neighbours on each side; 0: all values against one median
@@ -28,4 +28,4 @@ double median(std::vector<double> values);
 /// 1.4826 × the median of absolute deviations from the median: the standard deviation of normal values.
 double robustSpread(const std::vector<double>& values);
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -9,7 +9,7 @@
 #include "engine/signal/fourier_fit.h"
 #include "engine/signal/nonuniform_fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -106,4 +106,4 @@ std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<d
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -8,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/signal/fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -243,4 +243,4 @@ std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::sp
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

@@ -8,7 +8,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 
 /// F_k = Σ_j values_j e^{-ikθ_j} for k = 0…limit.
 std::vector<std::complex<double>> fourierSums(std::span<const double> angle_rad, std::span<const double> values,
@@ -18,4 +18,4 @@ std::vector<std::complex<double>> fourierSums(std::span<const double> angle_rad,
 std::vector<double> fourierSeries(std::span<const std::complex<double>> coefficients, std::span<const double> angle_rad,
                                   const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::signal

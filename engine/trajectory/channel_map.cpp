@@ -9,7 +9,7 @@
 #include "engine/io/number.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
@@ -189,4 +189,4 @@ ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& pa
     return map;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

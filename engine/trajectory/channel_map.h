@@ -6,7 +6,7 @@
 #include "engine/io/probe_record.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// A displacement signal: which channel, and by what its values are multiplied.
 struct ProbePlace {
@@ -32,4 +32,4 @@ ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& pa
 /// "X3", "Y3", "Xp", "Yp".
 const char* name(Probe probe);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -160,4 +160,4 @@ std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<co
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

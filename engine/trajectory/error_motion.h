@@ -6,7 +6,7 @@
 #include "engine/trajectory/section_signals.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// 0.975 quantile of Student's distribution: what a two-sided confidence of 95 % takes.
 double studentQuantile95(std::int64_t degrees_of_freedom);
@@ -25,4 +25,4 @@ ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const d
 std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<const double> y_um,
                                       std::span<const double> angle_deg);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

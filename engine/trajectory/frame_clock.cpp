@@ -7,7 +7,7 @@
 #include "engine/core/error.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 /// Times no further than this share of a step from an even grid were even before they were printed.
@@ -79,4 +79,4 @@ double FrameClock::valueAt(std::span<const double> values, double time_s) const
     return sum;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

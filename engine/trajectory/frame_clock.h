@@ -5,7 +5,7 @@
 
 #include "engine/io/probe_record.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Times of the frames of a record. Times that a file rounds when it prints them are laid back on their even grid.
 /// Without times and rate the frame is the unit of time. Refers to the record: it must outlive the clock.
@@ -41,4 +41,4 @@ private:
     bool known_ = true;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -9,7 +9,7 @@
 #include "engine/form/cylindricity.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::size_t fewestSections = 3;
@@ -53,7 +53,7 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     std::vector<Eigen::Vector3d> surface_mm;
     for (const TrajectorySection& section : sections) {
         if (!std::isfinite(section.z_mm)) continue;
-        const FittedCircle& circle = section.roundness.circles.LSCI;
+        const form::FittedCircle& circle = section.roundness.circles.LSCI;
         result.z_mm.push_back(section.z_mm);
         result.radius_mm.push_back(circle.radius_mm);
         result.centre_um.push_back(1e3 * circle.centre_mm);
@@ -83,11 +83,11 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     result.diameter_range_um = 2e3 * (*most - *least);
     result.half_diameter_range_um = result.diameter_range_um / 2;
     result.profile_straightness_um = 1e3 * straightnessOf(result.z_mm, result.radius_mm);
-    result.axis_straightness_um = straightness(axis_mm).STRt_MZLI_um;
+    result.axis_straightness_um = form::straightness(axis_mm).STRt_MZLI_um;
     // A stack that is short beside its diameter is a disc: it has no axis, but all else.
     result.CYLt_LSCY_um = result.CYLt_MZCY_um = std::numeric_limits<double>::quiet_NaN();
     try {
-        const CylindricityResult cylinder = cylindricity(surface_mm, {}, progress);
+        const form::CylindricityResult cylinder = form::cylindricity(surface_mm, {}, progress);
         result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;
         result.CYLt_MZCY_um = cylinder.MZCY.CYLt_um;
     } catch (const Error& error) {
@@ -99,4 +99,4 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -6,7 +6,7 @@
 
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Longitudinal section of at least three sections, all of known z, at three different places; else nothing, with the
 /// note zUnknown or tooFewSections. A stack too short for an axis has no cylindricity, with the note noCylindricity.
@@ -16,4 +16,4 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
 /// c0, c1, c2 of value(u) = c0 + c1 u + c2 u² by least squares, u running from -1 to 1 over the extent of `z_mm`.
 std::array<double, 3> fitParabola(const std::vector<double>& z_mm, const std::vector<double>& values);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

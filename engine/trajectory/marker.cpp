@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double middleShare = 0.2;  ///< of the values in the middle half: more than a marker has
@@ -84,4 +84,4 @@ std::vector<double> findMarks(std::span<const double> values, const FrameClock& 
     return marks_s;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -7,7 +7,7 @@
 #include "engine/core/text.h"
 #include "engine/trajectory/frame_clock.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// The two levels of a marker, or why the signal is none.
 struct MarkerLevels {
@@ -27,4 +27,4 @@ MarkerLevels findMarkerLevels(std::span<const double> values);
 /// between frames. After a mark the signal has to come back over half of the way to its resting level.
 std::vector<double> findMarks(std::span<const double> values, const FrameClock& clock, const MarkerLevels& levels);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

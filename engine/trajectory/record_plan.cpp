@@ -6,7 +6,7 @@
 #include "engine/io/header_lines.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::int64_t fewestRevolutions = 2;
@@ -115,4 +115,4 @@ std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryP
     return stretches;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

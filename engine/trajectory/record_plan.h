@@ -8,7 +8,7 @@
 
 #include "engine/trajectory/revolutions.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// A raw record made ready for sampling.
 struct PreparedRecord {
@@ -47,4 +47,4 @@ Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& 
 std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
                                const Cutting& cutting);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -9,7 +9,7 @@
 #include "engine/trajectory/marker.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::int64_t fewestRevolutions = 2;  ///< one alone shows no scatter: nothing can be said of its trust
@@ -29,7 +29,7 @@ Revolutions judged(const std::vector<double>& marks_s, const FrameClock& clock)
     if (marks_s.size() < 2) throw tooFew(marks_s.empty() ? 0 : marks_s.size() - 1);
     std::vector<double> periods;
     for (std::size_t i = 1; i < marks_s.size(); ++i) periods.push_back(marks_s[i] - marks_s[i - 1]);
-    result.period_s = median(periods);
+    result.period_s = signal::median(periods);
     const double allowed = std::max(periodTolerance * result.period_s, clock.step_s());
     std::int64_t number = 0;
     double pieces_s = 0;  // periods shorter than a turn, from false marks, add up to turns
@@ -180,4 +180,4 @@ Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, 
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -7,7 +7,7 @@
 #include "engine/trajectory/channel_map.h"
 #include "engine/trajectory/frame_clock.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 struct Revolution {
     std::int64_t number = 0;  ///< from 0; counts the turns of the spindle, so that a lost mark leaves a gap
@@ -40,4 +40,4 @@ struct Revolutions {
 Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                             const TrajectoryParameters& parameters, double channel_skew_s);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -9,7 +9,7 @@
 #include "engine/trajectory/surface_image.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::array<Probe, 4> allProbes{Probe::X3, Probe::Y3, Probe::Xp, Probe::Yp};
@@ -94,7 +94,7 @@ void judgeForm(TrajectorySection& section, Drift removed)
         drift_um = std::max(drift_um, std::abs(section.drift_um_per_rev[index(probe)]));
     const bool drifts = removed == Drift::None && drift_um > mostDrift * deviation_um;
     section.form_measured = !drowned && !drifts && !(section.roundness.RONt_expanded_uncertainty_um >= deviation_um);
-    if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = FormVerdict::Undecided;
+    if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = form::FormVerdict::Undecided;
 }
 
 /// Image, run-out and roundness from the mean trajectories.
@@ -115,7 +115,7 @@ void addImage(TrajectorySection& section, const TrajectoryParameters& parameters
     section.run_out_um = 1e3 * (most - least);
     section.radius_mm = std::move(image.radius_mm);
     section.body_angle_deg = std::move(image.body_angle_deg);
-    RoundnessParameters form = parameters.form;
+    form::RoundnessParameters form = parameters.form;
     if (!form.probe_uncertainty_um) form.probe_uncertainty_um = pointUncertainty_um(section);
     section.roundness = roundness(section.image, form, progress);
     judgeForm(section, parameters.drift);
@@ -152,7 +152,7 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretc
     progress.check();
     section.drift_um_per_rev = driftPerRevolution_um(signals);
     if (parameters.drift == Drift::Section) removeDrift(signals, section.drift_um_per_rev);
-    if (parameters.outliers == OutlierRule::Hampel)
+    if (parameters.outliers == form::OutlierRule::Hampel)
         section.samples_rejected = rejectOutliers(signals, parameters.outlier_sigmas).samples;
     progress.check();
     section.revolutions_used = static_cast<int>(signals.revolutions());
@@ -207,4 +207,4 @@ TrajectorySection evaluate(const AveragedSection& averages, int revolutions, con
     return section;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

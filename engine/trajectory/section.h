@@ -4,7 +4,7 @@
 #include "engine/trajectory/record_plan.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Everything of a section but its number, place and names. Errors tooFewRevolutions, those of roundness().
 TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretch,
@@ -15,4 +15,4 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretc
 TrajectorySection evaluate(const AveragedSection& averages, int revolutions, const TrajectoryParameters& parameters,
                            double workpiece_diameter_mm, const Progress& progress);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -10,7 +10,7 @@
 #include "engine/form/roundness_json.h"
 #include "engine/io/file.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 void append(std::string& out, double value)
@@ -39,7 +39,7 @@ void writeSectionTable(const std::string& path, const TrajectoryResult& result)
         "section,z_mm,revolutions_used,diameter_mm,centre_x_um,centre_y_um,RONt_LSCI_um,RONt_MZCI_um,RONt_MICI_um,"
         "RONt_MCCI_um,two_point_range_um,run_out_um,synchronous_um,asynchronous_um,total_um,tolerance_um,verdict\n";
     for (const TrajectorySection& s : result.sections) {
-        const ReferenceCircles& c = s.roundness.circles;
+        const form::ReferenceCircles& c = s.roundness.circles;
         append(out, {static_cast<double>(s.section), s.z_mm, static_cast<double>(s.revolutions_used),
                      2 * c.LSCI.radius_mm, 1e3 * c.LSCI.centre_mm.x(), 1e3 * c.LSCI.centre_mm.y(), c.LSCI.RONt_um,
                      c.MZCI.RONt_um, c.MICI.RONt_um, c.MCCI.RONt_um, s.roundness.two_point.range_um, s.run_out_um,
@@ -77,4 +77,4 @@ void writeImages(const std::string& path, const TrajectoryResult& result)
     writeFile(path, out);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

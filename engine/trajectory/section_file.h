@@ -5,7 +5,7 @@
 
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Columns section, z_mm, revolutions_used, diameter_mm, centre_x_um, centre_y_um, RONt of the four circles, two-point
 /// range, run-out, error motion of X3, tolerance and verdict. Decimal point, comma, full precision; what does not exist
@@ -16,4 +16,4 @@ void writeSectionTable(const std::string& path, const TrajectoryResult& result);
 /// deviation and the confidence of the mean in µm. Error fileNotWritable.
 void writeImages(const std::string& path, const TrajectoryResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -6,7 +6,7 @@
 
 #include "engine/signal/hampel.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +38,7 @@ double medianDistance(const SectionSignals& signals, std::size_t probe, std::siz
     std::vector<double> away(signals.points);
     for (std::size_t i = 0; i < signals.points; ++i) away[i] = distance(signals.at(probe, k, i), i);
     keepFinite(away);
-    return median(std::move(away));
+    return signal::median(std::move(away));
 }
 
 /// Medians and robust standard deviations at each angle. Few revolutions make a single MAD small by chance: half of
@@ -49,10 +49,10 @@ std::vector<Spread> spreads(const SectionSignals& signals, std::size_t probe)
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < signals.points; ++i) {
         const std::vector<double> values = column(signals, probe, i);
-        result[i] = {median(values), robustSpread(values)};
+        result[i] = {signal::median(values), signal::robustSpread(values)};
         if (!values.empty()) sigmas.push_back(result[i].sigma);
     }
-    const double typical = median(std::move(sigmas));
+    const double typical = signal::median(std::move(sigmas));
     for (Spread& spread : result) spread.sigma = std::max(spread.sigma, typical / 2);
     return result;
 }
@@ -112,7 +112,7 @@ std::array<double, 4> driftPerRevolution_um(const SectionSignals& signals)
     if (count < 2) return drift;
     for (std::size_t probe = 0; probe < drift.size(); ++probe) {
         std::vector<double> middle(signals.points);
-        for (std::size_t i = 0; i < signals.points; ++i) middle[i] = median(column(signals, probe, i));
+        for (std::size_t i = 0; i < signals.points; ++i) middle[i] = signal::median(column(signals, probe, i));
         double sum_k = 0, sum_y = 0, sum_kk = 0, sum_ky = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const double x = static_cast<double>(signals.numbers[k] - signals.numbers.front());
@@ -157,7 +157,7 @@ Rejected rejectOutliers(SectionSignals& signals, double sigmas)
         for (std::size_t k = 0; k < distance.size(); ++k)
             distance[k] = medianDistance(
                 signals, probe, k, [&](double value, std::size_t i) { return std::abs(value - spread[i].median); });
-        const Spread typical{median(distance), robustSpread(distance)};
+        const Spread typical{signal::median(distance), signal::robustSpread(distance)};
         for (std::size_t k = 0; k < distance.size(); ++k)
             if (distance[k] > typical.median + sigmas * typical.sigma && distance[k] > 2 * typical.median)
                 keep[k] = false;
@@ -179,4 +179,4 @@ Rejected rejectOutliers(SectionSignals& signals, double sigmas)
     return rejected;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

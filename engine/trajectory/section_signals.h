@@ -7,7 +7,7 @@
 
 #include "engine/trajectory/revolutions.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Displacements in µm at `points` uniform angles of several revolutions. NaN: not there, or taken out.
 struct SectionSignals {
@@ -44,4 +44,4 @@ struct Rejected {
 /// angle become NaN. Needs five revolutions at least; fewer are left as they are.
 Rejected rejectOutliers(SectionSignals& signals, double sigmas);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -7,7 +7,7 @@
 
 #include "engine/form/circles.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -21,7 +21,7 @@ double turned(double angle_deg)
 
 /// The radii about the spindle axis stand for those about the circle's centre: with an eccentricity of some µm the
 /// difference is some pm.
-void filterRadii(SurfaceImage& image, const ProfileBand& band, bool whole)
+void filterRadii(SurfaceImage& image, const signal::ProfileBand& band, bool whole)
 {
     if (whole) {
         image.radius_mm = filterClosed(image.radius_mm, band);
@@ -72,7 +72,7 @@ SurfaceImage imageOf(const Motions& motions, std::span<const double> angle_deg, 
 }
 
 RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const double> angle_deg,
-                                  double workpiece_diameter_mm, Rotation rotation, const ProfileBand& band)
+                                  double workpiece_diameter_mm, Rotation rotation, const signal::ProfileBand& band)
 {
     const std::size_t n = signals.points;
     RevolutionImages result;
@@ -93,9 +93,9 @@ RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const
         }
         if (!band.isAll()) filterRadii(image, band, whole);
         const std::vector<Eigen::Vector2d> points = image.points_mm();
-        result.RONt_um.push_back(points.size() >= 4 ? fitLeastSquaresCircle(points).RONt_um : nan);
+        result.RONt_um.push_back(points.size() >= 4 ? form::fitLeastSquaresCircle(points).RONt_um : nan);
     }
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

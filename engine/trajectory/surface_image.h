@@ -8,7 +8,7 @@
 #include "engine/trajectory/section_signals.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Displacements of the workpiece's axis (X3, Y3) and of the tool (Xp, Yp) at the same angles, in µm.
 struct Motions {
@@ -32,6 +32,6 @@ struct RevolutionImages {
     std::vector<double> RONt_um;                           ///< about each image's own LSC centre
 };
 RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const double> angle_deg,
-                                  double workpiece_diameter_mm, Rotation rotation, const ProfileBand& band);
+                                  double workpiece_diameter_mm, Rotation rotation, const signal::ProfileBand& band);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -3,7 +3,7 @@
 
 #include "engine/trajectory/record_plan.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 /// The smallest and the largest value of each bucket, in their order: peaks survive.
@@ -59,4 +59,4 @@ std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryP
     return signals;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

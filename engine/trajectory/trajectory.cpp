@@ -14,7 +14,7 @@
 #include "engine/trajectory/section.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 using Records = std::vector<const ProbeFile*>;
@@ -230,28 +230,28 @@ void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
         addOnce(result.notes, section);
     }
     if (samples + revolutions > 0)
-        result.notes.push_back(
-            {result.parameters.outliers == OutlierRule::Hampel ? notes::motionOutliers : notes::revolutionsIncomplete,
-             {{"path", tasks.front().path},
-              {"count", revolutions},
-              {"revolutions", revolutions},
-              {"samples", samples}}});
+        result.notes.push_back({result.parameters.outliers == form::OutlierRule::Hampel ? notes::motionOutliers
+                                                                                        : notes::revolutionsIncomplete,
+                                {{"path", tasks.front().path},
+                                 {"count", revolutions},
+                                 {"revolutions", revolutions},
+                                 {"samples", samples}}});
     noteFormNotMeasured(result);
     noteLargeDisplacements(result, tasks, result.notes);
     result.notes.push_back({notes::sizeReferenced, {{"diameter_mm", result.workpiece_diameter_mm}}});
     result.notes.push_back({notes::mandrelFloor, {{"form_um", result.mandrel_form_um}}});
 }
 
-std::optional<FormVerdict> worstVerdict(const std::vector<TrajectorySection>& sections)
+std::optional<form::FormVerdict> worstVerdict(const std::vector<TrajectorySection>& sections)
 {
-    std::optional<FormVerdict> worst;
+    std::optional<form::FormVerdict> worst;
     for (const TrajectorySection& section : sections) {
         const auto verdict = section.roundness.verdict;
         if (!verdict) continue;
-        if (!worst || *verdict == FormVerdict::Fail ||
-            (*verdict == FormVerdict::Undecided && *worst == FormVerdict::Pass))
+        if (!worst || *verdict == form::FormVerdict::Fail ||
+            (*verdict == form::FormVerdict::Undecided && *worst == form::FormVerdict::Pass))
             worst = verdict;
-        if (*worst == FormVerdict::Fail) break;
+        if (*worst == form::FormVerdict::Fail) break;
     }
     return worst;
 }
@@ -306,4 +306,4 @@ TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const Traject
     return trajectory(pointers, parameters, progress);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

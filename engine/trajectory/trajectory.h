@@ -17,7 +17,7 @@
 #include "engine/form/roundness.h"
 #include "engine/io/probe_reader.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 enum class Rotation { Same, Opposite };  ///< the body angle runs as the recorded one, or against it
 enum class Drift { None, Section };      ///< Section: the slope within and between revolutions; the mean stays
@@ -37,13 +37,12 @@ struct TrajectoryParameters {
                                         ///< record itself says when it states both feed_mm_rev and sections
     int sections = 20;
     Drift drift = Drift::None;
-    OutlierRule outliers = OutlierRule::None;  ///< samples and revolutions
+    form::OutlierRule outliers = form::OutlierRule::None;  ///< samples and revolutions
     double outlier_sigmas = 4;
-    RoundnessParameters form;  ///< filter, circle and tolerance of every section
+    form::RoundnessParameters form;  ///< filter, circle and tolerance of every section
 };
 
-template <>
-const std::vector<Field<TrajectoryParameters>>& fields<TrajectoryParameters>();
+const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParameters*);
 
 /// One probe over the revolutions of a section.
 struct ProbeStatistics {
@@ -78,7 +77,7 @@ struct TrajectorySection {
     std::vector<double> revolution_RONt_um;                         ///< RONt(LSCI) of each single revolution's image
     Profile image;                                                  ///< the geometric image, size nominal
     double run_out_um = 0;                    ///< max R_i - min R_i about the spindle axis: the paper's
-    RoundnessResult roundness;                ///< its verdict is Undecided where the form is not measured
+    form::RoundnessResult roundness;          ///< its verdict is Undecided where the form is not measured
     bool form_measured = true;                ///< false: noise, drift or asynchronous motion drown RONt
     ErrorMotion spindle;                      ///< of the sensitive direction (X3)
     std::array<ErrorMotion, 4> error_motion;  ///< of every probe
@@ -107,8 +106,8 @@ struct TrajectoryResult {
     Values cutting;                    ///< what the records say of themselves: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
-    double mandrel_form_um = 0.2;        ///< floor: two probes cannot tell the mandrel's form from its motion
-    std::optional<FormVerdict> verdict;  ///< of the worst section, with form.tolerance_um
+    double mandrel_form_um = 0.2;              ///< floor: two probes cannot tell the mandrel's form from its motion
+    std::optional<form::FormVerdict> verdict;  ///< of the worst section, with form.tolerance_um
     Notes notes;
 
     /// Index of the section with the largest deviation by form.circle; none without sections.
@@ -142,4 +141,4 @@ struct TimeSignal {
 std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryParameters& parameters, int limit = 4000,
                                     const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -6,10 +6,10 @@
 #include "engine/form/roundness_json.h"
 #include "engine/trajectory/channel_map.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
-Json verdict(const std::optional<FormVerdict>& value)
+Json verdict(const std::optional<form::FormVerdict>& value)
 {
     return value ? Json(key(*value)) : Json(nullptr);
 }
@@ -45,7 +45,7 @@ Json toJson(const TrajectorySection& section)
     json["run_out_um"] = number(section.run_out_um);
     json["circles"] = toJson(section.roundness.circles);
     json["two_point"] = toJson(section.roundness.two_point);
-    json["harmonics"] = toJson(section.roundness.harmonics);
+    json["harmonics"] = form::toJson(section.roundness.harmonics);
     json["RONt_um"] = number(headlineDeviation_um(section.roundness));
     json["RONt_expanded_uncertainty_um"] = number(section.roundness.RONt_expanded_uncertainty_um);
     json["form_measured"] = section.form_measured;
@@ -96,4 +96,4 @@ Json toJson(const TrajectoryResult& result)
     return json;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -4,9 +4,9 @@
 #include "engine/core/json.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// `sections`, `longitudinal` (null without known z), `workpiece_diameter_mm`, `cutting`, `verdict`…
 Json toJson(const TrajectoryResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

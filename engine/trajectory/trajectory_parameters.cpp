@@ -1,13 +1,13 @@
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 /// The parameters of a section's roundness, except the outlier rule: outliers are sought over the revolutions.
 std::vector<Field<TrajectoryParameters>> formFields()
 {
     std::vector<Field<TrajectoryParameters>> result;
-    for (const Field<RoundnessParameters>& field : fields<RoundnessParameters>()) {
+    for (const Field<form::RoundnessParameters>& field : fields<form::RoundnessParameters>()) {
         if (field.info.key == "outliers") continue;
         result.push_back({field.info, [get = field.get](const TrajectoryParameters& p) { return get(p.form); },
                           [set = field.set](TrajectoryParameters& p, const Value& value) { set(p.form, value); }});
@@ -17,8 +17,7 @@ std::vector<Field<TrajectoryParameters>> formFields()
 
 }  // namespace
 
-template <>
-const std::vector<Field<TrajectoryParameters>>& fields<TrajectoryParameters>()
+const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParameters*)
 {
     using P = TrajectoryParameters;
     static const std::vector<Field<P>> all = [] {
@@ -99,4 +98,4 @@ const std::vector<Field<TrajectoryParameters>>& fields<TrajectoryParameters>()
     return all;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr int measuredColour = 0, fittedColour = 1, toolColour = 1, meanColour = 1, singleColour = 0;
@@ -85,7 +85,7 @@ Plot roundnessAlongAxis(const TrajectoryResult& result)
     plot.x_title = places ? alongAxis : LT_TEXT("Engine", "Section");
     plot.y_title = "RONt (µm)";
     plot.y_range = Interval{0, 0};
-    for (const ReferenceCircle circle : {ReferenceCircle::MZCI, ReferenceCircle::LSCI}) {
+    for (const form::ReferenceCircle circle : {form::ReferenceCircle::MZCI, form::ReferenceCircle::LSCI}) {
         Curve curve;
         curve.name = std::string(name(circle));
         for (const TrajectorySection& section : result.sections) {
@@ -177,4 +177,4 @@ PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_dia
     return plot;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

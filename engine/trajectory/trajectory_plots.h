@@ -4,7 +4,7 @@
 #include "engine/report/document.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// Diameter along the workpiece, as measured and as the fitted parabola, about its mean.
 Plot diameterAlongAxis(const LongitudinalSection& section);
@@ -21,4 +21,4 @@ Plot envelopePlot(const TrajectorySection& section);
 /// Error motion of the sensitive direction: every revolution and the synchronous curve around a circle.
 PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -10,7 +10,7 @@
 #include "engine/trajectory/channel_map.h"
 #include "engine/trajectory/trajectory_plots.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 const Text um = LT_TEXT("Engine", "µm");
@@ -32,7 +32,7 @@ QuantityTable longitudinalTable(const LongitudinalSection& section)
 
 QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResult& result)
 {
-    const ReferenceCircles& c = section.roundness.circles;
+    const form::ReferenceCircles& c = section.roundness.circles;
     QuantityTable table{
         LT_TEXT("Engine", "The section with the largest deviation"),
         {{LT_TEXT("Engine", "Section"), std::int64_t{section.section}, {}},
@@ -54,12 +54,12 @@ QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResul
 }
 
 /// For narrow columns.
-Text shortVerdict(FormVerdict verdict)
+Text shortVerdict(form::FormVerdict verdict)
 {
     switch (verdict) {
-        case FormVerdict::Pass: return LT_TEXT("Engine", "✓ within");
-        case FormVerdict::Fail: return LT_TEXT("Engine", "✗ above");
-        case FormVerdict::Undecided: return LT_TEXT("Engine", "? undecided");
+        case form::FormVerdict::Pass: return LT_TEXT("Engine", "✓ within");
+        case form::FormVerdict::Fail: return LT_TEXT("Engine", "✗ above");
+        case form::FormVerdict::Undecided: return LT_TEXT("Engine", "? undecided");
     }
     return {};
 }
@@ -75,7 +75,7 @@ Table sectionsTable(const TrajectoryResult& result)
     const bool judged = result.parameters.form.tolerance_um.has_value();
     if (judged) table.columns.push_back(LT_TEXT("Engine", "verdict"));
     for (const TrajectorySection& s : result.sections) {
-        const ReferenceCircles& c = s.roundness.circles;
+        const form::ReferenceCircles& c = s.roundness.circles;
         std::vector<Value> row{std::int64_t{s.section},
                                s.z_mm,
                                2 * c.LSCI.radius_mm,
@@ -170,7 +170,7 @@ Headline headline(const TrajectoryResult& result, const Language& language)
     if (result.sections.size() > 1)
         add(LT_TEXT("Engine", " (section {section} of {count})"),
             {{"section", std::int64_t{section.section}}, {"count", static_cast<std::int64_t>(result.sections.size())}});
-    line += " · " + filterName(bandOf(result.parameters.form), language);
+    line += " · " + form::filterName(bandOf(result.parameters.form), language);
     if (result.longitudinal) {
         const double taper_um = result.longitudinal->taper_diameter_um;
         const double barrel_um = result.longitudinal->barrel_um;
@@ -185,13 +185,14 @@ Headline headline(const TrajectoryResult& result, const Language& language)
     if (result.verdict) {
         const Values values{{"tolerance", *result.parameters.form.tolerance_um}};
         switch (*result.verdict) {
-            case FormVerdict::Pass: add(LT_TEXT("Engine", " · within {tolerance} µm"), values); break;
-            case FormVerdict::Fail: add(LT_TEXT("Engine", " · above {tolerance} µm"), values); break;
-            case FormVerdict::Undecided:
+            case form::FormVerdict::Pass: add(LT_TEXT("Engine", " · within {tolerance} µm"), values); break;
+            case form::FormVerdict::Fail: add(LT_TEXT("Engine", " · above {tolerance} µm"), values); break;
+            case form::FormVerdict::Undecided:
                 if (!unmeasured) add(LT_TEXT("Engine", " · not decided: too near to {tolerance} µm"), values);
                 break;
         }
-        if (*result.verdict != FormVerdict::Undecided) answer.verdict = *result.verdict == FormVerdict::Pass;
+        if (*result.verdict != form::FormVerdict::Undecided)
+            answer.verdict = *result.verdict == form::FormVerdict::Pass;
     }
     line = keptTogether(line);
     return answer;
@@ -245,4 +246,4 @@ Document trajectoryReport(const TrajectoryResult& result, const std::vector<Inpu
     return document;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

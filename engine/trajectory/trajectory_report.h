@@ -6,7 +6,7 @@
 #include "engine/report/document.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 /// "RONt(MZCI) 9.4 µm (section 7 of 20) · taper +16.0 µm on diameter · barrel 5.0 µm": the worst section first.
 Headline headline(const TrajectoryResult& result, const Language& language = {});
@@ -22,4 +22,4 @@ Section trajectoryMethod(const TrajectoryResult& result, const Language& languag
 Document trajectoryReport(const TrajectoryResult& result, const std::vector<InputFile>& inputs,
                           const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -40,11 +40,11 @@ std::vector<Eigen::Vector2d> lobed(std::size_t count)
 
 void fit(benchmark::State& state, const std::vector<Eigen::Vector2d>& points)
 {
-    CircleOptions options;
+    form::CircleOptions options;
     options.certify = state.range(1) != 0;
     double gap_um = 0;
     for (auto _ : state) {
-        const ReferenceCircles circles = fitCircles(points, options);
+        const form::ReferenceCircles circles = fitCircles(points, options);
         gap_um = circles.MZCI.certified_gap_um.value_or(0);
         benchmark::DoNotOptimize(circles.MZCI.RONt_um);
     }

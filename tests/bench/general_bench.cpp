@@ -84,8 +84,9 @@ void align(benchmark::State& state, const Scan& onto)
 {
     const ThreadLimit limit(2);
     const Scan& copy = movedCopy();
-    Alignment a;
-    for (auto _ : state) a = alignGeneral(onto, copy, CompareMethod::Plane, InitialPose::Auto);
+    registration::Alignment a;
+    for (auto _ : state)
+        a = alignGeneral(onto, copy, registration::CompareMethod::Plane, registration::InitialPose::Auto);
     const Eigen::Isometry3d error = a.reference_T_copy * copyPose();
     const Eigen::Vector3d middle(40, 40, 30);
     state.counters["translation_um"] = 1000 * (error * middle - middle).norm();
@@ -111,8 +112,9 @@ void alignAndMeasure(benchmark::State& state)
     const Scan& onto = reference();
     const Scan& copy = movedCopy();
     for (auto _ : state) {
-        const GeneralReference prepared = prepareReference(onto);
-        const Alignment a = alignGeneral(prepared, copy, CompareMethod::Plane, InitialPose::Auto);
+        const registration::GeneralReference prepared = prepareReference(onto);
+        const registration::Alignment a =
+            alignGeneral(prepared, copy, registration::CompareMethod::Plane, registration::InitialPose::Auto);
         std::vector<Eigen::Vector3d> moved = copy.points_mm;
         for (Eigen::Vector3d& p : moved) p = a.reference_T_copy * p;
         benchmark::DoNotOptimize(surfaceDeviation(prepared, moved, 1));

@@ -60,8 +60,10 @@ void lathelierPlane(benchmark::State& state)
 {
     const ThreadLimit limit(2);
     const Pair scans = makePair(static_cast<std::size_t>(state.range(0)));
-    Alignment a;
-    for (auto _ : state) a = alignGeneral(scans.reference, scans.copy, CompareMethod::Plane, InitialPose::Auto);
+    registration::Alignment a;
+    for (auto _ : state)
+        a = alignGeneral(scans.reference, scans.copy, registration::CompareMethod::Plane,
+                         registration::InitialPose::Auto);
     showError(state, a.reference_T_copy);
 }
 BENCHMARK(lathelierPlane)->Arg(60000)->Arg(732000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);

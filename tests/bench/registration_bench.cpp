@@ -13,8 +13,8 @@ namespace {
 struct Scans {
     Scan reference;
     Scan copy;
-    TurnedPart reference_part;
-    TurnedPart copy_part;
+    registration::TurnedPart reference_part;
+    registration::TurnedPart copy_part;
 };
 
 const Scans& scans()
@@ -52,12 +52,13 @@ void registration(benchmark::State& state)
 {
     const Scans& s = scans();
     for (auto _ : state) {
-        TurnedPart reference{fitRevolution(s.reference.points_mm), {}};
-        TurnedPart copy{fitRevolution(s.copy.points_mm), {}};
-        ShoulderPair pair = findShoulders(s.reference.points_mm, reference.fit, s.copy.points_mm, copy.fit);
+        registration::TurnedPart reference{fitRevolution(s.reference.points_mm), {}};
+        registration::TurnedPart copy{fitRevolution(s.copy.points_mm), {}};
+        registration::ShoulderPair pair =
+            findShoulders(s.reference.points_mm, reference.fit, s.copy.points_mm, copy.fit);
         reference.shoulders = std::move(pair.reference);
         copy.shoulders = std::move(pair.copy);
-        benchmark::DoNotOptimize(alignRevolution(reference, copy, InitialPose::Auto));
+        benchmark::DoNotOptimize(alignRevolution(reference, copy, registration::InitialPose::Auto));
     }
 }
 
@@ -65,7 +66,7 @@ void deviation(benchmark::State& state)
 {
     const Scans& s = scans();
     for (auto _ : state) {
-        const MeridianLine line(s.reference_part, s.reference.points_mm);
+        const registration::MeridianLine line(s.reference_part, s.reference.points_mm);
         const std::vector<float> found = meridianDeviation(s.reference_part, line, s.reference.points_mm, 1);
         benchmark::DoNotOptimize(found.data());
     }
@@ -74,7 +75,7 @@ void deviation(benchmark::State& state)
 void statistics(benchmark::State& state)
 {
     const Scans& s = scans();
-    const MeridianLine line(s.reference_part, s.reference.points_mm);
+    const registration::MeridianLine line(s.reference_part, s.reference.points_mm);
     std::vector<float> values = meridianDeviation(s.reference_part, line, s.reference.points_mm, 1);
     std::erase_if(values, [](float v) { return v != v; });
     for (auto _ : state) {

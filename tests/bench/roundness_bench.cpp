@@ -21,7 +21,7 @@ Profile turned(std::int64_t points)
 void evaluation(benchmark::State& state)
 {
     const Profile profile = turned(state.range(0));
-    RoundnessParameters parameters;
+    form::RoundnessParameters parameters;
     if (state.range(1) > 0) parameters.cutoff_upr = static_cast<double>(state.range(1));
     for (auto _ : state) benchmark::DoNotOptimize(roundness(profile, parameters));
 }
@@ -67,21 +67,21 @@ BENCHMARK(coverage)
 
 void filter(benchmark::State& state)
 {
-    PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, OutlierRule::None);
+    form::PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, form::OutlierRule::None);
     for (auto _ : state) benchmark::DoNotOptimize(evaluateProfile(profile, {{}, 50}));
 }
 BENCHMARK(filter)->Arg(200)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
 
 void filterBesideKeyway(benchmark::State& state)
 {
-    PreparedProfile profile = prepareProfile(turned(state.range(0)), {{10, 18}}, OutlierRule::None);
+    form::PreparedProfile profile = prepareProfile(turned(state.range(0)), {{10, 18}}, form::OutlierRule::None);
     for (auto _ : state) benchmark::DoNotOptimize(evaluateProfile(profile, {{}, 50}));
 }
 BENCHMARK(filterBesideKeyway)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
 
 void harmonics(benchmark::State& state)
 {
-    const PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, OutlierRule::None);
+    const form::PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, form::OutlierRule::None);
     for (auto _ : state) benchmark::DoNotOptimize(harmonicsAt(profile.sampling.angle_rad, profile.distance_mm, 500));
 }
 BENCHMARK(harmonics)->Arg(200)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);

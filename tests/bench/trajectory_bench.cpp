@@ -54,7 +54,7 @@ void resamplingOfTheRawRecord(benchmark::State& state)
 {
     const auto& record = std::get<ProbeRecord>(rawRecord()[0].record);
     Notes notes;
-    const PreparedRecord ready = prepare(record, "record", {}, notes);
+    const trajectory::PreparedRecord ready = prepare(record, "record", {}, notes);
     for (auto _ : state)
         benchmark::DoNotOptimize(resample(record, ready.clock, ready.map, ready.revolutions, ready.revolutions.all, 200,
                                           ready.channel_skew_s));
@@ -62,7 +62,7 @@ void resamplingOfTheRawRecord(benchmark::State& state)
 
 void longitudinalOf20Sections(benchmark::State& state)
 {
-    const TrajectoryResult result = trajectory(filesOf(makeAveragedRecord(sampleSpindle())));
+    const trajectory::TrajectoryResult result = trajectory(filesOf(makeAveragedRecord(sampleSpindle())));
     for (auto _ : state) {
         Notes notes;
         benchmark::DoNotOptimize(longitudinalSection(result.sections, notes));

@@ -50,7 +50,7 @@ PlotAxis lengthAxis()
 }
 
 /// The profile moved outward by `shift` of each bin.
-std::vector<double> shifted(const Meridian& meridian, const std::function<double(std::size_t)>& shift)
+std::vector<double> shifted(const registration::Meridian& meridian, const std::function<double(std::size_t)>& shift)
 {
     std::vector<double> result = meridian.reference_radius_mm;
     for (std::size_t i = 0; i < result.size(); ++i) result[i] += shift(i);
@@ -59,11 +59,11 @@ std::vector<double> shifted(const Meridian& meridian, const std::function<double
 
 }  // namespace
 
-MapData compareMap(const CompareResult& result)
+MapData compareMap(const registration::CompareResult& result)
 {
     MapData map;
     if (!result.unrolled) return map;
-    const UnrolledMap& source = *result.unrolled;
+    const registration::UnrolledMap& source = *result.unrolled;
     map.title = CompareCharts::tr("Unrolled surface, local means");
     map.x = lengthAxis();
     map.y = {CompareCharts::tr("Angle"), "°"};
@@ -82,11 +82,11 @@ MapData compareMap(const CompareResult& result)
     return map;
 }
 
-PlotData compareMeridian(const CompareResult& result, double magnification)
+PlotData compareMeridian(const registration::CompareResult& result, double magnification)
 {
     PlotData plot;
     if (!result.meridian) return plot;
-    const Meridian& meridian = *result.meridian;
+    const registration::Meridian& meridian = *result.meridian;
     plot.title = CompareCharts::tr("Meridian");
     plot.remark = CompareCharts::tr("error drawn × %1").arg(decimals(magnification));
     plot.x = lengthAxis();
@@ -150,9 +150,9 @@ PlotData compareMeridian(const CompareResult& result, double magnification)
     return plot;
 }
 
-PlotData compareHistogram(const CompareResult& result, double limit_mm)
+PlotData compareHistogram(const registration::CompareResult& result, double limit_mm)
 {
-    const Histogram& histogram = result.histogram;
+    const registration::Histogram& histogram = result.histogram;
     PlotData plot;
     plot.title = CompareCharts::tr("Distribution of the deviations");
     plot.x = {CompareCharts::tr("Deviation"), "mm"};
@@ -184,7 +184,7 @@ PlotData compareHistogram(const CompareResult& result, double limit_mm)
         bars(CompareCharts::tr("points"), QColor(110, 130, 150), [](double) { return true; });
     }
 
-    const DeviationStatistics& s = result.statistics;
+    const registration::DeviationStatistics& s = result.statistics;
     if (result.has_sign && s.std_mm > 0) {
         PlotCurve normal;
         normal.name = CompareCharts::tr("normal distribution");

@@ -8,13 +8,13 @@
 namespace lathelier {
 
 /// The unrolled z × angle map; empty where there is none.
-MapData compareMap(const CompareResult& result);
+MapData compareMap(const registration::CompareResult& result);
 
 /// Reference profile and the copy's, whose deviation is drawn `magnification` times larger; empty where there is none.
-PlotData compareMeridian(const CompareResult& result, double magnification);
+PlotData compareMeridian(const registration::CompareResult& result, double magnification);
 
 /// Histogram with the normal curve of the same mean and scatter. With a tolerance the bars are coloured by it, and the
 /// two limits can be dragged; they are the plot's first two limits, lower one first.
-PlotData compareHistogram(const CompareResult& result, double limit_mm);
+PlotData compareHistogram(const registration::CompareResult& result, double limit_mm);
 
 }  // namespace lathelier

@@ -23,15 +23,15 @@ PanelInputs panelInputs()
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
     inputs.files = {LT_TEXT("Engine", "Point clouds and meshes"),
                     "*.xyz *.asc *.csv *.txt *.pts *.ply *.pcd *.stl *.obj"};
-    inputs.fields = infos<CompareParameters>();
-    inputs.defaults = toValues(CompareParameters{});
+    inputs.fields = infos<registration::CompareParameters>();
+    inputs.defaults = toValues(registration::CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
     return inputs;
 }
 
 Document reportOf(const ComparePicture& picture, const Language& language, std::vector<Picture> pictures)
 {
-    CompareResult result = *picture.result;
+    registration::CompareResult result = *picture.result;
     result.notes = picture.notes;  // those of the files as well
     Document document = compareReport(result, picture.inputs, language, std::move(pictures));
     document.synthetic = picture.synthetic;
@@ -101,7 +101,8 @@ void ComparePanel::swapInputs()
 
 ComparePanel::Compute ComparePanel::compute(const PanelState& state) const
 {
-    fromValues<CompareParameters>(state.parameters);  // refuses now, not in the worker, what is out of range
+    fromValues<registration::CompareParameters>(
+        state.parameters);  // refuses now, not in the worker, what is out of range
     return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
         return last->find(state, *scans, progress);
     };
@@ -114,7 +115,7 @@ void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& pictu
 
 Headline ComparePanel::headline(const ComparePicture& picture) const
 {
-    return lathelier::headline(*picture.result, screenLanguage());
+    return registration::headline(*picture.result, screenLanguage());
 }
 
 Notes ComparePanel::notes(const ComparePicture& picture) const

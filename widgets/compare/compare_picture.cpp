@@ -20,7 +20,7 @@ double angleOf(const Eigen::Vector3d& axisPlace)
 }
 
 /// Index of the map's cell; nothing outside.
-std::optional<std::size_t> cellOf(const UnrolledMap& map, double z_mm, double angle_deg)
+std::optional<std::size_t> cellOf(const registration::UnrolledMap& map, double z_mm, double angle_deg)
 {
     const double row = std::floor((z_mm - map.z_start_mm) / map.z_step_mm);
     if (!(row >= 0 && row < map.z_count)) return std::nullopt;
@@ -28,13 +28,13 @@ std::optional<std::size_t> cellOf(const UnrolledMap& map, double z_mm, double an
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) + static_cast<std::size_t>(column);
 }
 
-float meanAt(const CompareResult& result, const Eigen::Vector3d& axisPlace)
+float meanAt(const registration::CompareResult& result, const Eigen::Vector3d& axisPlace)
 {
     const auto cell = cellOf(*result.unrolled, axisPlace.z(), angleOf(axisPlace));
     return cell ? result.unrolled->mean_mm[*cell] : none;
 }
 
-std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const CompareResult& result,
+std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const registration::CompareResult& result,
                                                      const Progress& progress)
 {
     if (!result.unrolled || !result.axis_T_reference) return nullptr;
@@ -47,7 +47,7 @@ std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const Com
     return means;
 }
 
-void fillAxisPlace(const CompareResult& result, ComparePlace& place)
+void fillAxisPlace(const registration::CompareResult& result, ComparePlace& place)
 {
     if (!result.axis_T_reference) return;
     const Eigen::Vector3d axisPlace = *result.axis_T_reference * place.reference_mm;
@@ -62,7 +62,7 @@ void fillAxisPlace(const CompareResult& result, ComparePlace& place)
 
 ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, const Progress& progress)
 {
-    const auto parameters = fromValues<CompareParameters>(state.parameters);
+    const auto parameters = fromValues<registration::CompareParameters>(state.parameters);
     const Source& referenceSource = state.inputs.at("reference");
     const Source& copySource = state.inputs.at("copy");
     ComparePicture picture;
@@ -78,12 +78,12 @@ ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, c
     }
     if (last.result && last.reference == picture.reference && last.copy == picture.copy &&
         sameButVerdict(last.result->parameters, parameters)) {
-        CompareResult again = *last.result;
+        registration::CompareResult again = *last.result;
         judge(again, parameters, progress.part(0.4, 1));
-        picture.result = std::make_shared<const CompareResult>(std::move(again));
+        picture.result = std::make_shared<const registration::CompareResult>(std::move(again));
         picture.local_mean_mm = last.local_mean_mm;
     } else {
-        picture.result = std::make_shared<const CompareResult>(
+        picture.result = std::make_shared<const registration::CompareResult>(
             compare(picture.reference->file.scan, picture.copyScan(), parameters, progress.part(0.4, 0.97)));
         picture.local_mean_mm = localMeans(picture.copyScan(), *picture.result, progress);
     }
@@ -96,7 +96,7 @@ ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, c
 
 ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool of_reference)
 {
-    const CompareResult& result = *picture.result;
+    const registration::CompareResult& result = *picture.result;
     ComparePlace place;
     if (of_reference) {
         place.reference_mm = picture.reference->file.scan.points_mm[point];
@@ -111,7 +111,7 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
 
 ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surface, bool of_reference)
 {
-    const CompareResult& result = *picture.result;
+    const registration::CompareResult& result = *picture.result;
     const Scan& mesh = of_reference ? picture.reference->file.scan : picture.copyScan();
     Eigen::Vector3d mesh_mm = Eigen::Vector3d::Zero();
     double deviation_mm = 0;
@@ -134,8 +134,8 @@ ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surfa
 
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg)
 {
-    const CompareResult& result = *picture.result;
-    const Meridian& meridian = *result.meridian;
+    const registration::CompareResult& result = *picture.result;
+    const registration::Meridian& meridian = *result.meridian;
     double radius_mm = 0;
     double nearest = std::numeric_limits<double>::infinity();
     // The profile has no single radius at a shoulder: take the nearest that is known.

@@ -15,7 +15,7 @@ namespace lathelier {
 struct ComparePicture {
     LoadedScanPtr reference;
     LoadedScanPtr copy;
-    std::shared_ptr<const CompareResult> result;
+    std::shared_ptr<const registration::CompareResult> result;
     /// For each point of the copy the mean of its cell of the unrolled map; null where there is no map.
     std::shared_ptr<const std::vector<float>> local_mean_mm;
     std::vector<InputFile> inputs;

@@ -35,12 +35,12 @@ ZoneTable::ZoneTable(QWidget* parent) : CopyTable(parent)
     setSelectionMode(QAbstractItemView::SingleSelection);
     setAccessibleName(tr("Zones along the axis"));
     connect(this, &QTableWidget::cellClicked, this, [this](int row, int) {
-        const Zone& zone = zones_[static_cast<std::size_t>(row)];
+        const registration::Zone& zone = zones_[static_cast<std::size_t>(row)];
         emit zonePicked((zone.z_start_mm + zone.z_end_mm) / 2);
     });
 }
 
-void ZoneTable::setResult(const CompareResult& result)
+void ZoneTable::setResult(const registration::CompareResult& result)
 {
     zones_ = result.zones;
     setHorizontalHeaderLabels(
@@ -48,7 +48,7 @@ void ZoneTable::setResult(const CompareResult& result)
     horizontalHeaderItem(3)->setToolTip(tr("Standard deviation of the single points in the zone"));
     setRowCount(static_cast<int>(zones_.size()));
     for (int row = 0; row < rowCount(); ++row) {
-        const Zone& zone = zones_[static_cast<std::size_t>(row)];
+        const registration::Zone& zone = zones_[static_cast<std::size_t>(row)];
         setItem(row, 0, tableCell(screenNumber(zone.z_start_mm, 1), true));
         setItem(row, 1, tableCell(screenNumber(zone.z_end_mm, 1), true));
         setItem(row, 2, tableCell(signedNumber(zone.mean_mm, 4), true));
@@ -73,9 +73,12 @@ void ZoneTable::markZ(std::optional<double> z_mm)
     clearSelection();
     if (!z_mm) return;
     // Zones keep a little away from edges: a place between two of them belongs to the nearer one.
-    const auto away = [&](const Zone& zone) { return std::max({zone.z_start_mm - *z_mm, *z_mm - zone.z_end_mm, 0.0}); };
+    const auto away = [&](const registration::Zone& zone) {
+        return std::max({zone.z_start_mm - *z_mm, *z_mm - zone.z_end_mm, 0.0});
+    };
     const auto nearest =
-        std::min_element(zones_.begin(), zones_.end(), [&](const Zone& a, const Zone& b) { return away(a) < away(b); });
+        std::min_element(zones_.begin(), zones_.end(),
+                         [&](const registration::Zone& a, const registration::Zone& b) { return away(a) < away(b); });
     if (nearest == zones_.end()) return;
     const int row = static_cast<int>(nearest - zones_.begin());
     selectRow(row);

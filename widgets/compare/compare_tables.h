@@ -21,14 +21,14 @@ class ZoneTable : public CopyTable {
 
 public:
     explicit ZoneTable(QWidget* parent = nullptr);
-    void setResult(const CompareResult& result);
+    void setResult(const registration::CompareResult& result);
     void markZ(std::optional<double> z_mm);  ///< selects the zone at or next to z
 
 signals:
     void zonePicked(double z_mm);
 
 private:
-    std::vector<Zone> zones_;
+    std::vector<registration::Zone> zones_;
 };
 
 }  // namespace lathelier

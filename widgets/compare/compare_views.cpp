@@ -142,7 +142,7 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
 void CompareViews::showCharts()
 {
     Parts& p = *parts_;
-    const CompareResult& result = p.result();
+    const registration::CompareResult& result = p.result();
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
     p.histogram->setData(compareHistogram(result, limit_mm()));
@@ -161,7 +161,7 @@ void CompareViews::showSurface()
 {
     Parts& p = *parts_;
     if (!p.picture) return;
-    const CompareResult& result = p.result();
+    const registration::CompareResult& result = p.result();
     std::optional<SceneAxis> axis;
     if (result.alignment.reference_axis)
         axis = SceneAxis{result.alignment.reference_axis->point_mm, result.alignment.reference_axis->direction};

@@ -48,7 +48,7 @@ struct CompareViews::Parts {
     QDoubleSpinBox* factor = nullptr;
     QLabel* synthetic = nullptr;
 
-    const CompareResult& result() const { return *picture->result; }
+    const registration::CompareResult& result() const { return *picture->result; }
     bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
     std::optional<double> tolerance() const { return picture ? result().parameters.tolerance_mm : std::nullopt; }
 };

@@ -17,7 +17,7 @@ namespace lathelier {
 void writeReport(const QString& path, Document document)
 {
     if (document.created.empty()) document.created = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
-    quoteVerification(document, verify(), screenLanguage());
+    form::quoteVerification(document, form::verify(), screenLanguage());
     const bool pdf = QFileInfo(path).suffix().compare("pdf", Qt::CaseInsensitive) == 0;
     writeFile(path.toStdString(), pdf ? toPdf(document, screenLanguage()) : toHtml(document, screenLanguage()));
     const std::string results = joinedResults(document.results);

@@ -65,21 +65,22 @@ std::size_t StackedSections::vertexAt(std::size_t section, double angle_deg) con
     return section * angles + step % angles;
 }
 
-StackedSections stackedSections(const TrajectoryResult& result, bool form_only)
+StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only)
 {
     StackedSections stack;
     stack.angles = angles;
     const std::size_t count = result.sections.size();
     if (count < 2) return stack;
     double mean_mm = 0;
-    for (const TrajectorySection& section : result.sections) mean_mm += section.roundness.circles.LSCI.radius_mm;
+    for (const trajectory::TrajectorySection& section : result.sections)
+        mean_mm += section.roundness.circles.LSCI.radius_mm;
     mean_mm /= static_cast<double>(count);
 
     std::vector<std::vector<double>> deviation(count);
     double reach_mm = 1e-7;
     for (std::size_t i = 0; i < count; ++i) {
-        const RoundnessResult& form = result.sections[i].roundness;
-        const FittedCircle& circle = form.circles.LSCI;
+        const form::RoundnessResult& form = result.sections[i].roundness;
+        const form::FittedCircle& circle = form.circles.LSCI;
         deviation[i] = radiiAtEvenAngles(form.evaluated_mm, form_only ? circle.centre_mm : Eigen::Vector2d::Zero());
         for (double& radius : deviation[i]) {
             radius -= form_only ? circle.radius_mm : mean_mm;
@@ -91,7 +92,7 @@ StackedSections stackedSections(const TrajectoryResult& result, bool form_only)
 
     // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const TrajectorySection& section : result.sections) {
+    for (const trajectory::TrajectorySection& section : result.sections) {
         low = std::min(low, section.z_mm);
         high = std::max(high, section.z_mm);
     }
@@ -128,14 +129,14 @@ StackedSections stackedSections(const TrajectoryResult& result, bool form_only)
     return stack;
 }
 
-PlotData profileAlongZ(const TrajectoryResult& result)
+PlotData profileAlongZ(const trajectory::TrajectoryResult& result)
 {
     PlotData data;
     data.title = LongitudinalCharts::tr("Longitudinal profile");
     data.x = {LongitudinalCharts::tr("Along the workpiece, z"), QStringLiteral("mm")};
     data.y = {LongitudinalCharts::tr("Radius − mean"), QStringLiteral("µm")};
     if (!result.longitudinal) return data;
-    const LongitudinalSection& section = *result.longitudinal;
+    const trajectory::LongitudinalSection& section = *result.longitudinal;
     std::vector<std::size_t> order(section.z_mm.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),

@@ -28,9 +28,9 @@ struct StackedSections {
 };
 
 /// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
-StackedSections stackedSections(const TrajectoryResult& result, bool form_only);
+StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only);
 
 /// Radius of each section along z with line (taper) and parabola (barrel).
-PlotData profileAlongZ(const TrajectoryResult& result);
+PlotData profileAlongZ(const trajectory::TrajectoryResult& result);
 
 }  // namespace lathelier

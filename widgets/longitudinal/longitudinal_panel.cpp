@@ -58,7 +58,7 @@ void LongitudinalPanel::showResult(const std::shared_ptr<const SpindlePicture>& 
 
 Headline LongitudinalPanel::headline(const SpindlePicture& picture) const
 {
-    return lathelier::headline(*picture.trajectory, screenLanguage());
+    return trajectory::headline(*picture.trajectory, screenLanguage());
 }
 
 Document LongitudinalPanel::document(const SpindlePicture& picture) const
@@ -76,8 +76,8 @@ std::vector<PanelExport> LongitudinalPanel::exports() const
         {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
          [picture](const QString& path) { writeFile(path.toStdString(), trajectoryJson(*picture)); }},
         {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [picture](const QString& path) {
-             std::vector<RoundnessResult> results;
-             for (const TrajectorySection& section : picture->trajectory->sections)
+             std::vector<form::RoundnessResult> results;
+             for (const trajectory::TrajectorySection& section : picture->trajectory->sections)
                  results.push_back(section.roundness);
              writeDfq(path.toStdString(), qdasFile(results));
          }}};

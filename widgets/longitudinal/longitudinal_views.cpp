@@ -128,7 +128,7 @@ void LongitudinalViews::markPlace()
 {
     if (!picture_ || !picture_->section) return;
     const std::size_t index = *picture_->section;
-    const TrajectorySection& section = picture_->trajectory->sections[index];
+    const trajectory::TrajectorySection& section = picture_->trajectory->sections[index];
     table_->markSection(index);
     profile_->setMarker(std::isfinite(section.z_mm) ? std::optional(section.z_mm) : std::nullopt);
     if (!stack_.scan || stacked_ != picture_->trajectory) return;

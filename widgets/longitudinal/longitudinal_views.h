@@ -41,7 +41,7 @@ private:
     MarkedAngle& angle_;
     std::shared_ptr<const SpindlePicture> picture_;
     StackedSections stack_;
-    std::shared_ptr<const TrajectoryResult> stacked_;
+    std::shared_ptr<const trajectory::TrajectoryResult> stacked_;
     std::optional<double> limit_um_;
     SectionBar* section_;
     AngleBar* angleBar_;

@@ -17,11 +17,11 @@ SectionTable::SectionTable(QWidget* parent) : CopyTable(parent)
     });
 }
 
-void SectionTable::setResult(const TrajectoryResult& result)
+void SectionTable::setResult(const trajectory::TrajectoryResult& result)
 {
     const QSignalBlocker quiet(this);
     setAccessibleName(tr("All sections against the tolerance"));
-    const ReferenceCircle circle = result.parameters.form.circle;
+    const form::ReferenceCircle circle = result.parameters.form.circle;
     setHorizontalHeaderLabels(
         {tr("Section"), tr("z [mm]"),
          QString("RONt(%1) [µm]").arg(QString::fromLatin1(name(circle).data(), static_cast<int>(name(circle).size()))),
@@ -34,8 +34,8 @@ void SectionTable::setResult(const TrajectoryResult& result)
     numbers_.clear();
     setRowCount(static_cast<int>(result.sections.size()));
     for (int row = 0; row < rowCount(); ++row) {
-        const TrajectorySection& section = result.sections[static_cast<std::size_t>(row)];
-        const FittedCircle& place = section.roundness.circles.LSCI;
+        const trajectory::TrajectorySection& section = result.sections[static_cast<std::size_t>(row)];
+        const form::FittedCircle& place = section.roundness.circles.LSCI;
         numbers_.push_back(section.section);
         const auto number = [&](int column, double value, int decimals) {
             setItem(row, column,
@@ -46,9 +46,9 @@ void SectionTable::setResult(const TrajectoryResult& result)
         number(2, headlineDeviation_um(section.roundness), 2);
         QString verdict = QStringLiteral("–");
         if (section.roundness.verdict) switch (*section.roundness.verdict) {
-                case FormVerdict::Pass: verdict = tr("✓ within"); break;
-                case FormVerdict::Fail: verdict = tr("✗ out"); break;
-                case FormVerdict::Undecided: verdict = tr("? not decided"); break;
+                case form::FormVerdict::Pass: verdict = tr("✓ within"); break;
+                case form::FormVerdict::Fail: verdict = tr("✗ out"); break;
+                case form::FormVerdict::Undecided: verdict = tr("? not decided"); break;
             }
         setItem(row, 3, tableCell(verdict, false));
         number(4, 2 * place.radius_mm, 4);

@@ -13,7 +13,7 @@ class SectionTable : public CopyTable {
 
 public:
     explicit SectionTable(QWidget* parent = nullptr);
-    void setResult(const TrajectoryResult& result);
+    void setResult(const trajectory::TrajectoryResult& result);
     void markSection(std::size_t index);
 
 signals:

@@ -20,7 +20,7 @@ constexpr int fewHarmonics = 60;  // shown at first; the rest comes with the whe
 
 }  // namespace
 
-PlotData spectrumData(const RoundnessResult& result)
+PlotData spectrumData(const form::RoundnessResult& result)
 {
     PlotData plot;
     plot.title = RoundnessCharts::tr("Spectrum") + ", " + RoundnessCharts::tr("before the filter");
@@ -30,17 +30,17 @@ PlotData spectrumData(const RoundnessResult& result)
     PlotCurve bars;
     bars.style = PlotCurve::Style::Bars;
     bars.colour = QColor(0, 114, 178);
-    for (const Harmonic& harmonic : result.harmonics) {
+    for (const signal::Harmonic& harmonic : result.harmonics) {
         if (harmonic.upr < 2) continue;
         bars.x.push_back(harmonic.upr);
         bars.y.push_back(harmonic.amplitude);
         const auto hint = std::find_if(result.hints.begin(), result.hints.end(),
-                                       [&](const RoundnessHint& h) { return h.upr == harmonic.upr; });
+                                       [&](const form::RoundnessHint& h) { return h.upr == harmonic.upr; });
         bars.words << (hint == result.hints.end() ? QString() : screenText(hint->meaning));
     }
     if (bars.x.empty()) return plot;
     plot.xRange = std::pair{1.5, std::min<double>(fewHarmonics, bars.x.back()) + 0.5};
-    const ProfileBand band = bandOf(result.parameters);
+    const signal::ProfileBand band = bandOf(result.parameters);
     if (band.high_upr)
         plot.limits.push_back(
             {Qt::Vertical, *band.high_upr, RoundnessCharts::tr("%1 UPR").arg(screenNumber(*band.high_upr, 0)), false});
@@ -51,16 +51,16 @@ PlotData spectrumData(const RoundnessResult& result)
     return plot;
 }
 
-Table circleTable(const RoundnessResult& result)
+Table circleTable(const form::RoundnessResult& result)
 {
     Table table;
     table.title = LT_TEXT("Engine", "Reference circles");
     table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt [µm]"),    LT_TEXT("Engine", "Radius [mm]"),
                      LT_TEXT("Engine", "x [mm]"), LT_TEXT("Engine", "y [mm]"), LT_TEXT("Engine", "Proved to [µm]")};
     table.decimals = {0, 3, 5, 5, 5, 6};
-    for (const ReferenceCircle which :
-         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
-        const FittedCircle& circle = result.circles.of(which);
+    for (const form::ReferenceCircle which : {form::ReferenceCircle::LSCI, form::ReferenceCircle::MZCI,
+                                              form::ReferenceCircle::MICI, form::ReferenceCircle::MCCI}) {
+        const form::FittedCircle& circle = result.circles.of(which);
         std::string label(name(which));
         if (which == result.parameters.circle) label += " ◀";
         table.rows.push_back({label, circle.RONt_um, circle.radius_mm, circle.centre_mm.x(), circle.centre_mm.y(),
@@ -69,19 +69,19 @@ Table circleTable(const RoundnessResult& result)
     return table;
 }
 
-Table hintTable(const RoundnessResult& result)
+Table hintTable(const form::RoundnessResult& result)
 {
     Table table;
     table.title = LT_TEXT("Engine", "What the undulations say");
     table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude [µm]"), LT_TEXT("Engine", "Share [%]"),
                      LT_TEXT("Engine", "Usual cause")};
     table.decimals = {0, 3, 0, 0};
-    for (const RoundnessHint& hint : result.hints)
+    for (const form::RoundnessHint& hint : result.hints)
         table.rows.push_back({std::int64_t{hint.upr}, hint.amplitude_um, hint.share_percent, Value(hint.meaning)});
     return table;
 }
 
-PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const Harmonic& harmonic)
+PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const signal::Harmonic& harmonic)
 {
     PolarPlot plot = picture->plot;
     PolarPlot::Trace wave;

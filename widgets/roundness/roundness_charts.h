@@ -9,15 +9,15 @@
 namespace lathelier {
 
 /// Amplitudes from 2 undulations a turn on (1 is the place, not the form); the crosshair says what they usually mean.
-PlotData spectrumData(const RoundnessResult& result);
+PlotData spectrumData(const form::RoundnessResult& result);
 
 /// The four circles: deviations, radius, centre, how sure.
-Table circleTable(const RoundnessResult& result);
+Table circleTable(const form::RoundnessResult& result);
 
 /// Strongest harmonics with their share and meaning.
-Table hintTable(const RoundnessResult& result);
+Table hintTable(const form::RoundnessResult& result);
 
 /// The polar plot with one harmonic drawn as a further trace.
-PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const Harmonic& harmonic);
+PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const signal::Harmonic& harmonic);
 
 }  // namespace lathelier

@@ -21,7 +21,7 @@ PanelInputs panelInputs()
 
 Document reportOf(const SpindlePicture& picture, const Language& language)
 {
-    Document document = roundnessReport({*picture.roundness()}, picture.inputs, language);
+    Document document = form::roundnessReport({*picture.roundness()}, picture.inputs, language);
     saySection(picture, document);
     if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed, language));
     document.synthetic = document.synthetic || picture.synthetic;
@@ -57,8 +57,8 @@ void RoundnessPanel::showResult(const std::shared_ptr<const SpindlePicture>& pic
 
 Headline RoundnessPanel::headline(const SpindlePicture& picture) const
 {
-    Headline headline = lathelier::headline(*picture.roundness(), screenLanguage());
-    if (const TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection())
+    Headline headline = form::headline(*picture.roundness(), screenLanguage());
+    if (const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection())
         headline.text += " · " + tr("section %1 of %2")
                                      .arg(section->section)
                                      .arg(picture.trajectory->sections.size())
@@ -82,7 +82,7 @@ std::vector<PanelExport> RoundnessPanel::exports() const
         {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
          [picture](const QString& path) { writeFile(path.toStdString(), roundnessJson(*picture)); }},
         {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq",
-         [picture](const QString& path) { writeDfq(path.toStdString(), qdasFile({*picture->roundness()})); }}};
+         [picture](const QString& path) { writeDfq(path.toStdString(), form::qdasFile({*picture->roundness()})); }}};
 }
 
 void RoundnessPanel::retranslate()

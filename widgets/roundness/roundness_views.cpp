@@ -126,9 +126,9 @@ void RoundnessViews::showPolar()
     if (!picture_) return;
     PolarPicturePtr shown = laid_->isChecked() && picture_->laid ? picture_->laid : picture_->polar;
     if (harmonic_ && shown == picture_->polar) {
-        const std::vector<Harmonic>& all = picture_->roundness()->harmonics;
+        const std::vector<signal::Harmonic>& all = picture_->roundness()->harmonics;
         const auto wanted =
-            std::find_if(all.begin(), all.end(), [&](const Harmonic& h) { return h.upr == *harmonic_; });
+            std::find_if(all.begin(), all.end(), [&](const signal::Harmonic& h) { return h.upr == *harmonic_; });
         if (wanted != all.end()) shown = withHarmonic(shown, *wanted);
     }
     polar_->setPicture(shown);
@@ -137,11 +137,11 @@ void RoundnessViews::showPolar()
 
 void RoundnessViews::showTables()
 {
-    const RoundnessResult& result = *picture_->roundness();
+    const form::RoundnessResult& result = *picture_->roundness();
     circles_->setTable(circleTable(result));
     methods_->setTable(methodTable(result, screenLanguage()));
     hints_->setTable(hintTable(result));
-    Document document = roundnessReport({result}, picture_->inputs, screenLanguage());
+    Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
     if (picture_->superimposed)
         document.sections.insert(document.sections.begin(),
                                  superimposeSection(*picture_->superimposed, screenLanguage()));

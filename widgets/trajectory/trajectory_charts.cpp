@@ -22,12 +22,13 @@ const QColor toolOrange(213, 94, 0);
 
 constexpr std::size_t mostMarks = 60;  // more revolution marks hide the signals
 
-const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
+const std::vector<double>& mean(const trajectory::TrajectorySection& section, trajectory::Probe probe)
 {
     return section.probes[static_cast<std::size_t>(probe)].mean_um;
 }
 
-XyCurve path(const TrajectorySection& section, Probe x, Probe y, const QColor& colour)
+XyCurve path(const trajectory::TrajectorySection& section, trajectory::Probe x, trajectory::Probe y,
+             const QColor& colour)
 {
     XyCurve curve;
     curve.x = mean(section, x);
@@ -40,10 +41,11 @@ XyCurve path(const TrajectorySection& section, Probe x, Probe y, const QColor& c
 constexpr int dotsBetween = 24;  ///< two samples: so close together that they look like a line
 
 /// Samples of the axis (path 0) or the tool (path 1).
-std::size_t samplesOf(const TrajectorySection& section, std::size_t path)
+std::size_t samplesOf(const trajectory::TrajectorySection& section, std::size_t path)
 {
-    return path == 0 ? std::min(mean(section, Probe::X3).size(), mean(section, Probe::Y3).size())
-                     : std::min(mean(section, Probe::Xp).size(), mean(section, Probe::Yp).size());
+    return path == 0
+               ? std::min(mean(section, trajectory::Probe::X3).size(), mean(section, trajectory::Probe::Y3).size())
+               : std::min(mean(section, trajectory::Probe::Xp).size(), mean(section, trajectory::Probe::Yp).size());
 }
 
 /// Dots along a closed path.
@@ -61,14 +63,14 @@ void addDots(Scan& scan, const std::vector<double>& x_um, const std::vector<doub
     }
 }
 
-double placeOf(const TrajectorySection& section, std::size_t index)
+double placeOf(const trajectory::TrajectorySection& section, std::size_t index)
 {
     return std::isfinite(section.z_mm) ? section.z_mm : static_cast<double>(index) * 5;
 }
 
 }  // namespace
 
-std::vector<double> partAngles_deg(const TrajectorySection& section)
+std::vector<double> partAngles_deg(const trajectory::TrajectorySection& section)
 {
     std::vector<double> angles = section.body_angle_deg.empty() ? section.angle_deg : section.body_angle_deg;
     for (double& angle : angles) {
@@ -78,7 +80,7 @@ std::vector<double> partAngles_deg(const TrajectorySection& section)
     return angles;
 }
 
-XyData axesData(const TrajectoryResult& result, std::size_t section, bool all)
+XyData axesData(const trajectory::TrajectoryResult& result, std::size_t section, bool all)
 {
     XyData data;
     data.title = TrajectoryCharts::tr("Trajectories");
@@ -88,22 +90,22 @@ XyData axesData(const TrajectoryResult& result, std::size_t section, bool all)
     if (all)
         for (std::size_t i = 0; i < result.sections.size(); ++i) {
             if (i == section) continue;
-            for (const auto& [x, y, colour] :
-                 {std::tuple{Probe::X3, Probe::Y3, axisBlue}, std::tuple{Probe::Xp, Probe::Yp, toolOrange}}) {
+            for (const auto& [x, y, colour] : {std::tuple{trajectory::Probe::X3, trajectory::Probe::Y3, axisBlue},
+                                               std::tuple{trajectory::Probe::Xp, trajectory::Probe::Yp, toolOrange}}) {
                 data.curves.push_back(path(result.sections[i], x, y, colour));
                 data.curves.back().thin = true;
             }
         }
-    const TrajectorySection& chosen = result.sections[section];
+    const trajectory::TrajectorySection& chosen = result.sections[section];
     data.remark = TrajectoryCharts::tr("section %1").arg(chosen.section);
-    data.curves.push_back(path(chosen, Probe::X3, Probe::Y3, axisBlue));
+    data.curves.push_back(path(chosen, trajectory::Probe::X3, trajectory::Probe::Y3, axisBlue));
     data.curves.back().name = TrajectoryCharts::tr("workpiece axis");
-    data.curves.push_back(path(chosen, Probe::Xp, Probe::Yp, toolOrange));
+    data.curves.push_back(path(chosen, trajectory::Probe::Xp, trajectory::Probe::Yp, toolOrange));
     data.curves.back().name = TrajectoryCharts::tr("tool");
     return data;
 }
 
-PlotData coordinateData(const TrajectorySection& section)
+PlotData coordinateData(const trajectory::TrajectorySection& section)
 {
     PlotData data;
     data.title = TrajectoryCharts::tr("Coordinates over the angle");
@@ -129,10 +131,11 @@ PlotData coordinateData(const TrajectorySection& section)
     return data;
 }
 
-PolarPicturePtr motionPicture(const TrajectorySection& section, Probe probe, double workpiece_diameter_mm)
+PolarPicturePtr motionPicture(const trajectory::TrajectorySection& section, trajectory::Probe probe,
+                              double workpiece_diameter_mm)
 {
     const auto p = static_cast<std::size_t>(probe);
-    const ErrorMotion& motion = section.error_motion[p];
+    const trajectory::ErrorMotion& motion = section.error_motion[p];
     const std::vector<double>& average = section.probes[p].mean_um;
     PolarPlot plot;
     plot.title = LT_TEXT("Engine", "Error motion of all revolutions");
@@ -159,7 +162,7 @@ PolarPicturePtr motionPicture(const TrajectorySection& section, Probe probe, dou
     return polarPicture(std::move(plot));
 }
 
-QString motionText(const ErrorMotion& motion)
+QString motionText(const trajectory::ErrorMotion& motion)
 {
     QStringList parts{TrajectoryCharts::tr("synchronous %1").arg(screenNumber(motion.synchronous_um, 2))};
     if (std::isfinite(motion.asynchronous_um))
@@ -168,12 +171,12 @@ QString motionText(const ErrorMotion& motion)
     return parts.join(QStringLiteral(" · ")) + QStringLiteral("\u00A0µm");
 }
 
-PlotData signalData(const std::vector<TimeSignal>& recorded)
+PlotData signalData(const std::vector<trajectory::TimeSignal>& recorded)
 {
     PlotData data;
     data.title = TrajectoryCharts::tr("Signals");
     data.x = {TrajectoryCharts::tr("Time"), QStringLiteral("s")};
-    const auto displaces = [](const TimeSignal& signal) {
+    const auto displaces = [](const trajectory::TimeSignal& signal) {
         return !signal.signal.empty() && signal.signal != "marker" && signal.signal != "angle";
     };
     // Without a usable map everything is shown as it was recorded: the plot is to tell which channel is which.
@@ -181,7 +184,7 @@ PlotData signalData(const std::vector<TimeSignal>& recorded)
     data.y = mapped ? PlotAxis{TrajectoryCharts::tr("Displacement"), QStringLiteral("µm")}
                     : PlotAxis{TrajectoryCharts::tr("Value"), {}};
     const std::vector<double>* starts = nullptr;
-    for (const TimeSignal& signal : recorded) {
+    for (const trajectory::TimeSignal& signal : recorded) {
         if (!starts && !signal.revolution_starts_s.empty()) starts = &signal.revolution_starts_s;
         if (mapped && !displaces(signal)) continue;
         PlotCurve curve;
@@ -199,28 +202,28 @@ PlotData signalData(const std::vector<TimeSignal>& recorded)
     return data;
 }
 
-double stackMagnification(const TrajectoryResult& result)
+double stackMagnification(const trajectory::TrajectoryResult& result)
 {
     double reach_um = 1e-3, low_mm = std::numeric_limits<double>::infinity(), high_mm = -low_mm;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const double z = placeOf(result.sections[i], i);
         low_mm = std::min(low_mm, z);
         high_mm = std::max(high_mm, z);
-        for (const ProbeStatistics& probe : result.sections[i].probes)
+        for (const trajectory::ProbeStatistics& probe : result.sections[i].probes)
             for (const double value : probe.mean_um) reach_um = std::max(reach_um, std::abs(value));
     }
     const double length_mm = std::max(10.0, high_mm - low_mm);
     return std::pow(10, std::floor(std::log10(0.3 * length_mm / (reach_um / 1000))));
 }
 
-std::vector<SceneObject> stackedTrajectories(const TrajectoryResult& result, double magnification)
+std::vector<SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification)
 {
     auto axis = std::make_shared<Scan>(), tool = std::make_shared<Scan>();
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const TrajectorySection& section = result.sections[i];
+        const trajectory::TrajectorySection& section = result.sections[i];
         const double z = placeOf(section, i);
-        addDots(*axis, mean(section, Probe::X3), mean(section, Probe::Y3), z, magnification);
-        addDots(*tool, mean(section, Probe::Xp), mean(section, Probe::Yp), z, magnification);
+        addDots(*axis, mean(section, trajectory::Probe::X3), mean(section, trajectory::Probe::Y3), z, magnification);
+        addDots(*tool, mean(section, trajectory::Probe::Xp), mean(section, trajectory::Probe::Yp), z, magnification);
     }
     SceneObject first, second;
     first.name = TrajectoryCharts::tr("workpiece axis");
@@ -232,7 +235,7 @@ std::vector<SceneObject> stackedTrajectories(const TrajectoryResult& result, dou
     return {first, second};
 }
 
-StackedPlace stackedPlace(const TrajectoryResult& result, std::size_t object, std::int64_t dot)
+StackedPlace stackedPlace(const trajectory::TrajectoryResult& result, std::size_t object, std::int64_t dot)
 {
     std::size_t rest = static_cast<std::size_t>(std::max<std::int64_t>(dot, 0)) / dotsBetween;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
@@ -243,7 +246,7 @@ StackedPlace stackedPlace(const TrajectoryResult& result, std::size_t object, st
     return {};
 }
 
-std::size_t sampleAt(const TrajectorySection& section, double angle_deg)
+std::size_t sampleAt(const trajectory::TrajectorySection& section, double angle_deg)
 {
     const std::vector<double> angles = partAngles_deg(section);
     const auto distance = [&](double angle) { return std::abs(std::remainder(angle - angle_deg, 360)); };
@@ -252,13 +255,14 @@ std::size_t sampleAt(const TrajectorySection& section, double angle_deg)
     return static_cast<std::size_t>(nearest - angles.begin());
 }
 
-Eigen::Vector3d placeInStack(const TrajectoryResult& result, const StackedPlace& place, double magnification)
+Eigen::Vector3d placeInStack(const trajectory::TrajectoryResult& result, const StackedPlace& place,
+                             double magnification)
 {
-    const TrajectorySection& section = result.sections[place.section];
+    const trajectory::TrajectorySection& section = result.sections[place.section];
     const std::size_t sample = sampleAt(section, place.angle_deg);
     if (sample >= samplesOf(section, 0)) return Eigen::Vector3d::Zero();
     const double scale = magnification / 1000;
-    return {scale * mean(section, Probe::X3)[sample], scale * mean(section, Probe::Y3)[sample],
+    return {scale * mean(section, trajectory::Probe::X3)[sample], scale * mean(section, trajectory::Probe::Y3)[sample],
             placeOf(section, place.section)};
 }
 

@@ -10,37 +10,39 @@
 namespace lathelier {
 
 /// X3/Y3 of the workpiece's axis and Xp/Yp of the tool; with `all` every section faintly behind the chosen one.
-XyData axesData(const TrajectoryResult& result, std::size_t section, bool all);
+XyData axesData(const trajectory::TrajectoryResult& result, std::size_t section, bool all);
 
 /// Means of the four probes and the radius vector's change over the angle, with the confidence of the mean.
-PlotData coordinateData(const TrajectorySection& section);
+PlotData coordinateData(const trajectory::TrajectorySection& section);
 
 /// All revolutions around the workpiece's circle, k = 0 and 1 removed, with the synchronous curve (ISO 230-7).
-PolarPicturePtr motionPicture(const TrajectorySection& section, Probe probe, double workpiece_diameter_mm);
+PolarPicturePtr motionPicture(const trajectory::TrajectorySection& section, trajectory::Probe probe,
+                              double workpiece_diameter_mm);
 
 /// "synchronous 2.1 µm · asynchronous 5.3 µm · total 6.7 µm"
-QString motionText(const ErrorMotion& motion);
+QString motionText(const trajectory::ErrorMotion& motion);
 
 /// Signals over time with the revolution marks; as recorded when the channels could not be used yet.
-PlotData signalData(const std::vector<TimeSignal>& recorded);
+PlotData signalData(const std::vector<trajectory::TimeSignal>& recorded);
 
 /// The trajectories of all sections, one above the other along z, as dense dots; displacements drawn `magnification`
 /// times larger.
-std::vector<SceneObject> stackedTrajectories(const TrajectoryResult& result, double magnification);
-double stackMagnification(const TrajectoryResult& result);
+std::vector<SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification);
+double stackMagnification(const trajectory::TrajectoryResult& result);
 
 /// Where a dot of these objects belongs, and where the axis stands among them at an angle on the part.
 struct StackedPlace {
     std::size_t section = 0;  ///< index
     double angle_deg = 0;
 };
-StackedPlace stackedPlace(const TrajectoryResult& result, std::size_t object, std::int64_t dot);
-Eigen::Vector3d placeInStack(const TrajectoryResult& result, const StackedPlace& place, double magnification);
+StackedPlace stackedPlace(const trajectory::TrajectoryResult& result, std::size_t object, std::int64_t dot);
+Eigen::Vector3d placeInStack(const trajectory::TrajectoryResult& result, const StackedPlace& place,
+                             double magnification);
 
 /// The sample of a section nearest to an angle on the part.
-std::size_t sampleAt(const TrajectorySection& section, double angle_deg);
+std::size_t sampleAt(const trajectory::TrajectorySection& section, double angle_deg);
 
 /// The angle on the part of each sample of a section, 0…360, as the polar plots have it.
-std::vector<double> partAngles_deg(const TrajectorySection& section);
+std::vector<double> partAngles_deg(const trajectory::TrajectorySection& section);
 
 }  // namespace lathelier

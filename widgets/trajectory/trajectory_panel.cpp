@@ -26,7 +26,7 @@ PanelInputs panelInputs()
                          LT_TEXT("Engine", "Drop a probe record here: a table, or a pair .dat and .par of L-Graph."));
 }
 
-Headline motionHeadline(const TrajectorySection& section)
+Headline motionHeadline(const trajectory::TrajectorySection& section)
 {
     Headline headline;
     headline.text = TrajectoryPanel::tr("Spindle X3: %1 · %2 turns")
@@ -36,10 +36,10 @@ Headline motionHeadline(const TrajectorySection& section)
     return headline;
 }
 
-QuantityTable motionTable(const TrajectorySection& section, std::size_t probe)
+QuantityTable motionTable(const trajectory::TrajectorySection& section, std::size_t probe)
 {
     const Text um = LT_TEXT("Engine", "µm");
-    const ErrorMotion& motion = section.error_motion[probe];
+    const trajectory::ErrorMotion& motion = section.error_motion[probe];
     return {std::string(probeNames[probe]),
             {{LT_TEXT("Engine", "Synchronous error motion"), motion.synchronous_um, um, 2},
              {LT_TEXT("Engine", "Asynchronous error motion"), motion.asynchronous_um, um, 2},
@@ -49,8 +49,8 @@ QuantityTable motionTable(const TrajectorySection& section, std::size_t probe)
 /// The motion in the chosen section. The workpiece's form is the report of the other panels.
 Document reportOf(const SpindlePicture& picture, const Language& language)
 {
-    const TrajectoryResult& result = *picture.trajectory;
-    const TrajectorySection& section = *picture.chosenSection();
+    const trajectory::TrajectoryResult& result = *picture.trajectory;
+    const trajectory::TrajectorySection& section = *picture.chosenSection();
     Document document;
     document.title = LT_TEXT("Engine", "Motion of spindle and tool");
     document.inputs = picture.inputs;
@@ -95,12 +95,13 @@ TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
 
 void TrajectoryPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
 {
-    views_->setPicture(picture, isSectionChosen(), fromValues<TrajectoryParameters>(state().parameters).channels);
+    views_->setPicture(picture, isSectionChosen(),
+                       fromValues<trajectory::TrajectoryParameters>(state().parameters).channels);
 }
 
 Headline TrajectoryPanel::headline(const SpindlePicture& picture) const
 {
-    const TrajectorySection* chosen = picture.chosenSection();
+    const trajectory::TrajectorySection* chosen = picture.chosenSection();
     return chosen ? motionHeadline(*chosen) : Headline();
 }
 

@@ -77,7 +77,7 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
     connect(motion_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
     connect(coordinates_, &PlotCanvas::clicked, this, [this](double deg, double) {
         if (!picture_ || !picture_->chosenSection()) return;
-        const TrajectorySection& chosen = *picture_->chosenSection();
+        const trajectory::TrajectorySection& chosen = *picture_->chosenSection();
         const std::vector<double> angles = partAngles_deg(chosen);
         for (std::size_t i = 0; i < chosen.angle_deg.size(); ++i)
             if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
@@ -170,9 +170,9 @@ void TrajectoryViews::showSection()
 
 void TrajectoryViews::showMotion()
 {
-    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
     if (!chosen) return;
-    const auto probe = static_cast<Probe>(std::max(0, probe_->currentIndex()));
+    const auto probe = static_cast<trajectory::Probe>(std::max(0, probe_->currentIndex()));
     motion_->setPicture(motionPicture(*chosen, probe, picture_->trajectory->workpiece_diameter_mm));
     const QString text = motionText(chosen->error_motion[static_cast<std::size_t>(probe)]);
     motionText_->setText(text);
@@ -226,12 +226,13 @@ void TrajectoryViews::showSpace()
 /// The angle at which axis or tool of the chosen section comes nearest to a place in the plane.
 void TrajectoryViews::markNear(double x_um, double y_um)
 {
-    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
     if (!chosen) return;
     const std::vector<double> angles = partAngles_deg(*chosen);
     double least = HUGE_VAL;
     std::optional<double> nearest;
-    for (const auto& [x, y] : {std::pair{Probe::X3, Probe::Y3}, std::pair{Probe::Xp, Probe::Yp}}) {
+    for (const auto& [x, y] : {std::pair{trajectory::Probe::X3, trajectory::Probe::Y3},
+                               std::pair{trajectory::Probe::Xp, trajectory::Probe::Yp}}) {
         const std::vector<double>& xs = chosen->probes[static_cast<std::size_t>(x)].mean_um;
         const std::vector<double>& ys = chosen->probes[static_cast<std::size_t>(y)].mean_um;
         for (std::size_t i = 0; i < std::min({xs.size(), ys.size(), angles.size()}); ++i) {
@@ -263,7 +264,7 @@ void TrajectoryViews::markAngle()
     const auto angle = angle_.angle_deg();
     motion_->setMarker(angle);
     axes_->setMarker(angle);
-    const TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
     if (!angle || !chosen) return coordinates_->setMarker({});
     const std::size_t nearest = sampleAt(*chosen, *angle);
     if (nearest < chosen->angle_deg.size()) coordinates_->setMarker(chosen->angle_deg[nearest]);

@@ -65,7 +65,7 @@ private:
     QLabel* spaceText_;
     ChannelTable* channelTable_;
     QLabel* recordText_;
-    std::shared_ptr<const TrajectoryResult> inScene_;
+    std::shared_ptr<const trajectory::TrajectoryResult> inScene_;
 };
 
 }  // namespace lathelier

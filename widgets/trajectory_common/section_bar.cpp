@@ -74,7 +74,7 @@ void SectionBar::fill()
 {
     box_->clear();
     if (!result_) return;
-    for (const TrajectorySection& section : result_->sections) {
+    for (const trajectory::TrajectorySection& section : result_->sections) {
         QString text = tr("Section %1 of %2").arg(section.section).arg(result_->sections.size());
         if (std::isfinite(section.z_mm)) text += tr(" · z %1 mm").arg(screenNumber(section.z_mm, 1));
         box_->addItem(text);

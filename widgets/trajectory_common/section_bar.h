@@ -32,7 +32,7 @@ private:
     void step(int by);
     void fill();
 
-    std::shared_ptr<const TrajectoryResult> result_;
+    std::shared_ptr<const trajectory::TrajectoryResult> result_;
     std::size_t index_ = 0;
     QToolButton* before_;
     QComboBox* box_;

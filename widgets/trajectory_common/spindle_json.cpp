@@ -10,7 +10,7 @@ namespace lathelier {
 
 std::string roundnessJson(const SpindlePicture& picture)
 {
-    const RoundnessResult& result = *picture.roundness();
+    const form::RoundnessResult& result = *picture.roundness();
     Json profile{{"path", picture.inputs.empty() ? "" : picture.inputs.front().path}};
     profile.update(toJson(result));
     Json whole{{"profiles", Json::array({profile})}};
@@ -20,7 +20,7 @@ std::string roundnessJson(const SpindlePicture& picture)
 
 std::string trajectoryJson(const SpindlePicture& picture)
 {
-    const TrajectoryResult& result = *picture.trajectory;
+    const trajectory::TrajectoryResult& result = *picture.trajectory;
     return toText(
         wholeResult("trajectory", picture.inputs, toValues(result.parameters), toJson(result), picture.notes));
 }

@@ -70,10 +70,11 @@ PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std:
     for (const InputRole* role : roles) inputs.roles.push_back(*role);
     inputs.files = spindleFiles();
     inputs.invitation = invitation;
-    inputs.defaults = toValues(RoundnessParameters{});
-    for (const auto& [name, value] : toValues(TrajectoryParameters{})) lathelier::set(inputs.defaults, name, value);
-    std::vector<FieldInfo> known = infos<TrajectoryParameters>();
-    for (const FieldInfo& info : infos<RoundnessParameters>()) known.push_back(info);
+    inputs.defaults = toValues(form::RoundnessParameters{});
+    for (const auto& [name, value] : toValues(trajectory::TrajectoryParameters{}))
+        lathelier::set(inputs.defaults, name, value);
+    std::vector<FieldInfo> known = infos<trajectory::TrajectoryParameters>();
+    for (const FieldInfo& info : infos<form::RoundnessParameters>()) known.push_back(info);
     const auto take = [&](const std::vector<std::string>& keys, bool folded) {
         for (const std::string& key : keys) {
             const auto info =
@@ -96,8 +97,9 @@ SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelI
 
 SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
 {
-    fromValues<TrajectoryParameters>(state.parameters);  // refuses now, not in the worker, what is out of range
-    bandOf(fromValues<RoundnessParameters>(state.parameters));
+    fromValues<trajectory::TrajectoryParameters>(
+        state.parameters);  // refuses now, not in the worker, what is out of range
+    bandOf(fromValues<form::RoundnessParameters>(state.parameters));
     return [state, want = want_, stores = session().sharedStores()](const Progress& progress) {
         return findPicture(state, want, *stores, progress);
     };

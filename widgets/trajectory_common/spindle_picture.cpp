@@ -17,10 +17,10 @@ constexpr int signalPoints = 200000;  // of a channel: single turns have to be s
 
 /// The answers that several panels show.
 struct SpindleAnswers {
-    Memo<TrajectoryResult> trajectories;
-    Memo<std::vector<TimeSignal>> time_signals;
-    Memo<RoundnessResult> profiles;
-    Memo<SuperimposeResult> superimposed;
+    Memo<trajectory::TrajectoryResult> trajectories;
+    Memo<std::vector<trajectory::TimeSignal>> time_signals;
+    Memo<form::RoundnessResult> profiles;
+    Memo<form::SuperimposeResult> superimposed;
 };
 
 /// A text that tells apart all values, to the last bit.
@@ -96,7 +96,7 @@ private:
     {
         picture_.profile =
             stores_.of<ProfileStore>()->load(source, progress_.part(0, 0.3, LT_TEXT("Engine", "Reading the profile")));
-        const auto parameters = fromValues<RoundnessParameters>(state_.parameters);
+        const auto parameters = fromValues<form::RoundnessParameters>(state_.parameters);
         profileKey_ = keyOf(picture_.profile, source);
         picture_.profileRoundness = answers_->profiles.find(
             profileKey_ + keyOf(toValues(parameters)), progress_.part(0.3, 0.9, LT_TEXT("Engine", "Roundness")),
@@ -121,7 +121,7 @@ private:
             add(picture_.inputs, picture_.records.back()->inputs);
             picture_.synthetic = picture_.synthetic || sources[i].synthetic;
         }
-        const auto parameters = fromValues<TrajectoryParameters>(state_.parameters);
+        const auto parameters = fromValues<trajectory::TrajectoryParameters>(state_.parameters);
         profileKey_ = key + keyOf(toValues(parameters));
         if (want_ == SpindleWant::Trajectory) readSignals(parameters);
         try {
@@ -131,7 +131,7 @@ private:
                                                 std::vector<const ProbeFile*> files;
                                                 for (const LoadedRecordPtr& record : picture_.records)
                                                     files.push_back(&record->file);
-                                                return trajectory(files, parameters, progress);
+                                                return trajectory::trajectory(files, parameters, progress);
                                             });
         } catch (const Error& error) {
             if (want_ != SpindleWant::Trajectory) throw;
@@ -144,7 +144,7 @@ private:
         for (const LoadedRecordPtr& record : picture_.records) add(picture_.notes, record->file.notes);
     }
 
-    void readSignals(const TrajectoryParameters& parameters)
+    void readSignals(const trajectory::TrajectoryParameters& parameters)
     {
         const auto* record = std::get_if<ProbeRecord>(&picture_.records.front()->file.record);
         if (!record) return;
@@ -155,13 +155,13 @@ private:
 
     void chooseSection()
     {
-        const std::vector<TrajectorySection>& sections = picture_.trajectory->sections;
+        const std::vector<trajectory::TrajectorySection>& sections = picture_.trajectory->sections;
         picture_.section = picture_.trajectory->worstSection();
         const Value* wanted = lathelier::find(state_.parameters, sectionKey);
         const auto* number = wanted ? std::get_if<std::int64_t>(wanted) : nullptr;
         if (!number) return;
         const auto chosen = std::find_if(sections.begin(), sections.end(),
-                                         [&](const TrajectorySection& s) { return s.section == *number; });
+                                         [&](const trajectory::TrajectorySection& s) { return s.section == *number; });
         if (chosen != sections.end()) picture_.section = static_cast<std::size_t>(chosen - sections.begin());
     }
 
@@ -169,18 +169,18 @@ private:
     {
         picture_.trace =
             stores_.of<ProfileStore>()->load(source, progress_.part(0.9, 0.95, LT_TEXT("Engine", "Reading the trace")));
-        const TrajectorySection* section = picture_.chosenSection();
+        const trajectory::TrajectorySection* section = picture_.chosenSection();
         const Profile* first = nullptr;
         if (picture_.profile)
             first = &picture_.profile->file.profile;
         else if (section)
             first = &section->image;
         if (!first) return;
-        SuperimposeParameters parameters;
-        parameters.form = fromValues<RoundnessParameters>(state_.parameters);
+        form::SuperimposeParameters parameters;
+        parameters.form = fromValues<form::RoundnessParameters>(state_.parameters);
         const std::string place = section ? std::to_string(section->section) : std::string();
         picture_.superimposed = answers_->superimposed.find(
-            profileKey_ + keyOf(toValues(fromValues<RoundnessParameters>(state_.parameters))) + place + "\n" +
+            profileKey_ + keyOf(toValues(fromValues<form::RoundnessParameters>(state_.parameters))) + place + "\n" +
                 keyOf(picture_.trace, source),
             progress_.part(0.95, 1, LT_TEXT("Engine", "Laying the trace on the profile")),
             [&](const Progress& progress) {
@@ -194,7 +194,7 @@ private:
 
     PolarPlot laidPlot() const
     {
-        const SuperimposeResult& result = *picture_.superimposed;
+        const form::SuperimposeResult& result = *picture_.superimposed;
         PolarPlot plot;
         plot.title = LT_TEXT("Engine", "Laid over each other");
         plot.base_radius_mm = picture_.roundness()->circles.LSCI.radius_mm;
@@ -225,15 +225,15 @@ private:
 
 }  // namespace
 
-const TrajectorySection* SpindlePicture::chosenSection() const
+const trajectory::TrajectorySection* SpindlePicture::chosenSection() const
 {
     return trajectory && section ? &trajectory->sections[*section] : nullptr;
 }
 
-const RoundnessResult* SpindlePicture::roundness() const
+const form::RoundnessResult* SpindlePicture::roundness() const
 {
     if (profileRoundness) return profileRoundness.get();
-    const TrajectorySection* chosen = chosenSection();
+    const trajectory::TrajectorySection* chosen = chosenSection();
     return chosen ? &chosen->roundness : nullptr;
 }
 
@@ -251,7 +251,7 @@ SpindlePicture answeredPicture(const PanelState& state, SpindleWant want, Stores
 
 void saySection(const SpindlePicture& picture, Document& document)
 {
-    const TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection();
+    const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection();
     if (!section || document.sections.empty()) return;
     const bool placed = std::isfinite(section->z_mm);
     Paragraph words{

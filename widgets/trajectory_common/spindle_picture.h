@@ -22,15 +22,16 @@ inline constexpr const char* sectionKey = "section";  ///< number of the chosen 
 
 struct SpindlePicture {
     std::vector<LoadedRecordPtr> records;
-    std::shared_ptr<const TrajectoryResult> trajectory;           ///< null without a record, or with `problem`
-    std::shared_ptr<const std::vector<TimeSignal>> time_signals;  ///< of the first record; null for averages
-    std::optional<Error> problem;                                 ///< why the records that were read have no answer
-    std::optional<std::size_t> section;                           ///< index of the chosen one in the result
+    std::shared_ptr<const trajectory::TrajectoryResult> trajectory;  ///< null without a record, or with `problem`
+    std::shared_ptr<const std::vector<trajectory::TimeSignal>>
+        time_signals;                    ///< of the first record; null for averages
+    std::optional<Error> problem;        ///< why the records that were read have no answer
+    std::optional<std::size_t> section;  ///< index of the chosen one in the result
 
     LoadedProfilePtr profile;  ///< measured elsewhere; it goes before the record
-    std::shared_ptr<const RoundnessResult> profileRoundness;
+    std::shared_ptr<const form::RoundnessResult> profileRoundness;
     LoadedProfilePtr trace;  ///< laid on the profile or the section's image
-    std::shared_ptr<const SuperimposeResult> superimposed;
+    std::shared_ptr<const form::SuperimposeResult> superimposed;
 
     PolarPicturePtr polar;  ///< of the roundness; with Roundness only
     PolarPicturePtr laid;   ///< of the two superimposed profiles
@@ -40,8 +41,8 @@ struct SpindlePicture {
     bool synthetic = false;
 
     /// Of the profile, else of the chosen section; null when there is neither.
-    const RoundnessResult* roundness() const;
-    const TrajectorySection* chosenSection() const;
+    const form::RoundnessResult* roundness() const;
+    const trajectory::TrajectorySection* chosenSection() const;
 };
 
 /// Says in a report's first section which section of the record it is about; nothing for a profile.

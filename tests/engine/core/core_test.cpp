@@ -33,10 +33,7 @@ struct Sample {
     std::vector<Interval> gaps_mm;
 };
 
-}  // namespace
-
-template <>
-const std::vector<Field<Sample>>& fields<Sample>()
+const std::vector<Field<Sample>>& fieldsOf(const Sample*)
 {
     static const std::vector<Field<Sample>> all{
         field("size_mm", &Sample::size_mm, Range{0, 10}, Label{{"Size"}, {}, {"mm"}}),
@@ -48,8 +45,6 @@ const std::vector<Field<Sample>>& fields<Sample>()
     };
     return all;
 }
-
-namespace {
 
 const FieldInfo& info(std::string_view key)
 {

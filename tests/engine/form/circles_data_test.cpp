@@ -6,7 +6,7 @@
 #include "engine/form/circles.h"
 #include "tests/engine/form/form_data.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double answer_mm = 2e-9;
@@ -91,4 +91,4 @@ TEST(NistCircles, LeastSquaresAgreesToABillionth)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

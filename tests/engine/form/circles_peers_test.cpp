@@ -6,7 +6,7 @@
 #include "tests/engine/form/profiles.h"
 #include "tests/peers/circle_peers.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 #if defined(LATHELIER_WITH_CGAL) || defined(LATHELIER_WITH_ALGLIB)
@@ -87,4 +87,4 @@ TEST(CirclesPeers, AlglibAgreesOnAllFour)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/form/circles.h"
 #include "tests/engine/form/profiles.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -163,4 +163,4 @@ TEST(CirclesProperty, MinimumZoneEqualsBruteForceAtHalfTheRadiusOfSpread)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/form/profiles.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
@@ -165,4 +165,4 @@ TEST(Circles, StopWhenCancelled)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

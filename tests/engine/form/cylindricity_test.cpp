@@ -11,7 +11,7 @@
 #include "engine/form/circles.h"
 #include "tests/engine/core/code_of_error.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
@@ -247,4 +247,4 @@ TEST(Cylindricity, StopsWhenCancelled)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

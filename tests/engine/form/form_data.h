@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::form {
 
 inline std::filesystem::path formData()
 {
@@ -43,4 +43,4 @@ inline nlohmann::json readAnswers(const std::string& name)
     return nlohmann::json::parse(file).at("answers");
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/core/profile.h"
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 struct Lobe {
     int upr;
@@ -37,4 +37,4 @@ inline Profile lobedProfile(const std::vector<double>& angle_rad, const std::vec
     return profile;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

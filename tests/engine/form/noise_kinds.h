@@ -7,7 +7,7 @@
 #include "engine/form/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 /// Deviations in mm of n points, drawn under a seed.
 using Noise = std::function<std::vector<double>(std::size_t n, std::uint64_t seed)>;
@@ -125,4 +125,4 @@ inline Coverage coverageOf(const NoiseCase& kind, std::size_t n, int runs)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::form {
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -55,4 +55,4 @@ inline double innerRadiusAbout(const Points& points, const Eigen::Vector2d& cent
     return low;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -8,7 +8,7 @@
 #include "engine/form/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// A short wave of the form is point-to-point noise to the estimate; the tests of form state their own.
@@ -105,4 +105,4 @@ TEST(Roundness, RevolutionsThatLieOverEachOtherAreNamed)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -5,7 +5,7 @@
 #include "engine/form/roundness.h"
 #include "tests/engine/form/form_data.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 class PracticeEvaluation : public testing::TestWithParam<const char*> {};
@@ -21,7 +21,7 @@ TEST_P(PracticeEvaluation, HasTheCertifiedDeviations)
     const RoundnessResult result = roundness(profile);
     for (const ReferenceCircle which :
          {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
-        const std::string key(lathelier::name(which));
+        const std::string key(form::name(which));
         const double expected = answers.at(key).at("RONt").get<double>();
         // p07's MICI has two equal optima on both sides; all its values are the same there.
         EXPECT_NEAR(result.circles.of(which).RONt_um / 1000, expected, 2e-9) << key;
@@ -58,4 +58,4 @@ TEST(PracticeEvaluations, TheLobesAreFound)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

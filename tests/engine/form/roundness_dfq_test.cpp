@@ -7,7 +7,7 @@
 #include <numbers>
 #include <regex>
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 RoundnessResult resultOf(const std::string& name, double lobe_mm, const RoundnessParameters& parameters)
@@ -72,4 +72,4 @@ TEST(RoundnessDfq, thePartIsNamedInThirtyCharacters)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

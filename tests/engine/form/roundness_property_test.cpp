@@ -10,7 +10,7 @@
 #include "engine/form/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// A random turned part: a few lobes, noise, somewhere in the plane.
@@ -138,4 +138,4 @@ TEST(RoundnessUncertainty, IsTheSameForAnyNumberOfThreads)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -10,7 +10,7 @@
 #include "engine/report/plain_text.h"
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 RoundnessResult made(RoundnessParameters parameters = {})
@@ -128,4 +128,4 @@ TEST(RoundnessReport, SuperimposedProfiles)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -15,7 +15,7 @@
 #include "engine/io/io_codes.h"
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -35,7 +35,7 @@ TEST(Roundness, ALobedProfileHasTwiceItsAmplitude)
         const RoundnessResult result = roundness(lobedProfile(evenAngles(3600), {{k, .003, .4}}, {3, -2}), exact());
         EXPECT_NEAR(result.circles.LSCI.RONt_um, 6, 3e-3) << k;
         EXPECT_NEAR(result.circles.MZCI.RONt_um, 6, 3e-3) << k;
-        const Harmonic& h = result.harmonics.at(static_cast<std::size_t>(k) - 1);
+        const signal::Harmonic& h = result.harmonics.at(static_cast<std::size_t>(k) - 1);
         EXPECT_NEAR(h.amplitude, 3, 3e-3);
         EXPECT_NEAR(std::remainder(h.phase_rad - .4, 2 * pi), 0, 1e-3);
         EXPECT_EQ(result.evaluated_mm.size(), 3600u);
@@ -159,13 +159,13 @@ TEST(Roundness, TheFilterDampsTheLobes)
     parameters.cutoff_upr = 15;
     const RoundnessResult result = roundness(profile, parameters);
     // 5 UPR pass by 0.9259, 40 UPR by 0.7 %.
-    const double remaining = 2 * gaussianTransmission(40, 15);
-    EXPECT_NEAR(result.circles.LSCI.RONt_um, 6 * gaussianTransmission(5, 15), remaining);
+    const double remaining = 2 * signal::gaussianTransmission(40, 15);
+    EXPECT_NEAR(result.circles.LSCI.RONt_um, 6 * signal::gaussianTransmission(5, 15), remaining);
     EXPECT_NEAR(result.harmonics[39].amplitude, 1, 1e-4);  // of the unfiltered profile
     parameters.cutoff_upr.reset();
     parameters.band_upr = {{15, 500}};
-    const double passed = 2 * (1 - gaussianTransmission(40, 15)) * gaussianTransmission(40, 500);
-    const double rest = 6 * (1 - gaussianTransmission(5, 15));
+    const double passed = 2 * (1 - signal::gaussianTransmission(40, 15)) * signal::gaussianTransmission(40, 500);
+    const double rest = 6 * (1 - signal::gaussianTransmission(5, 15));
     EXPECT_NEAR(roundness(profile, parameters).circles.LSCI.RONt_um, passed + rest, .02 * (passed + rest));
 }
 
@@ -212,7 +212,7 @@ TEST(Roundness, AKeywayDoesNotRingThroughTheFilter)
     parameters.cutoff_upr = 50;
     parameters.exclude_deg = {{99.9, 108.1}};
     const RoundnessResult result = roundness(profile, parameters);
-    EXPECT_EQ(result.filter_way, FilterWay::Regression);
+    EXPECT_EQ(result.filter_way, signal::FilterWay::Regression);
     EXPECT_NEAR(result.circles.MZCI.RONt_um, whole, .03 * whole);
 }
 
@@ -348,7 +348,7 @@ TEST(Roundness, MethodsOfALongUnevenProfileAgreeWithRunsOfTheirOwn)
     RoundnessParameters parameters;
     parameters.cutoff_upr = 15;
     const RoundnessResult own = roundness(profile, parameters);
-    EXPECT_EQ(own.filter_way, FilterWay::Series);  // else the table takes the same way
+    EXPECT_EQ(own.filter_way, signal::FilterWay::Series);  // else the table takes the same way
     for (const ReferenceCircle which :
          {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI})
         EXPECT_NEAR(table.methods[1].RONt_um[static_cast<std::size_t>(which)], own.circles.of(which).RONt_um, 1e-3);
@@ -414,4 +414,4 @@ TEST(Roundness, RefusesWhatHasNoAnswer)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

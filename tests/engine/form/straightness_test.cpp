@@ -5,7 +5,7 @@
 #include "engine/core/random.h"
 #include "engine/form/cylindricity.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
@@ -86,4 +86,4 @@ TEST(Straightness, SaysWhyItHasNoAnswer)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

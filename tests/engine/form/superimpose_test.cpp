@@ -7,7 +7,7 @@
 
 #include "tests/engine/form/made_profile.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -117,4 +117,4 @@ TEST(Superimpose, SaysWhenTheFormDoesNotTellTheAngle)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

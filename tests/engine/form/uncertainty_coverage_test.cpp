@@ -3,7 +3,7 @@
 
 #include "tests/engine/form/noise_kinds.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 class UncertaintyCoverage : public testing::TestWithParam<std::tuple<int, std::size_t>> {};
@@ -20,4 +20,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, UncertaintyCoverage,
                          testing::Combine(testing::Range(0, 7), testing::Values(48u, 200u, 720u)));
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -5,7 +5,7 @@
 
 #include "engine/report/plain_text.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 VerifyResult made(bool pass)
@@ -40,4 +40,4 @@ TEST(VerifyReport, IsQuotedOnceAsTheLastSection)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -10,7 +10,7 @@
 #include "engine/form/verify_kinds.h"
 #include "tests/engine/form/form_data.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 TEST(Verify, EveryKindPasses)
@@ -84,4 +84,4 @@ TEST(Verify, WhatIsNoNumberFails)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form

@@ -10,7 +10,7 @@
 #include "engine/registration/points_near.h"
 #include "engine/registration/quick_turn.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -98,4 +98,4 @@ TEST(QuickTurn, IsTheDirection)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -13,7 +13,7 @@
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using namespace testing_pair;
@@ -156,4 +156,4 @@ TEST(Compare, JsonHasThePromisedKeys)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 #include "engine/report/html.h"
 #include "tests/engine/registration/made_result.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 TEST(CompareReport, HeadlineGivesNumberMethodAndVerdict)
@@ -123,4 +123,4 @@ TEST(ComparePlots, MagnificationIsRoundAndShowsTheDeviation)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -16,7 +16,7 @@
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using namespace testing_pair;
@@ -268,4 +268,4 @@ TEST(Compare, MeetsTheTruthOfThePracticeData)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

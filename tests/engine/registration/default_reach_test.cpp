@@ -6,7 +6,7 @@
 #include "engine/sample/sample.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 TEST(DefaultReach, FollowsSizeAndNoise)
@@ -51,4 +51,4 @@ TEST(DefaultReach, LetsPartsOfAnySizeBeCompared)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 struct DeviationFile : testing::Test {
@@ -81,4 +81,4 @@ TEST_F(DeviationFile, OtherNamesAreRefused)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

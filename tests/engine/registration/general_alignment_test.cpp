@@ -15,7 +15,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/sample/sample.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Isometry3d;
@@ -356,4 +356,4 @@ TEST(AlignGeneral, CanBeCancelled)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

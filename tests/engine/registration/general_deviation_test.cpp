@@ -14,7 +14,7 @@
 #include "engine/registration/surface_deviation.h"
 #include "engine/sample/sample.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -247,4 +247,4 @@ TEST(SurfaceDeviation, CanBeCancelled)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

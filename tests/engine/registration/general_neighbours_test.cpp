@@ -12,7 +12,7 @@
 #include "engine/registration/neighbours.h"
 #include "engine/registration/neighbours_order.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -166,4 +166,4 @@ TEST(NearestDistances, CanBeCancelled)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

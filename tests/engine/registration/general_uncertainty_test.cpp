@@ -11,7 +11,7 @@
 #include "engine/sample/sample.h"
 #include "tests/engine/registration/noisy_scan.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using namespace testing_noise;
@@ -82,4 +82,4 @@ TEST(GeneralUncertainty, HoldsTheTruthOntoAScanWhoseNoiseIsAlikeToo)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

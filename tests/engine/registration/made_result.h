@@ -8,7 +8,7 @@
 #include "engine/registration/compare.h"
 #include "engine/registration/registration_codes.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 
 /// A shaft of three steps; the copy has a taper, a collar 50 µm too thick and a barrel, as the shared practice data.
 inline CompareResult madeResult()
@@ -61,4 +61,4 @@ inline CompareResult madeResult()
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::registration

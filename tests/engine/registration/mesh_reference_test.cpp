@@ -10,7 +10,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface_deviation.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -194,4 +194,4 @@ TEST(MeshRepair, StitchesCornersThatRoundingHasSplit)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

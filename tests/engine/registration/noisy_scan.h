@@ -29,7 +29,7 @@ inline const char* nameOf(Noise kind)
 /// white, or alike over about 30 neighbours of a line (and white of a third of it).
 inline Scan noisyScan(const Scan& mesh, Noise kind, std::size_t count, double sigma_mm, std::uint64_t seed)
 {
-    const Scan even = sampleSurface(mesh, kind == Noise::UnevenCoverage ? 3 * count : count, seed);
+    const Scan even = registration::sampleSurface(mesh, kind == Noise::UnevenCoverage ? 3 * count : count, seed);
     const Eigen::Vector3d sweep = Eigen::Vector3d(0.2, 0.3, 1).normalized();
     const Eigen::Vector3d across = sweep.unitOrthogonal();
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

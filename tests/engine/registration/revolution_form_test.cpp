@@ -12,7 +12,7 @@
 #include "engine/registration/revolution_axis.h"
 #include "engine/sample/sample.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -214,4 +214,4 @@ TEST(ThinScans, AreNotRefusedForALastStep)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -10,7 +10,7 @@
 #include "engine/registration/surface_samples.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using namespace testing_pair;
@@ -202,4 +202,4 @@ TEST(RevolutionAlignment, LeavesRollAndOnACylinderTheShiftAlone)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -8,7 +8,7 @@
 #include "engine/registration/revolution.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using namespace testing_pair;
@@ -181,4 +181,4 @@ TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 RC_GTEST_PROP(Statistics, QuantilesAreOrderStatistics, (std::vector<int> numbers))
@@ -58,4 +58,4 @@ TEST(Statistics, OfKnownValues)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -8,7 +8,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -54,4 +54,4 @@ TEST(Triangle, WithoutAreaTheNearestEdgeCounts)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

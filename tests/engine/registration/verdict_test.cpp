@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 /// Deviations 0.00, 0.01, … 0.99 with alternating sign; the last ten do not count.
@@ -87,4 +87,4 @@ TEST(Verdict, KnowsWhichParametersAskForANewRegistration)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration

@@ -62,7 +62,7 @@ TEST(SampleRecord, TheSeedDecidesAndTheTruthHasTheStatedTaperAndBarrel)
     // Ends at ∓ taper / 4 - barrel, the middle at 0. The 200 samples of a revolution lie half a sample before its
     // middle on average: of 10 mm along z that is 2 · 3e-5, worth 4 · 5 µm · 3e-5.
     double radius_um[3];
-    for (int i = 0; i < 3; ++i) radius_um[i] = 1e3 * fitLeastSquaresCircle(trueImage_mm(model, i)).radius_mm;
+    for (int i = 0; i < 3; ++i) radius_um[i] = 1e3 * form::fitLeastSquaresCircle(trueImage_mm(model, i)).radius_mm;
     EXPECT_NEAR(radius_um[2] - radius_um[0], model.taper_diameter_um / 2, 2e-3);
     EXPECT_NEAR(radius_um[1] - (radius_um[0] + radius_um[2]) / 2, model.barrel_um, 2e-3);
 }

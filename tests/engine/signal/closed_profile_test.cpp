@@ -8,7 +8,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -280,4 +280,4 @@ TEST(Harmonics, AtHalfTheCountTheSmallestAmplitudeThatExplainsTheSamples)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::signal

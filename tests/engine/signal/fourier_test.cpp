@@ -8,7 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/signal/nonuniform_fourier.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
@@ -110,4 +110,4 @@ TEST(NonuniformFourier, SeriesIsTheDefinition)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::signal

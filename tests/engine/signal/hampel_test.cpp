@@ -9,7 +9,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::signal {
 namespace {
 
 TEST(Hampel, FindsPeaksAndPitsOnAWavyRecordAndNothingElse)
@@ -105,4 +105,4 @@ TEST(Median, OfEvenOddAndNone)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::signal

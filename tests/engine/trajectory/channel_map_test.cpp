@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 using Unit = ProbeChannel::Unit;
@@ -126,4 +126,4 @@ TEST(ChannelMap, ADeadOrSaturatedProbeIsNoted)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -7,7 +7,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -157,4 +157,4 @@ TEST(Outliers, HonestNoiseAndFewRevolutionsAreLeftAlone)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -9,7 +9,7 @@
 #include "engine/core/random.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -130,4 +130,4 @@ TEST(FrameClock, TimeThatGoesBackIsRefused)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -8,7 +8,7 @@
 #include "engine/trajectory/trajectory_codes.h"
 #include "tests/engine/trajectory/truth.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -40,7 +40,7 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
     const std::vector<double> still(n, 0.0);
     const SurfaceImage round = imageOf({x, y, still, still}, even, 2 * r_mm, Rotation::Same);
     const std::vector<Eigen::Vector2d> points = round.points_mm();
-    const FittedCircle circle = fitLeastSquaresCircle(points);
+    const form::FittedCircle circle = form::fitLeastSquaresCircle(points);
     EXPECT_NEAR(circle.RONt_um, 0, 1e-6);
     EXPECT_NEAR(circle.radius_mm, r_mm, 1e-9);
     EXPECT_NEAR(circle.centre_mm.norm(), 1e-3 * e_um, 1e-9);
@@ -49,7 +49,7 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
     for (int i = 0; i < n; ++i)
         papers.push_back(round.radius_mm[static_cast<std::size_t>(i)] *
                          Eigen::Vector2d(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)));
-    EXPECT_GT(fitLeastSquaresCircle(papers).RONt_um, 50);
+    EXPECT_GT(form::fitLeastSquaresCircle(papers).RONt_um, 50);
 }
 
 // Two probes cannot separate the mandrel's form from its motion (trap 5): it appears in full as form of the part.
@@ -77,9 +77,9 @@ TEST(PaperTraps, TheMirroredImageHasTheSameFormAndAnotherCentre)
     const SpindleModel model = fineModel();
     TrajectoryParameters parameters;
     const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
-    const FittedCircle same = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
+    const form::FittedCircle same = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
     parameters.rotation = Rotation::Opposite;
-    const FittedCircle mirrored = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
+    const form::FittedCircle mirrored = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
     EXPECT_NEAR(mirrored.RONt_um, same.RONt_um, 1e-6);
     EXPECT_NEAR(mirrored.centre_mm.x(), same.centre_mm.x(), 1e-9);
     EXPECT_NEAR(mirrored.centre_mm.y(), -same.centre_mm.y(), 1e-9);
@@ -104,4 +104,4 @@ TEST(PaperTraps, RunOutAndSingleRevolutionsAreShownBesideRoundness)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

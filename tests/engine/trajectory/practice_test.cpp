@@ -9,7 +9,7 @@
 #include "engine/trajectory/trajectory.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 const std::string folder = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
@@ -24,7 +24,7 @@ protected:
 
     void expectSection(const TrajectorySection& section, const nlohmann::json& expected) const
     {
-        const ReferenceCircles& found = section.roundness.circles;
+        const form::ReferenceCircles& found = section.roundness.circles;
         EXPECT_NEAR(found.LSCI.RONt_um, 1e3 * expected["LSCI"]["RONt"].get<double>(), 0.3) << section.section;
         EXPECT_NEAR(found.MZCI.RONt_um, 1e3 * expected["MZCI"]["RONt"].get<double>(), 0.3) << section.section;
         const Eigen::Vector2d centre_mm(expected["LSCI"]["cx"].get<double>(), expected["LSCI"]["cy"].get<double>());
@@ -90,4 +90,4 @@ TEST_F(Practice, ARecordingOfSomethingElseIsRefused)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

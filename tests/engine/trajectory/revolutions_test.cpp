@@ -11,7 +11,7 @@
 #include "engine/trajectory/section_signals.h"
 #include "engine/trajectory/trajectory_codes.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -189,4 +189,4 @@ TEST(Revolutions, BadRecordsAreRefusedAndSayWhere)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

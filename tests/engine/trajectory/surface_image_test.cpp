@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr std::size_t points = 360;
@@ -26,7 +26,7 @@ SectionSignals lobes()
     return signals;
 }
 
-RevolutionImages filtered(const SectionSignals& signals, const ProfileBand& band)
+RevolutionImages filtered(const SectionSignals& signals, const signal::ProfileBand& band)
 {
     std::vector<double> angle_deg;
     for (std::size_t i = 0; i < points; ++i) angle_deg.push_back(static_cast<double>(i) * 360 / points);
@@ -36,7 +36,7 @@ RevolutionImages filtered(const SectionSignals& signals, const ProfileBand& band
 TEST(SurfaceImage, FilterOverGapsAgreesWithTheWholeRevolution)
 {
     SectionSignals signals = lobes();
-    const ProfileBand longWaves{std::nullopt, 15.0};
+    const signal::ProfileBand longWaves{std::nullopt, 15.0};
     EXPECT_NEAR(filtered(signals, {}).RONt_um[0], 8, 0.1);
     const double whole_um = filtered(signals, longWaves).RONt_um[0];
     EXPECT_NEAR(whole_um, 6, 0.2);
@@ -58,4 +58,4 @@ TEST(SurfaceImage, ARevolutionWithHardlyASampleHasNoForm)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -10,7 +10,7 @@
 #include "engine/core/random.h"
 #include "tests/engine/trajectory/truth.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 /// A machine without noise: any speed, motions of up to 12 waves a turn, any taper and barrel, at least 100 frames a
@@ -64,7 +64,7 @@ RC_GTEST_PROP(TrajectoryProperty, TheTruthOfAnyMachineComesBack, ())
     for (int s = 0; s < model.sections; ++s) {
         const double u = 2.0 * s / (model.sections - 1) - 1;
         rows.row(s) << 1, u, u * u;
-        radius_um[s] = fitCircles(trueImage_mm(model, s)).LSCI.radius_mm * 1e3;
+        radius_um[s] = form::fitCircles(trueImage_mm(model, s)).LSCI.radius_mm * 1e3;
     }
     const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(radius_um);
     RC_ASSERT(result.longitudinal);
@@ -118,4 +118,4 @@ RC_GTEST_PROP(TrajectoryProperty, FramesBeforeTheFirstMarkDoNotCount, ())
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

@@ -15,7 +15,7 @@
 #include "engine/trajectory/trajectory_json.h"
 #include "engine/trajectory/trajectory_plots.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 template <class Record>
@@ -169,4 +169,4 @@ TEST(SectionFile, OneRowForEachSectionAndOneForEachPoint)
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

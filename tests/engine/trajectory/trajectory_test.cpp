@@ -15,7 +15,7 @@
 #include "engine/trajectory/surface_image.h"
 #include "tests/engine/trajectory/truth.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -73,8 +73,8 @@ TEST(Trajectory, NoiseIsAveragedDownToTheLimits)
     for (int s = 0; s < model.sections; ++s) {
         const TrajectorySection& section = result.sections[static_cast<std::size_t>(s)];
         EXPECT_EQ(section.revolutions_used, 40);
-        const ReferenceCircles truth = fitCircles(trueImage_mm(model, s));
-        const ReferenceCircles& found = section.roundness.circles;
+        const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, s));
+        const form::ReferenceCircles& found = section.roundness.circles;
         EXPECT_NEAR(found.LSCI.RONt_um, truth.LSCI.RONt_um, 0.3) << s;
         EXPECT_NEAR(found.MZCI.RONt_um, truth.MZCI.RONt_um, 0.3) << s;
         EXPECT_LT((found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.2) << s;
@@ -118,7 +118,7 @@ TEST(Trajectory, UnevenRepeatedAndUnorderedAnglesOfAveragesAreHandled)
         std::swap(c[3], c[200]);                          // out of order
     });
     const TrajectoryResult result = trajectory({fileOf(record)});
-    const ReferenceCircles truth = fitCircles(trueImage_mm(model, 0, 360));
+    const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, 0, 360));
     EXPECT_NEAR(result.sections[0].roundness.circles.LSCI.RONt_um, truth.LSCI.RONt_um, 0.03);
     EXPECT_LT((result.sections[0].roundness.circles.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.01);
 }
@@ -150,12 +150,12 @@ TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
     ProbeRecord record = makeProbeRecord(model);
     for (std::size_t i = 500; i < record.frames(); i += 1000) record.channels[3].values[i] += 40;
     TrajectoryParameters parameters;
-    parameters.outliers = OutlierRule::Hampel;
+    parameters.outliers = form::OutlierRule::Hampel;
     const TrajectoryResult cleaned = trajectory({fileOf(record)}, parameters);
     const TrajectoryResult kept = trajectory({fileOf(record)});
     EXPECT_TRUE(contains(cleaned.notes, notes::motionOutliers));
     for (std::size_t s = 0; s < 3; ++s) {
-        const double truth_um = fitCircles(trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
+        const double truth_um = form::fitCircles(trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
         EXPECT_NEAR(cleaned.sections[s].roundness.circles.LSCI.RONt_um, truth_um, 0.6);
         EXPECT_GT(kept.sections[s].roundness.circles.LSCI.RONt_um, truth_um + 0.6);
     }
@@ -331,19 +331,19 @@ TEST(Trajectory, NoiseDriftAndHumAreNotJudgedAsForm)
         return result.verdict;
     };
     EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
-              FormVerdict::Undecided);
-    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), FormVerdict::Undecided);
+              form::FormVerdict::Undecided);
+    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), form::FormVerdict::Undecided);
     EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 10 * std::sin(2 * kPi * 50 * t); }),
-              FormVerdict::Undecided);
+              form::FormVerdict::Undecided);
     // The same noise under a form of 20 µm is judged.
     EXPECT_EQ(verdict([](double t, std::size_t i, std::size_t c) {
                   return randomNormal(3, c, i) + (c == 1 ? 10 * std::cos(2 * 2 * kPi * 975 / 60 * t) : 0);
               }),
-              FormVerdict::Pass);
+              form::FormVerdict::Pass);
     parameters.form.tolerance_um = .5;  // and noise is not "out of tolerance" either
     EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
-              FormVerdict::Undecided);
+              form::FormVerdict::Undecided);
 }
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

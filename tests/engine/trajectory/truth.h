@@ -7,7 +7,7 @@
 #include "engine/sample/sample_record.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 
 template <class Record>
 ProbeFile fileOf(Record record)
@@ -32,12 +32,12 @@ inline SpindleModel fineModel()
 /// Largest difference in µm of LSC centre and radius, and of RONt(LSCI) and RONt(MZCI), from the true image's.
 inline double worstDifference_um(const TrajectorySection& section, const SpindleModel& model, int index)
 {
-    const ReferenceCircles truth = fitCircles(trueImage_mm(model, index));
-    const ReferenceCircles& found = section.roundness.circles;
+    const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, index));
+    const form::ReferenceCircles& found = section.roundness.circles;
     return std::max({(found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3,
                      std::abs(found.LSCI.radius_mm - truth.LSCI.radius_mm) * 1e3,
                      std::abs(found.LSCI.RONt_um - truth.LSCI.RONt_um),
                      std::abs(found.MZCI.RONt_um - truth.MZCI.RONt_um)});
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory

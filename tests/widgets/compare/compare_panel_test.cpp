@@ -67,7 +67,7 @@ private:
     }
     std::optional<double> tolerance() const
     {
-        return fromValues<CompareParameters>(session_->panel("compare").parameters).tolerance_mm;
+        return fromValues<registration::CompareParameters>(session_->panel("compare").parameters).tolerance_mm;
     }
     void setTolerance(double value_mm)
     {

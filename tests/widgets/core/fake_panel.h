@@ -22,8 +22,7 @@ struct FakeParameters {
     bool endless = false;  ///< runs until it is stopped
 };
 
-template <>
-inline const std::vector<Field<FakeParameters>>& fields<FakeParameters>()
+inline const std::vector<Field<FakeParameters>>& fieldsOf(const FakeParameters*)
 {
     static const std::vector<Field<FakeParameters>> all{
         field("factor_mm", &FakeParameters::factor_mm, {0, 100}, {Text{"Factor"}, Text{"Multiplies"}, Text{"mm"}}),

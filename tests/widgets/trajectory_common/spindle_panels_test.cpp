@@ -228,11 +228,11 @@ private slots:
         }
         // A click beside the path of the axis marks the sample nearest to it.
         auto* axes = trajectory_->findChild<XyView*>("axes");
-        const TrajectorySection& section = *trajectory_->result()->chosenSection();
+        const trajectory::TrajectorySection& section = *trajectory_->result()->chosenSection();
         const std::vector<double> angles = partAngles_deg(section);
         const std::size_t sample = 37;
-        const auto& x = section.probes[static_cast<std::size_t>(Probe::X3)].mean_um;
-        const auto& y = section.probes[static_cast<std::size_t>(Probe::Y3)].mean_um;
+        const auto& x = section.probes[static_cast<std::size_t>(trajectory::Probe::X3)].mean_um;
+        const auto& y = section.probes[static_cast<std::size_t>(trajectory::Probe::Y3)].mean_um;
         emit axes->clicked(x[sample], y[sample]);
         QCOMPARE(*polar->marker(), angles[sample]);
         emit axes->clicked(x[90], y[90]);
@@ -273,7 +273,8 @@ private slots:
         box->setCurrentIndex(box->findData("marker"));
         emit box->activated(box->currentIndex());
         settle();
-        const std::string map = fromValues<TrajectoryParameters>(session_->panel("roundness").parameters).channels;
+        const std::string map =
+            fromValues<trajectory::TrajectoryParameters>(session_->panel("roundness").parameters).channels;
         QVERIFY2(map.find("marker=0") != std::string::npos && map.find("X3=1") != std::string::npos, map.c_str());
         QVERIFY(trajectory_->result()->trajectory != nullptr);
     }

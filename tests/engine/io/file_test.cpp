@@ -186,7 +186,10 @@ TEST_F(FileTest, sweepsWhatDeadProcessesLeft)
 
 TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
 {
-    const std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "";
+    struct Place {
+        std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "";
+        ~Place() { before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1); }
+    } const place;
     ::setenv("TMPDIR", folder_.c_str(), 1);
     const pid_t killed = ::fork();
     if (killed == 0) {
@@ -195,7 +198,11 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
         ::_exit(0);  // without destructors, as a killed program
     }
     ::waitpid(killed, nullptr, 0);
-    const std::string left = path(".lathelier-" + std::to_string(killed) + "-0.part");
+    std::string left;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+        if (entry.path().filename().string().starts_with(".lathelier-" + std::to_string(killed) + "-"))
+            left = entry.path().string();
+    ASSERT_NE(left, "");
     EXPECT_TRUE(fs::exists(left + "/plot.pdf"));
     fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
     std::string own;
@@ -210,7 +217,6 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     EXPECT_FALSE(fs::exists(own));
     ::setenv("TMPDIR", path("missing").c_str(), 1);
     EXPECT_EQ(errorOf([] { PartFolder(); }).code(), errors::fileNotWritable);
-    before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeRead)

@@ -190,7 +190,9 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
         std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "";
         ~Place() { before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1); }
     } const place;
-    ::setenv("TMPDIR", folder_.c_str(), 1);
+    const fs::path temporary = folder_ / "temporary";  // each folder is swept once
+    fs::create_directory(temporary);
+    ::setenv("TMPDIR", temporary.c_str(), 1);
     const pid_t killed = ::fork();
     if (killed == 0) {
         const PartFolder mine;
@@ -199,7 +201,7 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     }
     ::waitpid(killed, nullptr, 0);
     std::string left;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+    for (const fs::directory_entry& entry : fs::directory_iterator(temporary))
         if (entry.path().filename().string().starts_with(".lathelier-" + std::to_string(killed) + "-"))
             left = entry.path().string();
     ASSERT_NE(left, "");

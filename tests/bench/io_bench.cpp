@@ -8,6 +8,7 @@
 #include "engine/io/file.h"
 #include "engine/io/probe_reader.h"
 #include "engine/io/scan_reader.h"
+#include "engine/sample/sample.h"
 
 namespace {
 
@@ -64,27 +65,21 @@ BENCHMARK(readRecordFile)->Unit(benchmark::kMillisecond)->UseRealTime()->Measure
 
 void readPracticeRecord(benchmark::State& state)
 {
-    const std::string folder = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
-    const char* const names[] = {"section01_raw.csv", "section01_lgraph1.dat", "averaged_20x200.csv",
-                                 "LGraph2_sample.dat"};
+    const std::string folder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
+    const char* const names[] = {"section01_raw.csv", "section01_lgraph1.dat", "averaged_20x200.csv"};
     const std::string path = folder + names[state.range(0)];
-    if (!std::filesystem::exists(path)) {
-        state.SkipWithError("no shared data");
-        return;
-    }
     for (auto _ : state) benchmark::DoNotOptimize(readProbeRecord(path).facts.rows);
     state.SetLabel(names[state.range(0)]);
 }
-BENCHMARK(readPracticeRecord)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond)->UseRealTime();
+BENCHMARK(readPracticeRecord)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 void readBinaryPly(benchmark::State& state)
 {
-    const std::string path = LATHELIER_SOURCE_DIR "/../shared/data/scans/shaft_copy.ply";
-    if (!std::filesystem::exists(path)) {
-        state.SkipWithError("no shared data");
-        return;
-    }
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "lathelier-bench-sample";
+    writeSample(folder.string());
+    const std::string path = (folder / "copy.ply").string();
     for (auto _ : state) benchmark::DoNotOptimize(readScan(path).scan.points_mm.size());
+    std::filesystem::remove_all(folder);
 }
 BENCHMARK(readBinaryPly)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 

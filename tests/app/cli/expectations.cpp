@@ -57,9 +57,9 @@ Eigen::Isometry3d pose(const Json& rows)
 }
 
 /// The error of the transform as the practice data score it: at mid length, along and across the original's axis.
-double alignmentError(const std::string& name, const Json& result, const std::string& shared)
+double alignmentError(const std::string& name, const Json& result, const std::string& data)
 {
-    const Json truth = Json::parse(wholeFile(shared + "/scans/shaft_truth.json"));
+    const Json truth = Json::parse(wholeFile(data + "/sample/truth.json"));
     const Eigen::Isometry3d original = pose(truth["pose_original_part_to_scan"]);
     const Eigen::Isometry3d copy = pose(truth["pose_copy_part_to_scan"]);
     Eigen::Matrix4d matrix;
@@ -129,7 +129,7 @@ std::string checkJson(const std::vector<std::string>& words, const std::string& 
 {
     const Json json = Json::parse(evidence.outcome.standard_output);
     if (words[0] == "truth") {
-        const double error = alignmentError(words.at(1), json, evidence.shared_folder);
+        const double error = alignmentError(words.at(1), json, evidence.data_folder);
         return error < std::stod(words.at(3)) ? "" : "found " + std::to_string(error);
     }
     if (words[0] == "zone") return checkZone(words, json);

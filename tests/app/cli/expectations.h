@@ -14,7 +14,7 @@ struct Evidence {
     const Line& line;
     const Outcome& outcome;
     std::string out_folder;
-    std::string shared_folder;
+    std::string data_folder;
     std::function<Outcome(const Run&)> again;
 };
 

@@ -27,6 +27,46 @@ std::string rows(int count, const std::function<Eigen::Vector3d(int)>& point)
     return text;
 }
 
+/// A shaft Ø50 × 850 of 36 sides in metres, of 41 rings: bottom, wall and top as three solids of one file.
+std::string facets()
+{
+    constexpr int sides = 36, rings = 41;
+    const auto at = [](int side, int ring) {
+        const double angle = 2 * std::numbers::pi * side / sides;
+        return Eigen::Vector3d(0.025 * std::cos(angle), 0.025 * std::sin(angle), 0.85 * ring / (rings - 1));
+    };
+    const auto facet = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+        std::string text = "facet normal 0 0 0\n outer loop\n";
+        for (const Eigen::Vector3d& p : {a, b, c})
+            text += fmt::format("  vertex {:.9g} {:.9g} {:.9g}\n", p.x(), p.y(), p.z());
+        return text + " endloop\nendfacet\n";
+    };
+    std::string bottom = "solid bottom\n", wall = "solid wall\n", top = "solid top\n";
+    for (int i = 0; i < sides; ++i) {
+        bottom += facet({0, 0, 0}, at(i + 1, 0), at(i, 0));
+        top += facet({0, 0, 0.85}, at(i, rings - 1), at(i + 1, rings - 1));
+        for (int ring = 0; ring + 1 < rings; ++ring) {
+            wall += facet(at(i, ring), at(i + 1, ring), at(i + 1, ring + 1));
+            wall += facet(at(i, ring), at(i + 1, ring + 1), at(i, ring + 1));
+        }
+    }
+    return bottom + "endsolid bottom\n" + wall + "endsolid wall\n" + top + "endsolid top\n";
+}
+
+std::string binaryStl(const Scan& mesh)
+{
+    std::string bytes(80, ' ');
+    const auto put = [&bytes](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    put(static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const auto& triangle : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) put(0.0F);  // the normal, which readers compute
+        for (const auto corner : triangle)
+            for (int a = 0; a < 3; ++a) put(static_cast<float>(mesh.points_mm[static_cast<std::size_t>(corner)][a]));
+        put(std::uint16_t{0});
+    }
+    return bytes;
+}
+
 std::string rows(const Scan& scan)
 {
     return rows(static_cast<int>(scan.points_mm.size()),
@@ -160,6 +200,9 @@ void makeData(const std::string& folder)
               return Eigen::Vector3d(3 + r * std::cos(t), r * std::sin(t), 8.0 * (i / 60));
           }));
     write("coarse.xyz", rows(scanShaft(nominalShaft(), coarse)));
+    write("facets36.stl", facets());
+    write("nominal.stl", binaryStl(shaftMesh(nominalShaft())));
+    writeSample(folder + "/sample");
     write("bracket.xyz", rows(scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
 }
 

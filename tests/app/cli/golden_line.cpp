@@ -23,7 +23,7 @@ void applyDirective(Line& line, const std::vector<std::string>& words)
     else if (name == "limit")
         line.run.largest_file = std::stol(argument(1));
     else if (name == "not-root")
-        line.not_as_root = true;
+        line.run.not_as_root = true;
     else if (name == "feed") {
         line.run.feed_pipe = argument(1);
         line.run.feed_file = argument(2);

@@ -1,9 +1,9 @@
 // One line of tests/golden/*.txt:
 //   [directive]… word… => EXIT | expectation | expectation
-// Words and expectations may hold {data} (files made by the test), {out} (an empty folder of this line's own), {shared}
-// (the practice data; the line is skipped without it) and "quoted words".
+// Words and expectations may hold {data} (files made by the test), {out} (an empty folder of this line's own), {kept}
+// (tests/data) and "quoted words".
 // Directives: [env NAME=VALUE] [stdout FILE] [interrupt MILLISECONDS] [limit BYTES] (largest file) [feed PIPE FILE]
-// [not-root] (skipped for root, whom no permission stops).
+// [not-root] (without the right of root to read anything).
 // Expectations on the JSON object (PATH is dotted, array indices included):
 //   PATH = JSON            PATH ~ NUMBER TOLERANCE      PATH < NUMBER      PATH > NUMBER
 //   PATH exists            PATH absent                  PATH has JSON (an item, or an item's "code")
@@ -12,7 +12,7 @@
 //   left NAME…             what is in {out} afterwards, nothing else ("left" alone: nothing)
 //   FILE has TEXT          a file in {out}
 //   again WORD…            the same command with these words added prints the same bytes
-//   truth axial_um|radial_um|axis_deg < NUMBER          the transform against {shared}/scans/shaft_truth.json
+//   truth axial_um|radial_um|axis_deg < NUMBER          the transform against {data}/sample/truth.json
 //   zone FROM TO ~ MICROMETRES TOLERANCE                mean deviation of the zones between two z
 #pragma once
 
@@ -30,8 +30,9 @@ struct Run {
     std::string stdout_file;               ///< empty: captured
     std::optional<int> interrupt_ms;
     std::optional<long> largest_file;
-    std::string feed_pipe;  ///< this pipe is fed…
-    std::string feed_file;  ///< …with this file
+    bool not_as_root = false;  ///< without the right of root to read anything
+    std::string feed_pipe;     ///< this pipe is fed…
+    std::string feed_file;     ///< …with this file
 };
 
 struct Line {
@@ -39,7 +40,6 @@ struct Line {
     std::string source;  ///< as written
     Run run;
     int exit_code = 0;
-    bool not_as_root = false;
     std::vector<std::string> expectations;
 };
 

@@ -1,7 +1,9 @@
 #include "tests/app/cli/run_program.h"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -80,6 +82,9 @@ struct Pipe {
         const rlimit limit{static_cast<rlim_t>(*run.largest_file), static_cast<rlim_t>(*run.largest_file)};
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (run.not_as_root)
+        for (const unsigned long right : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
+            ::prctl(PR_CAPBSET_DROP, right, 0, 0, 0);
     ::signal(SIGPIPE, SIG_DFL);
     ::execve(words[0], words, environment);
     ::_exit(127);

@@ -1,4 +1,4 @@
-// The practice data of the shared folder, when it is there.
+// Profiles with certified answers.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,12 +13,13 @@ namespace lathelier::form {
 
 inline std::filesystem::path formData()
 {
-    return std::filesystem::path(LATHELIER_SOURCE_DIR "/../shared/data/form");
+    return std::filesystem::path(LATHELIER_SOURCE_DIR "/tests/data/form");
 }
 
-inline bool hasFormData()
+/// Ten circles with known least-squares answers, laid out as NIST's: see tests/data/README.md.
+inline std::filesystem::path nistLikeData()
 {
-    return std::filesystem::is_directory(formData());
+    return std::filesystem::path(LATHELIER_SOURCE_DIR "/tests/data/nist_like");
 }
 
 /// The x,y columns of a practice profile, in mm.

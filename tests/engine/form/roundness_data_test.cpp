@@ -1,4 +1,4 @@
-// The practice data with certified answers (../shared/data/form), through the whole evaluation.
+// The practice data with certified answers, through the whole evaluation.
 #include <gtest/gtest.h>
 
 #include "engine/form/form_codes.h"
@@ -12,7 +12,6 @@ class PracticeEvaluation : public testing::TestWithParam<const char*> {};
 
 TEST_P(PracticeEvaluation, HasTheCertifiedDeviations)
 {
-    if (!hasFormData()) GTEST_SKIP() << "no shared data";
     const std::string name = GetParam();
     Profile profile;
     profile.points_mm = readPoints(name);
@@ -39,7 +38,6 @@ INSTANTIATE_TEST_SUITE_P(Form, PracticeEvaluation,
 
 TEST(PracticeEvaluations, TheLobesAreFound)
 {
-    if (!hasFormData()) GTEST_SKIP() << "no shared data";
     Profile profile;
     profile.points_mm = readPoints("p05_lobe5_n200");
     const RoundnessResult lobes = roundness(profile);

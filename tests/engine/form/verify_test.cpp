@@ -30,8 +30,7 @@ TEST(Verify, EveryKindPasses)
 
 TEST(Verify, TakesTheNistSetsOfADirectory)
 {
-    if (!hasFormData()) GTEST_SKIP() << "no shared data";
-    const VerifyResult result = verify((formData() / "nist_circles").string());
+    const VerifyResult result = verify(nistLikeData().string());
     EXPECT_EQ(result.kinds.back().kind, "nist_circle");
     EXPECT_EQ(result.kinds.back().sets, 10);
     EXPECT_TRUE(result.kinds.back().pass) << result.kinds.back().largest_deviation;

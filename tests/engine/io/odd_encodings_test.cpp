@@ -11,12 +11,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::cylinderDiameter;
 
-const fs::path folder = fs::path(LATHELIER_SOURCE_DIR) / "../shared/data/scans";
+const fs::path folder = fs::path(LATHELIER_SOURCE_DIR) / "tests/data";
 constexpr double certifiedDiameter_mm = 57.28923;
 
 TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
 {
-    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
     int read = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "odd_encodings")) {
         const std::string name = entry.path().filename().string();
@@ -33,7 +32,6 @@ TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
 
 TEST(OddEncodings, anEmptyFileIsRefused)
 {
-    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
     try {
         readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
         FAIL();
@@ -44,7 +42,6 @@ TEST(OddEncodings, anEmptyFileIsRefused)
 
 TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
 {
-    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
     const std::string path = (folder / "odd_encodings/94_ambiguous_thousands_or_decimals.csv").string();
     try {
         readScan(path);
@@ -56,25 +53,6 @@ TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
     }
     EXPECT_EQ(readScan(path, {Decimal::Comma}).scan.points_mm.front(), Eigen::Vector3d(1.234, 5.678, 9.012));
     EXPECT_EQ(readScan(path, {Decimal::Point}).scan.points_mm.front(), Eigen::Vector3d(1234, 5678, 9012));
-}
-
-TEST(OddEncodings, aPartInMetresNeedsItsUnit)
-{
-    if (!fs::exists(folder)) GTEST_SKIP() << "no shared data";
-    const std::string path = (folder / "shaftRotating.stl").string();
-    try {
-        readScan(path);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), errors::unitUnknown);
-    }
-    ImportOptions options;
-    options.unit = LengthUnit::Metre;
-    const ScanFile file = readScan(path, options);
-    EXPECT_EQ(file.facts.unit, "m");
-    EXPECT_EQ(file.facts.unit_source, "given");
-    EXPECT_NEAR(file.facts.max_mm->at(0), 25, 1e-9);
-    EXPECT_EQ(file.scan.triangles.size(), 2952u);
 }
 
 }  // namespace

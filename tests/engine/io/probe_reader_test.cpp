@@ -16,11 +16,10 @@
 namespace lathelier {
 namespace {
 
-const std::string practice = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
+const std::string practice = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
 
 TEST(ProbeReader, practiceRecordAsTableAndAsPair)
 {
-    if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
     const ProbeFile table = readProbeRecord(practice + "section01_raw.csv");
     const ProbeFile pair = readProbeRecord(practice + "section01_lgraph1.dat");
     EXPECT_EQ(table.facts.format, "probe_csv_raw");
@@ -60,7 +59,6 @@ TEST(ProbeReader, practiceRecordAsTableAndAsPair)
 
 TEST(ProbeReader, practiceAverages)
 {
-    if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
     const ProbeFile file = readProbeRecord(practice + "averaged_20x200.csv");
     const auto& record = std::get<AveragedRecord>(file.record);
     ASSERT_EQ(record.sections.size(), 20U);

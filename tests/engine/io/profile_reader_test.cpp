@@ -18,7 +18,7 @@
 namespace lathelier {
 namespace {
 
-const std::string practice = LATHELIER_SOURCE_DIR "/../shared/data/form/";
+const std::string practice = LATHELIER_SOURCE_DIR "/tests/data/";
 constexpr double turn = 2 * std::numbers::pi;
 
 ProfileFile read(const std::string& text, const ProfileOptions& profile = {}, const ImportOptions& import = {})
@@ -81,12 +81,11 @@ void expectLobes(const ProfileFile& file, double tolerance_mm = 1e-8)
 
 TEST(ProfileReader, practiceProfiles)
 {
-    if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
     const std::map<std::string, std::size_t> expected = {{"p05_lobe5_n200.csv", 200},  {"p07_ellipse_n200.csv", 200},
                                                          {"p10_turned_n200.csv", 200}, {"p13_outliers_n200.csv", 200},
                                                          {"p17_8pts.csv", 8},          {"p19_keyway_n3600.csv", 3520}};
     for (const auto& [name, points] : expected) {
-        const ProfileFile file = readProfile(practice + name);
+        const ProfileFile file = readProfile(practice + "form/" + name);
         EXPECT_EQ(file.facts.format, "profile_xy");
         EXPECT_EQ(file.facts.unit_source, "stated");
         EXPECT_EQ(testing::furtherNotes(file.notes), 0U);
@@ -97,17 +96,16 @@ TEST(ProfileReader, practiceProfiles)
 
 TEST(ProfileReader, circlesInCoordinatePlanes)
 {
-    if (!std::filesystem::exists(practice)) GTEST_SKIP() << "no shared data";
-    const ProfileFile yz = readProfile(practice + "nist_circles/cir2d1.ds");
-    ASSERT_EQ(yz.profile.points_mm.size(), 38U);
-    EXPECT_EQ(yz.profile.points_mm[0], Eigen::Vector2d(-555.1677, 21.97622));
+    const ProfileFile yz = readProfile(practice + "nist_like/circle1.ds");
+    ASSERT_EQ(yz.profile.points_mm.size(), 40U);
+    EXPECT_EQ(yz.profile.points_mm[0], Eigen::Vector2d(-102.341986132733, 58.189094410737));
     EXPECT_TRUE(contains(yz.notes, notes::profilePlane));
-    const ProfileFile zx = readProfile(practice + "nist_circles/cir2d2.ds");
-    EXPECT_EQ(zx.profile.points_mm[0], Eigen::Vector2d(423.62282, -823.57962));
-    const ProfileFile xy = readProfile(practice + "nist_circles/cir2d9.ds");
-    EXPECT_EQ(xy.profile.points_mm[0], Eigen::Vector2d(114.49663, 95.6036));
+    const ProfileFile zx = readProfile(practice + "nist_like/circle2.ds");
+    EXPECT_EQ(zx.profile.points_mm[0], Eigen::Vector2d(264.914159361227, 99.749827707211));
+    const ProfileFile xy = readProfile(practice + "nist_like/circle3.ds");
+    EXPECT_EQ(xy.profile.points_mm[0], Eigen::Vector2d(9.805224989030, -1.964381885613));
     for (int i = 1; i <= 10; ++i)
-        EXPECT_GE(readProfile(practice + fmt::format("nist_circles/cir2d{}.ds", i)).profile.points_mm.size(), 3U);
+        EXPECT_GE(readProfile(practice + fmt::format("nist_like/circle{}.ds", i)).profile.points_mm.size(), 3U);
 }
 
 TEST(ProfileReader, coordinatesInManyDisguises)

@@ -1,5 +1,4 @@
 // What is a body of revolution and what is not: bores, rough zones, bends, arcs, and clouds that only look like one.
-// The cases are those of ../shared/data/recognition/make_bad.py, with points of our own.
 #include <gtest/gtest.h>
 
 #include <functional>

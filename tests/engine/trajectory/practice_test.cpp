@@ -1,4 +1,4 @@
-// The practice data of the shared folder against their truth (limits 0.3, 0.3, 0.2, 0.1 µm).
+// Practice data against their truth (limits 0.3, 0.3, 0.2, 0.1 µm).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,15 +12,11 @@
 namespace lathelier::trajectory {
 namespace {
 
-const std::string folder = LATHELIER_SOURCE_DIR "/../shared/data/lagrang/";
+const std::string folder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
 
 class Practice : public testing::Test {
 protected:
-    void SetUp() override
-    {
-        if (!std::filesystem::exists(folder + "truth.json")) GTEST_SKIP() << "no shared data";
-        truth = nlohmann::json::parse(std::ifstream(folder + "truth.json"));
-    }
+    void SetUp() override { truth = nlohmann::json::parse(std::ifstream(folder + "truth.json")); }
 
     void expectSection(const TrajectorySection& section, const nlohmann::json& expected) const
     {

@@ -3900,70 +3900,6 @@
         <translation>Pomoc programu Lathelier</translation>
     </message>
     <message>
-        <source>Compare a copy with its original</source>
-        <translation>Porównanie kopii z oryginałem</translation>
-    </message>
-    <message>
-        <source>Drop two scans on the window – the original (reference) and the copy – or open them at the left. Point clouds and meshes are read: XYZ, ASC, CSV, TXT, PTS, PLY, PCD, STL, OBJ. The answer stands in large type above the views, with its notes under it.</source>
-        <translation>Upuść na okno dwa skany – oryginał i kopię – albo otwórz je po lewej stronie. Program czyta chmury punktów i siatki: XYZ, ASC, CSV, TXT, PTS, PLY, PCD, STL, OBJ. Wynik stoi dużym pismem nad widokami, a pod nim uwagi.</translation>
-    </message>
-    <message>
-        <source>A positive deviation is material in excess, a negative one is missing material. State a tolerance at the left to get a verdict. Whatever you change is computed again at once; Undo takes back any step.</source>
-        <translation>Odchyłka dodatnia to naddatek materiału, ujemna – jego brak. Podaj po lewej tolerancję, aby otrzymać ocenę. Każda zmiana jest natychmiast przeliczana; każdy krok można cofnąć.</translation>
-    </message>
-    <message>
-        <source>When a file is refused</source>
-        <translation>Gdy plik zostanie odrzucony</translation>
-    </message>
-    <message>
-        <source>The message names the file, the line and column or byte, and what was expected. If the file leaves its unit or its decimal mark open, state it under the file&apos;s name at the left; the project remembers it.</source>
-        <translation>Komunikat podaje plik, wiersz i kolumnę albo bajt oraz to, czego oczekiwano. Jeżeli plik nie rozstrzyga jednostki lub znaku dziesiętnego, wskaż je po lewej pod nazwą pliku; projekt to zapamięta.</translation>
-    </message>
-    <message>
-        <source>Reports</source>
-        <translation>Raporty</translation>
-    </message>
-    <message>
-        <source>“Report…” writes the result on screen as HTML or PDF, with method, parameters, notes and the digests of the input files. “In the report” makes it part of the project&apos;s report (File menu).</source>
-        <translation>„Raport” zapisuje wynik z ekranu jako HTML lub PDF: z metodą, parametrami, uwagami i skrótami SHA-256 plików wejściowych. „W raporcie” włącza go do raportu projektu (menu Plik).</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Klawisze</translation>
-    </message>
-    <message>
-        <source>open a project or measured files</source>
-        <translation>otwórz projekt lub skany</translation>
-    </message>
-    <message>
-        <source>save the project</source>
-        <translation>zapisz projekt</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>cofnij, ponów</translation>
-    </message>
-    <message>
-        <source>compute again</source>
-        <translation>przelicz ponownie</translation>
-    </message>
-    <message>
-        <source>stop the computation</source>
-        <translation>przerwij obliczenia</translation>
-    </message>
-    <message>
-        <source>presenter mode: larger type, thicker lines</source>
-        <translation>tryb prezentacji: większe pismo, grubsze linie</translation>
-    </message>
-    <message>
-        <source>full screen</source>
-        <translation>pełny ekran</translation>
-    </message>
-    <message>
-        <source>all commands, found by typing</source>
-        <translation>wszystkie polecenia, znajdowane przez wpisywanie</translation>
-    </message>
-    <message>
         <source>About Lathelier</source>
         <translation>O programie Lathelier</translation>
     </message>
@@ -3976,12 +3912,24 @@ Free software under the GNU General Public License, version 3 or later. It works
 Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza. Działa bez sieci; Twoje pliki zostają u Ciebie.</translation>
     </message>
     <message>
-        <source>Measure roundness and the spindle</source>
-        <translation>Mierzenie okrągłości i wrzeciona</translation>
+        <source>Search the manual</source>
+        <translation>Szukaj w podręczniku</translation>
     </message>
     <message>
-        <source>In workspace Roundness, drop a probe record (CSV, or a pair .dat and .par of L-Graph) or a measured profile. Three panels look at the same data: Roundness shows one section with its four reference circles, Trajectory how axis and tool move, Longitudinal the whole workpiece. Section, circle and filter are chosen once for all of them. The worst section is shown first.</source>
-        <translation>W przestrzeni Okrągłość upuść zapis czujników (CSV albo parę .dat i .par programu L-Graph) lub zmierzony profil. Trzy panele pokazują te same dane: Okrągłość jeden przekrój z czterema okręgami odniesienia, Trajektoria ruch osi i narzędzia, Przekrój podłużny cały przedmiot. Przekrój, okrąg i filtr wybiera się raz dla wszystkich. Najpierw widać najgorszy przekrój.</translation>
+        <source>Words that a page has to have, all of them; Enter goes to the next place</source>
+        <translation>Słowa, które strona musi zawierać, wszystkie; Enter przechodzi do następnego miejsca</translation>
+    </message>
+    <message>
+        <source>No page has all of these words.</source>
+        <translation>Żadna strona nie zawiera wszystkich tych słów.</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Strony podręcznika</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Strona podręcznika</translation>
     </message>
 </context>
 <context>

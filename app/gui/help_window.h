@@ -1,9 +1,15 @@
-// The short built-in help (F1) and the About box.
+// The manual on the screen (F1): its pages at the left, a search over all of them above. And the About box.
 #pragma once
 
 #include <QDialog>
 
+#include "app/gui/manual.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
 class QTextBrowser;
+class QTextCursor;
 
 namespace lathelier {
 
@@ -12,12 +18,32 @@ class HelpWindow : public QDialog {
 public:
     explicit HelpWindow(QWidget* parent = nullptr);
 
+    /// Shows the page about a panel (by the panel's id) or any other, the index where there is none; ends a search.
+    void showPage(const QString& name);
+
+    /// The name of the page that is shown.
+    QString page() const { return shown_; }
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void retranslate();
+    void turnTo(const QString& name);
+    void search();
+    void listPages();
+    void markHits();
+    void goToHit(std::size_t hit);
+    QTextCursor cursorOn(const TextPlace& place) const;
 
+    QString language_;  ///< of manual_
+    Manual manual_;
+    QString shown_ = Manual::indexName;
+    std::vector<TextPlace> hits_;  ///< of the search, in the page shown
+    std::size_t hit_ = 0;          ///< the one that was gone to
+    QLineEdit* search_;
+    QLabel* nothing_;
+    QListWidget* pages_;
     QTextBrowser* text_;
 };
 

@@ -219,6 +219,8 @@ void MainWindow::showPalette()
 void MainWindow::showHelp()
 {
     if (!help_) help_ = new HelpWindow(this);
+    const PanelDock* dock = activeDock();
+    help_->showPage(dock && dock->isVisible() ? QString::fromStdString(dock->facts().id) : Manual::indexName);
     help_->show();
     help_->raise();
     help_->activateWindow();

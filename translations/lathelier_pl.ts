@@ -2208,8 +2208,8 @@
         <translation>Promień</translation>
     </message>
     <message>
-        <source>Expanded uncertainty (k = 2)</source>
-        <translation>Niepewność rozszerzona (k = 2)</translation>
+        <source>Expanded uncertainty (95 %)</source>
+        <translation>Niepewność rozszerzona (95 %)</translation>
     </message>
     <message>
         <source>ISO 14253-1: only what is sure passes or fails</source>
@@ -2276,16 +2276,16 @@
         <translation>Wszystkie profile</translation>
     </message>
     <message>
-        <source>U, k = 2 (µm)</source>
-        <translation>U, k = 2 (µm)</translation>
+        <source>U, 95 % (µm)</source>
+        <translation>U, 95 % (µm)</translation>
     </message>
     <message>
         <source>What the form consists of</source>
         <translation>Z czego składa się kształt</translation>
     </message>
     <message>
-        <source>The uncertainty is twice the root mean square by which the noise of the points changes the value, filtered and fitted anew (Monte Carlo). The table shows what other methods would say of the same points.</source>
-        <translation>Niepewność to dwukrotność średniej kwadratowej zmian, jakie szum punktów wywołuje w wartości po ponownym filtrowaniu i dopasowaniu (Monte Carlo). Tabela pokazuje, co inne metody powiedziałyby o tych samych punktach.</translation>
+        <source>The uncertainty is half of an interval about the value that holds the deviation without noise in 95 of 100 measurements (JCGM 101): the noise of the points is drawn anew, filtered and fitted. The table shows what other methods would say of the same points.</source>
+        <translation>Niepewność to połowa przedziału wokół wartości, który w 95 na 100 pomiarów zawiera odchyłkę bez szumu (JCGM 101): szum punktów jest losowany od nowa, filtrowany i dopasowywany. Tabela pokazuje, co inne metody powiedziałyby o tych samych punktach.</translation>
     </message>
     <message>
         <source>no filter</source>

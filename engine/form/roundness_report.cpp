@@ -63,7 +63,7 @@ QuantityTable verdictTable(const RoundnessResult& result)
     else
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
     if (asked.tolerance_um) table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *asked.tolerance_um, um});
-    table.rows.push_back({LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), result.RONt_expanded_uncertainty_um, um});
+    table.rows.push_back({LT_TEXT("Engine", "Expanded uncertainty (95 %)"), result.RONt_expanded_uncertainty_um, um});
     table.rows.push_back({LT_TEXT("Engine", "Decision rule"),
                           asked.decision == DecisionRule::Guarded
                               ? LT_TEXT("Engine", "ISO 14253-1: only what is sure passes or fails")
@@ -104,7 +104,7 @@ QuantityTable certaintyTable(const RoundnessResult& result)
     const std::string which(name(result.parameters.circle));
     return {LT_TEXT("Engine", "Uncertainty"),
             {{"RONt(" + which + ")", headlineDeviation_um(result), um},
-             {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), result.RONt_expanded_uncertainty_um, um},
+             {LT_TEXT("Engine", "Expanded uncertainty (95 %)"), result.RONt_expanded_uncertainty_um, um},
              {LT_TEXT("Engine", "Standard deviation of a point"), result.point_noise_um, um}}};
 }
 
@@ -113,7 +113,7 @@ Table overviewTable(const std::vector<RoundnessResult>& results, const Language&
     Table table{LT_TEXT("Engine", "All profiles"),
                 {LT_TEXT("Engine", "profile"), LT_TEXT("Engine", "filter"), LT_TEXT("Engine", "MZCI (µm)"),
                  LT_TEXT("Engine", "LSCI (µm)"), LT_TEXT("Engine", "MICI (µm)"), LT_TEXT("Engine", "MCCI (µm)"),
-                 LT_TEXT("Engine", "U, k = 2 (µm)"), LT_TEXT("Engine", "verdict")},
+                 LT_TEXT("Engine", "U, 95 % (µm)"), LT_TEXT("Engine", "verdict")},
                 {},
                 {0, 0, 3, 3, 3, 3, 3, 0}};
     for (const RoundnessResult& result : results)
@@ -141,9 +141,9 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
         {LT_TEXT("Engine", "How sure"),
          {certaintyTable(result), leastSquaresTable(result),
           Paragraph{LT_TEXT("Engine",
-                            "The uncertainty is twice the root mean square by which the noise of the points changes "
-                            "the value, filtered and fitted anew (Monte Carlo). The table shows "
-                            "what other methods would say of the same points."),
+                            "The uncertainty is half of an interval about the value that holds the deviation without "
+                            "noise in 95 of 100 measurements (JCGM 101): the noise of the points is drawn anew, "
+                            "filtered and fitted. The table shows what other methods would say of the same points."),
                     {}},
           methodTable(result, language)}});
 }

@@ -41,7 +41,7 @@ QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResul
          {"RONt(LSCI)", c.LSCI.RONt_um, um, 2},
          {"RONt(MICI)", c.MICI.RONt_um, um, 2},
          {"RONt(MCCI)", c.MCCI.RONt_um, um, 2},
-         {LT_TEXT("Engine", "Expanded uncertainty (k = 2)"), section.roundness.RONt_expanded_uncertainty_um, um, 2},
+         {LT_TEXT("Engine", "Expanded uncertainty (95 %)"), section.roundness.RONt_expanded_uncertainty_um, um, 2},
          {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), section.run_out_um,
           um, 2},
          {LT_TEXT("Engine", "Two-point size range"), section.roundness.two_point.range_um, um, 2},

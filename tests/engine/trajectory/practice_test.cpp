@@ -8,6 +8,7 @@
 #include "engine/io/probe_reader.h"
 #include "engine/trajectory/trajectory.h"
 #include "engine/trajectory/trajectory_codes.h"
+#include "tests/engine/io/lgraph_files.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -73,7 +74,13 @@ TEST_F(Practice, ARecordingOfSomethingElseIsRefused)
 {
     TrajectoryParameters parameters;
     parameters.workpiece_diameter_mm = 50;
-    const std::vector<ProbeFile> records{readProbeRecord(folder + "LGraph2_sample.dat")};
+    lathelier::testing::LGraphSetup two;
+    two.version = lathelier::testing::Made::Two;
+    two.active = {4, 6};
+    const std::string name = ::testing::TempDir() + "two_channels";
+    std::ofstream(name + ".par", std::ios::binary) << lathelier::testing::makePar(two);
+    std::ofstream(name + ".dat", std::ios::binary) << lathelier::testing::makeDat(two.frames, two.active.size());
+    const std::vector<ProbeFile> records{readProbeRecord(name + ".dat")};
     try {
         trajectory(records, parameters);
         FAIL();

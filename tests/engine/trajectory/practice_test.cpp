@@ -15,7 +15,7 @@ namespace {
 
 const std::string folder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
 
-class Practice : public testing::Test {
+class Practice : public ::testing::Test {
 protected:
     void SetUp() override { truth = nlohmann::json::parse(std::ifstream(folder + "truth.json")); }
 

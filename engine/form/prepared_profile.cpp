@@ -38,11 +38,7 @@ void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& 
     const FittedCircle circle = fitLeastSquaresCircle(points);
     prepared.centre_mm = circle.centre_mm;
     prepared.radius_mm = circle.radius_mm;
-    std::vector<double> angle(points.size());
-    parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) angle[i] = angleAbout(circle.centre_mm, points[i]);
-    });
-    prepared.sampling = signal::sampleAngles(angle);
+    prepared.sampling = signal::sampleAngles(anglesAbout(circle.centre_mm, points, progress));
     std::vector<std::size_t> given;
     given.reserve(points.size());
     for (std::size_t i = 0; i < prepared.used.size(); ++i)
@@ -90,6 +86,16 @@ bool removeOutliers(PreparedProfile& prepared, const Progress& progress)
 }
 
 }  // namespace
+
+std::vector<double> anglesAbout(const Vector2d& centre_mm, const std::vector<Vector2d>& points_mm,
+                                const Progress& progress)
+{
+    std::vector<double> angle(points_mm.size());
+    parallelFor(points_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) angle[i] = angleAbout(centre_mm, points_mm[i]);
+    });
+    return angle;
+}
 
 bool isExcluded(double angle_deg, const std::vector<Interval>& sectors_deg)
 {

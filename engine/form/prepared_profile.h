@@ -25,6 +25,10 @@ struct PreparedProfile {
     signal::AngularSampling sampling;        ///< of points_mm; its order is already applied
 };
 
+/// atan2 of each point as seen from a centre.
+std::vector<double> anglesAbout(const Eigen::Vector2d& centre_mm, const std::vector<Eigen::Vector2d>& points_mm,
+                                const Progress& progress = {});
+
 /// Leaves out sectors (angles as seen from the centre that results) and outliers. Errors as fitLeastSquaresCircle().
 PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interval>& exclude_deg, OutlierRule rule,
                                const Progress& progress = {});

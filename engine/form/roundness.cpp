@@ -180,13 +180,7 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.name = profile.name;
     result.points = profile.points_mm.size();
     result.used = prepared.used;
-    result.angle_rad.resize(profile.points_mm.size());
-    parallelFor(profile.points_mm.size(), 1 << 15, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Vector2d ray = profile.points_mm[i] - prepared.centre_mm;
-            result.angle_rad[i] = std::atan2(ray.y(), ray.x());
-        }
-    });
+    result.angle_rad = anglesAbout(prepared.centre_mm, profile.points_mm, progress);
     result.evaluated_index = prepared.index;
     result.filter_way = evaluated.way;
     progress.report(0.1);

@@ -14,16 +14,6 @@ constexpr double normalPerMedian = 1.4826;
 
 constexpr std::size_t grain = 8192;
 
-/// Median of `values`, which are left in another order.
-double medianInPlace(std::vector<double>& values)
-{
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
 /// The finite values about a place that moves along, in ascending order.
 class MovingWindow {
 public:
@@ -95,7 +85,11 @@ private:
 
 double median(std::vector<double> values)
 {
-    return medianInPlace(values);
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
 double robustSpread(const std::vector<double>& values)

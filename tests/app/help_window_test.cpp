@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
@@ -14,9 +13,8 @@
 #include "app/gui/help_window.h"
 #include "app/gui/main_window.h"
 #include "app/gui/panels.h"
-#include "tests/widgets/core/fake_panel.h"
+#include "tests/app/window_fixture.h"
 #include "widgets/core/language.h"
-#include "widgets/core/resources.h"
 
 namespace lathelier {
 
@@ -51,13 +49,7 @@ class HelpWindowTest : public QObject {
     }
 
 private slots:
-    void initTestCase()
-    {
-        QCoreApplication::setOrganizationName("LathelierTest");
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
-        useResources();
-    }
+    void initTestCase() { useSettingsOf(folder_.path()); }
     void init()
     {
         languages_.use("en");

@@ -245,28 +245,5 @@ TEST_F(LGraphFiles, aTextNamedDatIsATable)
     EXPECT_FALSE(isProbeRecord(cloud));
 }
 
-// The sample recording of ADC.Data.Viewer.Java (GPL), which is not part of this repository: asked for by name, with the
-// folder that holds it in LATHELIER_LGRAPH2.
-TEST(LGraph, DISABLED_realRecordingOfLGraphTwo)
-{
-    const char* const place = std::getenv("LATHELIER_LGRAPH2");
-    ASSERT_NE(place, nullptr);
-    const std::string practice = std::string(place) + "/";
-    const ProbeFile file = readProbeRecord(practice + "LGraph2_sample.dat");
-    EXPECT_EQ(file.facts.format, "lgraph_2");
-    const ProbeRecord& real = record(file);
-    ASSERT_EQ(real.channels.size(), 2U);
-    EXPECT_EQ(real.channels[0].name, "channel 4");
-    EXPECT_EQ(real.channels[1].name, "channel 6");
-    EXPECT_EQ(real.frames(), 50000U);
-    EXPECT_EQ(real.rate_hz, 1e6);
-    EXPECT_EQ(real.device, "L783");
-    EXPECT_EQ(real.recorded, "02-03-2016 11:11:19");
-    EXPECT_DOUBLE_EQ(real.channels[0].values[0], 294 * 5.0 / 2000);
-    EXPECT_DOUBLE_EQ(real.channels[1].values[2], 290 * 5.0 / 2000);
-    EXPECT_NEAR(*real.channel_skew_s, 0.5e-6, 1e-12);  // two channels at 1 MHz, whatever the header says
-    EXPECT_TRUE(contains(file.notes, notes::converterRateWrong));
-}
-
 }  // namespace
 }  // namespace lathelier

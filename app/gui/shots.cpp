@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 
+#include "app/gui/help_window.h"
 #include "app/gui/verify_dialog.h"
 
 namespace lathelier {
@@ -82,6 +83,16 @@ bool shootVerification(MainWindow& window, const QDir& shots)
     return good;
 }
 
+bool shootManual(MainWindow& window, const QDir& shots)
+{
+    window.action("help")->trigger();
+    auto* manual = window.findChild<HelpWindow*>();
+    pause(settling_ms);
+    const bool good = write(*manual, shots.filePath("manual.png"));
+    manual->close();
+    return good;
+}
+
 }  // namespace
 
 int takeShots(MainWindow& window, const QString& folder)
@@ -100,7 +111,7 @@ int takeShots(MainWindow& window, const QString& folder)
         window.show();
         inTurn([&](PanelDock& dock) { good = shootPanel(window, dock, shots, suffix) && good; });
     }
-    good = shootVerification(window, shots) && good;
+    good = shootVerification(window, shots) && shootManual(window, shots) && good;
     inTurn([&](PanelDock& dock) {
         dock.show();
         dock.raise();

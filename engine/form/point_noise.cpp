@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/statistics.h"
 #include "engine/signal/fourier.h"
 #include "engine/signal/hampel.h"
 #include "engine/signal/nonuniform_fourier.h"
@@ -45,7 +46,7 @@ WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::
     for (std::size_t m = from; m <= to; m += stride)
         if (!skip[m]) values.push_back(power[m]);
     if (values.empty()) return {};
-    const double clip = 6 * signal::median(values) / std::log(2.0);
+    const double clip = 6 * median(values) / std::log(2.0);
     double sum = 0;
     for (const double value : values) sum += std::min(value, clip);
     return {sum / static_cast<double>(values.size()) / (1 - std::exp(-6.0)), values.size()};
@@ -171,7 +172,7 @@ std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double
 {
     const std::size_t n = rest.size();
     const double sigma = std::max(signal::robustSpread(rest), least_um);
-    const double middle = signal::median(rest);
+    const double middle = median(rest);
     std::vector<std::uint8_t> out(n), spike(n);
     std::size_t count = 0;
     for (std::size_t i = 0; i < n; ++i) count += out[i] = std::abs(rest[i] - middle) > spikeSigma * sigma;

@@ -157,14 +157,6 @@ void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, 
     }
 }
 
-FormVerdict decide(double deviation_um, double uncertainty_um, double tolerance_um, DecisionRule rule)
-{
-    if (rule == DecisionRule::Simple) return deviation_um <= tolerance_um ? FormVerdict::Pass : FormVerdict::Fail;
-    if (deviation_um + uncertainty_um <= tolerance_um) return FormVerdict::Pass;
-    if (deviation_um - uncertainty_um > tolerance_um) return FormVerdict::Fail;
-    return FormVerdict::Undecided;  // also when the uncertainty is not known
-}
-
 }  // namespace
 
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters, const Progress& progress)
@@ -218,8 +210,8 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.RONt_expanded_uncertainty_um = std::hypot(form_uncertainty_um, nominal_um);
     result.hints = roundnessHints(result);
     if (parameters.tolerance_um)
-        result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
-                                *parameters.tolerance_um, parameters.decision);
+        result.verdict = judge(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
+                               *parameters.tolerance_um, parameters.decision);
 
     noteSampling(profile, prepared, band, result.notes);
     if (const double turns = turnsOf(result); turns > 1.5)

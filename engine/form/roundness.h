@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/profile.h"
@@ -18,8 +19,6 @@
 namespace lathelier::form {
 
 enum class OutlierRule { None, Hampel };
-/// Simple: pass when RONt ≤ T. Guarded: pass when RONt + U ≤ T, fail when RONt - U > T, else no verdict.
-enum class DecisionRule { Simple, Guarded };
 
 struct RoundnessParameters {
     std::optional<double> cutoff_upr;   ///< Gaussian long-wave pass: 1…cutoff
@@ -70,8 +69,6 @@ struct PaperValues {
     Eigen::Vector2d limacon_centre_um = Eigen::Vector2d::Zero();  ///< 2ΣX/n, 2ΣY/n of the deviations from R0
 };
 
-enum class FormVerdict { Pass, Fail, Undecided };
-
 struct RoundnessResult {
     RoundnessParameters parameters;
     std::string name;
@@ -94,7 +91,7 @@ struct RoundnessResult {
     double resolution_um = 0;               ///< step of the measured values; 0: none found
     double noise_correlation_points = 1;    ///< neighbours whose noise moves together; 1: independent
     std::vector<double> harmonic_floor_um;  ///< by harmonic: the amplitude that noise alone exceeds once in 3000
-    std::optional<FormVerdict> verdict;     ///< with a tolerance
+    std::optional<Verdict> verdict;         ///< with a tolerance
     Notes notes;
 };
 

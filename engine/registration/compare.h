@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
@@ -81,8 +82,6 @@ struct UnrolledMap {
     int angle_count = 0;  ///< over 360°, cell centres at (j + ½)·360/angle_count
     std::vector<float> mean_mm;
 };
-
-enum class Verdict { Pass, Fail };
 
 struct CompareResult {
     CompareParameters parameters;  ///< as asked

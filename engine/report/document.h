@@ -15,8 +15,17 @@
 
 namespace lathelier {
 
+struct VerifyPart;
+
+/// The heading of a column of numbers.
+struct Labelled {
+    Text label;
+    Text unit;  ///< in brackets behind it; empty: none
+    friend bool operator==(const Labelled&, const Labelled&) = default;
+};
+
 /// A label of the report: a translatable literal, or a name that is the same in every language (a path).
-using Caption = std::variant<Text, std::string>;
+using Caption = std::variant<Text, std::string, Labelled>;
 
 std::string captionText(const Caption& caption, const Language& language = {});
 
@@ -132,7 +141,8 @@ struct Section {
 
 struct Document {
     Caption title;
-    bool verified = false;  ///< holds what "Verify installation" found
+    std::vector<const VerifyPart*> verification;  ///< of its capabilities: quoted as the last section
+    bool verified = false;                        ///< holds what "Verify installation" found
     std::vector<Section> sections;
     std::vector<InputFile> inputs;
     std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/statistics.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier::signal {

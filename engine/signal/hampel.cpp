@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 
 namespace lathelier::signal {
 namespace {
@@ -82,15 +83,6 @@ private:
 };
 
 }  // namespace
-
-double median(std::vector<double> values)
-{
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 double robustSpread(const std::vector<double>& values)
 {

@@ -27,5 +27,7 @@ double median(std::vector<double> values);
 
 /// 1.4826 × the median of absolute deviations from the median: the standard deviation of normal values.
 double robustSpread(const std::vector<double>& values);
+/// The same of absolute deviations from `centre`.
+double robustSpread(const std::vector<double>& values, double centre);
 
 }  // namespace lathelier::signal

@@ -132,6 +132,7 @@ Invocation toInvocation(const Verb& verb, const Typed& typed)
         }
     for (const auto& [name, path] : typed.outputs)
         if (!path.empty()) result.request.outputs.emplace(name, path);
+    result.request.in_full = !typed.common.json.empty() || !typed.common.report.empty();
     checkOutputs(result);
     return result;
 }

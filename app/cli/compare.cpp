@@ -31,7 +31,8 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
     const auto result = std::make_shared<registration::CompareResult>();
     try {
         *result = compare(reference.scan, copy.scan, fromValues<registration::CompareParameters>(request.parameters),
-                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")));
+                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")),
+                          request.in_full ? registration::CompareDetail::Full : registration::CompareDetail::Summary);
     } catch (Error& error) {  // the engine names the role of the scan at fault; here is its file
         const Value* const role = find(error.values(), "role");
         const auto* const name = role ? std::get_if<std::string>(role) : nullptr;

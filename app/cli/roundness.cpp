@@ -132,7 +132,8 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
             const ProfileFile file =
                 readProfile(path, request, inputs, part.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
             form::RoundnessResult result =
-                roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")));
+                roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")),
+                          request.in_full ? form::MethodTable::Made : form::MethodTable::LeftOut);
             if (result.name.empty()) result.name = path;
             answer.notes.insert(answer.notes.end(), result.notes.begin(), result.notes.end());
             // The report and the profile's own notes hold those of its file as well.

@@ -43,6 +43,7 @@ struct Request {
     std::vector<std::string> operands;
     Values parameters;
     std::map<std::string, std::string> outputs;  ///< by option name, only those given
+    bool in_full = false;                        ///< JSON or a report is asked for: more than the summary holds
 };
 
 /// What a verb found; filled as it goes, so that notes survive an error. JSON and report are built when asked for.

@@ -55,6 +55,9 @@ struct MethodRow {
     bool undersampled = false;
 };
 
+/// Whether the table of methods is worked out: about half of all work. Left out, the result's `methods` is empty.
+enum class MethodTable { Made, LeftOut };
+
 /// What the strongest harmonics usually mean on a lathe.
 struct RoundnessHint {
     int upr = 0;  ///< 1: eccentricity from the origin of the coordinates, which is no form
@@ -102,7 +105,7 @@ struct RoundnessResult {
 /// harmonicsEstimated, resolutionCounted, noiseCorrelated, spikesCounted, twoPointIncomplete. Errors as fitCircles();
 /// valueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
-                          const Progress& progress = {});
+                          const Progress& progress = {}, MethodTable table = MethodTable::Made);
 
 /// RONt_um of the circle that the parameters name.
 double headlineDeviation_um(const RoundnessResult& result);

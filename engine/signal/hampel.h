@@ -24,5 +24,7 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
 
 /// 1.4826 × the median of absolute deviations from the median: the standard deviation of normal values.
 double robustSpread(const std::vector<double>& values);
+/// The same of absolute deviations from `centre`.
+double robustSpread(const std::vector<double>& values, double centre);
 
 }  // namespace lathelier::signal

@@ -2,7 +2,17 @@
 add_library(lathelier_options INTERFACE)
 target_include_directories(lathelier_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(lathelier_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-                       -Werror -Werror=switch)
+                       -Wconversion -Wsign-conversion -Wold-style-cast -Wformat=2)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(lathelier_options INTERFACE -Wlogical-op)
+endif()
+if(LATHELIER_WERROR)
+    target_compile_options(lathelier_options INTERFACE -Werror)
+endif()
+if(LATHELIER_ODR)
+    add_compile_options(-O1 -flto=auto)
+    add_link_options(-O1 -flto=auto -Wodr -Werror=odr)
+endif()
 # The same bits on every machine: no contraction of a*b+c into one rounding.
 target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
 # Hardened, where no sanitizer checks more: guarded stack frames, checked calls of the C library, addresses that change

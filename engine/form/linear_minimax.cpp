@@ -98,7 +98,7 @@ template <int N>
 struct Basis {
     using Vector = Eigen::Vector<double, N + 1>;
 
-    std::array<Constraint<N>, N + 1> constraints;
+    std::array<Constraint<N>, static_cast<std::size_t>(N + 1)> constraints;
     Eigen::Matrix<double, N + 1, N + 1> inverse;
 
     bool invert()

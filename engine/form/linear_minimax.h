@@ -21,7 +21,7 @@ using HalfPlane = Limit<2>;
 template <int N>
 struct LinearDistances {
     std::vector<double> a;
-    std::array<std::vector<double>, N> u;
+    std::array<std::vector<double>, static_cast<std::size_t>(N)> u;
 
     std::size_t size() const { return a.size(); }
     void clear();
@@ -52,7 +52,7 @@ struct MinimaxStep {
     double value = 0;      ///< of the goal at the step; if not `solved`, a lower bound of it
     bool solved = false;   ///< false: stopped above `enough`, or lost in rounding
     bool feasible = true;  ///< false: the limits leave nothing of the cube
-    std::array<Active, N + 1> active;
+    std::array<Active, static_cast<std::size_t>(N + 1)> active;
 };
 
 /// Minimises the goal over |step| ≤ half in every coordinate and within the limits, by a dual exchange of N + 1

@@ -70,7 +70,7 @@ double turnsOf(const RoundnessResult& result)
         forward += step > 0;
         backward += step < 0;
     }
-    const bool ordered = std::max(forward, backward) > 0.95 * static_cast<double>(n);
+    const bool ordered = static_cast<double>(std::max(forward, backward)) > 0.95 * static_cast<double>(n);
     return ordered ? std::abs(sum) / (2 * std::numbers::pi) : 0;
 }
 

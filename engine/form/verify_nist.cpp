@@ -30,10 +30,11 @@ std::vector<double> numbersOf(const fs::path& path, const Progress& progress)
         double value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
         if (error != std::errc())
-            throw Error(errors::malformed, {{"path", path.string()},
-                                            {"byte", static_cast<std::int64_t>(at - text.data())},
-                                            {"found", std::string(at, std::min<std::ptrdiff_t>(end - at, 20))},
-                                            {"expected", LT_TEXT("Engine", "a number")}});
+            throw Error(errors::malformed,
+                        {{"path", path.string()},
+                         {"byte", static_cast<std::int64_t>(at - text.data())},
+                         {"found", std::string(at, std::min(end, at + std::min<std::ptrdiff_t>(end - at, 20)))},
+                         {"expected", LT_TEXT("Engine", "a number")}});
         numbers.push_back(value);
         at = next;
     }

@@ -79,9 +79,9 @@ bool hasProbeNames(const TableLayout& layout)
         const QuantityHeading heading = parseQuantityHeading(column.heading);
         const std::string plain = plainName(heading.name);
         const bool isVoltage = heading.unit && heading.unit->kind == QuantityUnit::Kind::Voltage;
-        probes += isProbe(plain) ? 1 : 0;
+        probes += isProbe(plain) ? 1U : 0U;
         times = times || isTimeName(plain);
-        signals += isProbe(plain) || isMarkerName(plain) || isChannelName(plain) || isVoltage ? 1 : 0;
+        signals += isProbe(plain) || isMarkerName(plain) || isChannelName(plain) || isVoltage ? 1U : 0U;
     }
     return probes >= 2 || signals >= 2 || (times && signals >= 1);
 }

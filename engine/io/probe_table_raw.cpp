@@ -139,7 +139,7 @@ void takeTimes(ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& not
     const double period = medianStep(written);
     const double rounding = 1e-6 * period + 1e-15 * std::abs(written.back());
     std::size_t equal = 0;
-    for (std::size_t i = 1; i < count; ++i) equal += std::abs(step(i) - period) <= rounding ? 1 : 0;
+    for (std::size_t i = 1; i < count; ++i) equal += std::abs(step(i) - period) <= rounding ? 1U : 0U;
     const bool areExact = static_cast<double>(equal) >= 0.9 * static_cast<double>(count - 1);
     // Times rounded to more than a tenth of a step are worth less than the rate that they give together.
     const bool isCoarse = !areExact && resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;

@@ -267,7 +267,7 @@ bool holdsAngles(std::span<const double> rows, const TableLayout& layout)
     double smallest = first;
     double largest = first;
     for (std::size_t i = 1; i < count; ++i) {
-        against += (rows[2 * i] - rows[2 * (i - 1)]) * turn > 0 ? 0 : 1;
+        against += (rows[2 * i] - rows[2 * (i - 1)]) * turn > 0 ? 0U : 1U;
         smallest = std::min(smallest, rows[2 * i]);
         largest = std::max(largest, rows[2 * i]);
     }

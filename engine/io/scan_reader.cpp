@@ -73,8 +73,8 @@ bool looksLikeObj(std::string_view text)
         const bool isFace = words.size() >= 4 && words[0] == "f" && words[1].find_first_not_of("-0123456789/") != 0;
         if (startsSo && (isVertex || words[0] == "f")) return true;
         vertices += isVertex ? 1 : 0;
-        faces += isFace ? 1 : 0;
-        others += isObjKeyword(words[0]) ? 0 : 1;
+        faces += isFace ? 1U : 0U;
+        others += isObjKeyword(words[0]) ? 0U : 1U;
     }
     return vertices >= 3 && (faces > 0 || others * 2 < vertices);
 }

@@ -26,7 +26,7 @@ bool Lines::next()
         const std::string_view start = text_.substr(begin_, 100);
         throw malformed(number_ + 1, start, start, LT_TEXT("Engine", "a line of at most 1 MiB"));
     }
-    if (p < text_.size()) p += text_[p] == '\r' && p + 1 < text_.size() && text_[p + 1] == '\n' ? 2 : 1;
+    if (p < text_.size()) p += text_[p] == '\r' && p + 1 < text_.size() && text_[p + 1] == '\n' ? 2U : 1U;
     next_ = p;
     ++number_;
     return true;

@@ -109,7 +109,7 @@ struct CompareResult {
 };
 
 /// Summary: only what the verdict needs; histogram, zones, meridian, map and the figures from cloud to cloud stay as in
-/// a fresh result. Numbers and notes are the same.
+/// a fresh result. What is filled is the same as with Full.
 enum class CompareDetail { Full, Summary };
 
 /// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.

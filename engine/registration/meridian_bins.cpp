@@ -280,7 +280,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         MeridianBin& bin = result.bins[b];
         if (bin.active && bin.sigma > most_scatter) bin.active = false;
         bin.sigma = result.sigma_mm;
-        if (bin.active || by_z.first[b + 1] - by_z.first[b] < least / 2) continue;
+        if (bin.active || static_cast<double>(by_z.first[b + 1] - by_z.first[b]) < least / 2) continue;
         const bool goes_on = b > 0 && result.face_of[b - 1] >= 0;
         if (!goes_on) face_points.push_back(0);
         result.face_of[b] = static_cast<int>(face_points.size()) - 1;

@@ -9,7 +9,7 @@ namespace {
 /// The smallest and the largest value of each bucket, in their order: peaks survive.
 void thin(TimeSignal& signal, const FrameClock& clock, const std::vector<double>& values, double factor, int limit)
 {
-    const std::size_t buckets = std::max(1, limit / 2);
+    const std::size_t buckets = static_cast<std::size_t>(std::max(1, limit / 2));
     const std::size_t each = std::max<std::size_t>(1, (values.size() + buckets - 1) / buckets);
     for (std::size_t begin = 0; begin < values.size(); begin += each) {
         const std::size_t end = std::min(values.size(), begin + each);

@@ -24,17 +24,17 @@ enum class Severity { Info, Warning };
 /// One reason for "no answer": an object beside the room that throws it, in its `<room>_codes.h`. Keys are unique.
 struct ErrorCode {
     const char* key;  ///< stable name for scripts, "file_not_found"
-    ErrorKind kind;
-    Text pattern;  ///< English; {name} is replaced by the named value
+    ErrorKind kind;   ///< what the error means to the caller: exit code of the command line
+    Text pattern;     ///< English; {name} is replaced by the named value
 
     friend bool operator==(const ErrorCode& a, const ErrorCode& b) { return std::string_view(a.key) == b.key; }
 };
 
 /// One "answered, but": an object beside the room that says it, in its `<room>_codes.h`. Keys are unique.
 struct NoteCode {
-    const char* key;  ///< stable name for scripts, "unit_guessed"
-    Severity severity;
-    Text pattern;  ///< English; {name} is replaced by the named value
+    const char* key;    ///< stable name for scripts, "unit_guessed"
+    Severity severity;  ///< how much it matters for trusting the result
+    Text pattern;       ///< English; {name} is replaced by the named value
 
     friend bool operator==(const NoteCode& a, const NoteCode& b) { return std::string_view(a.key) == b.key; }
 };
@@ -68,8 +68,8 @@ public:
 
 /// Part of a result: something the reader of the number has to know.
 struct Note {
-    NoteCode code;
-    Values values;
+    NoteCode code;  ///< which one, with its pattern
+    Values values;  ///< fill in the pattern of `code`, by name
 };
 
 using Notes = std::vector<Note>;

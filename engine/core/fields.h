@@ -13,7 +13,7 @@ namespace lathelier {
 /// One choice of a Choice field.
 struct FieldChoice {
     std::string key;  ///< stable, "revolution"
-    Text label;
+    Text label;       ///< what people read
 };
 
 /// What one parameter is, without the struct it lives in.
@@ -24,26 +24,26 @@ struct FieldInfo {
     std::string key;  ///< stable, with its unit: "tolerance_mm", within a group "chuck.radial_N_mm"; the option is
                       ///< --tolerance-mm
     Kind kind = Kind::Number;
-    Text label;  ///< short, without the unit
-    Text help;   ///< one sentence for the tooltip and --help
-    Text unit;   ///< "mm", empty when there is none
-    double minimum = 0;
-    double maximum = 0;     ///< Integer, Number, the ends of Intervals, the count of Rows: inclusive range
-    bool optional = false;  ///< may be "not given" (monostate)
-    bool required = false;  ///< in a JSON file: a missing key is an error
-    bool advanced = false;  ///< folded away in the form
-    bool wraps = false;     ///< Intervals of angles: 350:10 runs through 0
-    std::vector<FieldChoice> choices;
-    std::vector<double> usual = {};       ///< Number: values of a standard, offered beside free typing
-    Text group = {};                      ///< heading over the fields of one group; empty: none
-    std::string group_key = {};           ///< key of the Group whose presence this field needs; empty: none
+    Text label;                        ///< short, without the unit
+    Text help;                         ///< one sentence for the tooltip and --help
+    Text unit;                         ///< "mm", empty when there is none
+    double minimum = 0;                ///< lower end of the range, see `maximum`
+    double maximum = 0;                ///< Integer, Number, the ends of Intervals, the count of Rows: inclusive range
+    bool optional = false;             ///< may be "not given" (monostate)
+    bool required = false;             ///< in a JSON file: a missing key is an error
+    bool advanced = false;             ///< folded away in the form
+    bool wraps = false;                ///< Intervals of angles: 350:10 runs through 0
+    std::vector<FieldChoice> choices;  ///< Choice: the values it may take, in the order of its enumerators
+    std::vector<double> usual = {};    ///< Number: values of a standard, offered beside free typing
+    Text group = {};                   ///< heading over the fields of one group; empty: none
+    std::string group_key = {};        ///< key of the Group whose presence this field needs; empty: none
     std::vector<FieldInfo> columns = {};  ///< Rows: what a row holds
 };
 
 /// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.
 template <class P>
 struct Field {
-    FieldInfo info;
+    FieldInfo info;  ///< key, kind, names and range
     std::function<Value(const P&)> get;
     std::function<void(P&, const Value&)> set;
 };

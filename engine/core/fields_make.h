@@ -11,17 +11,17 @@ concept Enumeration = std::is_enum_v<E>;
 
 /// Range for numbers, inclusive.
 struct Range {
-    double minimum;
-    double maximum;
+    double minimum;  ///< lower end
+    double maximum;  ///< upper end
 };
 
 /// What a field says of itself besides its type.
 struct Label {
-    Text label;
-    Text help;
-    Text unit = {};
-    bool advanced = false;
-    bool required = false;
+    Text label;             ///< FieldInfo::label: short, without the unit
+    Text help;              ///< FieldInfo::help: one sentence
+    Text unit = {};         ///< FieldInfo::unit; empty: none
+    bool advanced = false;  ///< FieldInfo::advanced: folded away in the form
+    bool required = false;  ///< FieldInfo::required: must be in a JSON file
 };
 
 namespace detail {

@@ -8,9 +8,9 @@ namespace lathelier {
 
 /// A file as the audit names it.
 struct InputFile {
-    std::string path;
-    std::int64_t bytes = 0;
-    std::string sha256;  ///< lower-case hexadecimal
+    std::string path;        ///< as it was opened
+    std::int64_t bytes = 0;  ///< size of the content that was read
+    std::string sha256;      ///< lower-case hexadecimal
 };
 
 }  // namespace lathelier

@@ -9,7 +9,7 @@
 namespace lathelier {
 
 struct PointSpread {
-    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();    ///< mean of the points
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();   ///< columns: principal axes, the longest last
     Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();  ///< root mean square along them
     double largest_mm = 0;                                ///< largest coordinate

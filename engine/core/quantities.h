@@ -20,18 +20,18 @@ namespace lathelier {
 
 /// What one number of a result is, without the struct it lives in.
 struct QuantityInfo {
-    std::string key;   ///< with its unit: "RONt_um"; within a part "two_point.range_um"
-    Text label = {};   ///< for tables; empty: JSON only
-    Text unit = {};    ///< "µm", empty when there is none
-    int decimals = 3;  ///< in tables
-    bool in_json = true;
+    std::string key;       ///< with its unit: "RONt_um"; within a part "two_point.range_um"
+    Text label = {};       ///< for tables; empty: JSON only
+    Text unit = {};        ///< "µm", empty when there is none
+    int decimals = 3;      ///< in tables
+    bool in_json = true;   ///< false: for tables only
     bool is_part = false;  ///< stands for a part that may be absent (JSON: null); its value says whether it is there
 };
 
 /// One quantity of the struct R.
 template <class R>
 struct QuantityOf {
-    QuantityInfo info;
+    QuantityInfo info;  ///< key, name, unit and decimals
     std::function<Value(const R&)> get;
 };
 
@@ -68,10 +68,10 @@ const QuantityOf<R>& quantityOf(std::string_view key)
 
 /// How a quantity looks in tables.
 struct Look {
-    Text label = {};
-    Text unit = {};
-    int decimals = 3;
-    bool in_json = true;
+    Text label = {};      ///< QuantityInfo::label; empty: JSON only
+    Text unit = {};       ///< QuantityInfo::unit; empty: none
+    int decimals = 3;     ///< QuantityInfo::decimals, in tables
+    bool in_json = true;  ///< QuantityInfo::in_json; false: for tables only
 };
 
 namespace detail {

@@ -12,9 +12,9 @@ namespace lathelier {
 
 /// One segment: a cylinder, a cone, or with `arc_radius_mm` an arc. Diameters that jump between segments are shoulders.
 struct ShaftSegment {
-    double length_mm = 0;  ///< 0: a plane
-    double start_diameter_mm = 0;
-    double end_diameter_mm = 0;
+    double length_mm = 0;                 ///< 0: a plane
+    double start_diameter_mm = 0;         ///< outer, at the end toward the free end
+    double end_diameter_mm = 0;           ///< outer, at the end toward the chuck
     double bore_diameter_mm = 0;          ///< 0: solid
     std::optional<double> arc_radius_mm;  ///< > 0 convex (material bulges beyond the chord), < 0 concave
     std::string role;                     ///< "chamfer", "fillet", "groove"…; geometry never depends on it
@@ -22,7 +22,7 @@ struct ShaftSegment {
 };
 
 struct Shaft {
-    std::string name;
+    std::string name;                    ///< of the part, for people; may be empty
     std::vector<ShaftSegment> segments;  ///< from the free end toward the chuck
     std::optional<Material> material;    ///< none: not stated
     friend bool operator==(const Shaft&, const Shaft&) = default;

@@ -8,7 +8,7 @@
 namespace lathelier {
 
 struct Utf8Character {
-    char32_t code = 0;
+    char32_t code = 0;       ///< Unicode code point; 0 when there is none
     std::size_t length = 0;  ///< bytes; 0: no UTF-8
 };
 

@@ -14,8 +14,8 @@ namespace lathelier {
 
 /// A closed range, in the unit of the name it is stored under.
 struct Interval {
-    double from = 0;
-    double to = 0;
+    double from = 0;  ///< lower end, included
+    double to = 0;    ///< upper end, included; below `from` only where angles run through 0
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 
@@ -23,7 +23,7 @@ struct Row;
 
 /// The rows of a table, each with the same names: the segments of a shaft, the rods of a measurement.
 struct Rows {
-    std::vector<Row> rows;
+    std::vector<Row> rows;  ///< in order
     friend bool operator==(const Rows& a, const Rows& b);
 };
 
@@ -35,7 +35,7 @@ using Value = std::variant<std::monostate, bool, std::int64_t, double, std::stri
 using Values = std::vector<std::pair<std::string, Value>>;
 
 struct Row {
-    Values cells;
+    Values cells;  ///< of the row, by the name of their column
     friend bool operator==(const Row&, const Row&) = default;
 };
 

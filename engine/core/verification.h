@@ -14,13 +14,13 @@ namespace lathelier {
 
 /// All sets that check one thing.
 struct VerifyKind {
-    std::string kind;  ///< stable key, "minimum_zone_circle"
-    Text name;         ///< for people
-    int sets = 0;
+    std::string kind;              ///< stable key, "minimum_zone_circle"
+    Text name;                     ///< for people
+    int sets = 0;                  ///< number of reference data sets checked
     double largest_deviation = 0;  ///< from the known answers
     Text unit;                     ///< empty: relative
-    double limit = 0;
-    bool pass = false;  ///< largest_deviation ≤ limit
+    double limit = 0;              ///< largest deviation that passes, in `unit`
+    bool pass = false;             ///< largest_deviation ≤ limit
 };
 
 /// The checks of one room.

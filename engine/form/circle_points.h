@@ -30,8 +30,8 @@ public:
 
     /// The points nearest to and farthest from a centre; the first of equal ones.
     struct Extremes {
-        double nearest = 0, farthest = 0;
-        std::size_t nearest_index = 0, farthest_index = 0;
+        double nearest = 0, farthest = 0;                   ///< distances from the centre
+        std::size_t nearest_index = 0, farthest_index = 0;  ///< places of the points that have these distances
 
         double width() const { return farthest - nearest; }
     };
@@ -42,9 +42,9 @@ public:
     /// The same for each of `sectorCount` equal turns of direction (in the diamond's measure) as seen from a centre.
     static constexpr std::size_t sectorCount = 64;
     struct Sector {
-        bool occupied = false;
+        bool occupied = false;             ///< false: no point lies in the sector, the rest is without meaning
         double nearest = 0, farthest = 0;  ///< squared
-        std::uint32_t nearest_index = 0, farthest_index = 0;
+        std::uint32_t nearest_index = 0, farthest_index = 0;  ///< places of the points that have these distances
     };
     std::array<Sector, sectorCount> sectors(const Eigen::Vector2d& centre) const;
 
@@ -52,8 +52,8 @@ private:
     /// Consecutive points that lie in nearly one direction. From the distances seen from the middle follows between
     /// which bounds those from another centre lie.
     struct Bundle {
-        double nearest = 0, farthest = 0;
-        Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+        double nearest = 0, farthest = 0;  ///< distances of its points from the middle of the bounding box
+        Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< unit vector toward the mean of its points
         double spread = 0;  ///< largest distance of a point's direction from that of the bundle
     };
     static constexpr Eigen::Index blockSize = 512;

@@ -10,9 +10,9 @@
 namespace lathelier::form {
 
 struct LeastSquaresCircle {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    double radius = 0;
-    double rms = 0;  ///< root mean square of distance - radius
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< in the units of CirclePoints
+    double radius = 0;                                 ///< likewise
+    double rms = 0;                                    ///< root mean square of distance - radius
 };
 
 /// Geometric least squares by Newton's method from the algebraic circle (Kåsa). Error pointsDegenerate when the
@@ -20,9 +20,9 @@ struct LeastSquaresCircle {
 LeastSquaresCircle leastSquaresCircle(const CirclePoints& points);
 
 struct EnclosingCircle {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    double radius = 0;
-    std::vector<std::size_t> contacts;  ///< two or three
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< in the units of the points
+    double radius = 0;                                 ///< likewise
+    std::vector<std::size_t> contacts;                 ///< two or three
 };
 
 /// Smallest circle around all points, however few and wherever they lie (even all in one place): the farthest point

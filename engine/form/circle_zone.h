@@ -19,18 +19,18 @@ namespace lathelier::form {
 
 /// A centre, what it reaches, and what it rests on.
 struct ZoneOptimum {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    double value = 0;                ///< of the goal: width, or minus the inner radius
-    double width = 0;                ///< farthest - nearest
-    std::vector<std::size_t> outer;  ///< contacts
-    std::vector<std::size_t> inner;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of both circles, in the units of CirclePoints
+    double value = 0;                                  ///< of the goal: width, or minus the inner radius
+    double width = 0;                                  ///< farthest - nearest
+    std::vector<std::size_t> outer;                    ///< contacts
+    std::vector<std::size_t> inner;                    ///< contacts of the inner circle, as `outer`
     bool held = false;  ///< by the edge of the region: the points alone would carry it on
 };
 
 struct ZoneProof {
-    double gap = 0;  ///< no centre of the region is better by more than this
-    bool unique = true;
-    int nodes = 0;
+    double gap = 0;      ///< no centre of the region is better by more than this
+    bool unique = true;  ///< false: another centre reaches the same value within the tolerance
+    int nodes = 0;       ///< number of squares whose bound was computed
 };
 
 class ZoneProblem {
@@ -48,9 +48,9 @@ public:
     ZoneProof prove(ZoneOptimum& best, const Eigen::Vector2d& middle, double half, double tolerance, int most_nodes);
 
     struct Measured {
-        double value = 0;
-        double width = 0;
-        bool grew = false;
+        double value = 0;   ///< of the goal: width, or minus the inner radius
+        double width = 0;   ///< farthest - nearest, on all points
+        bool grew = false;  ///< the working set gained a point
     };
     // What exchange() asks for.
     Measured measure(const Eigen::Vector2d& centre);  ///< on all points; the working set grows by the extremes
@@ -61,9 +61,9 @@ public:
 
 private:
     struct Cell {
-        Eigen::Vector2d centre;
-        double half;
-        double bound;
+        Eigen::Vector2d centre;  ///< of the square
+        double half;             ///< half the side of the square
+        double bound;            ///< lower bound of the goal for all centres in the square
     };
     struct Search;
 

@@ -23,13 +23,13 @@ std::string_view name(ReferenceCircle circle);
 /// A point on which an exact circle rests.
 struct CircleContact {
     enum class Side { Outer, Inner };
-    std::size_t index = 0;  ///< of the point as given
-    Side side = Side::Outer;
+    std::size_t index = 0;    ///< of the point as given
+    Side side = Side::Outer;  ///< which of the circles passes through the point
     friend bool operator==(const CircleContact&, const CircleContact&) = default;
 };
 
 struct FittedCircle {
-    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
+    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();        ///< in the coordinates of the points given
     double radius_mm = 0;                                       ///< MZCI: mean of inner and outer
     double inner_radius_mm = 0;                                 ///< smallest distance of a point from the centre
     double outer_radius_mm = 0;                                 ///< largest
@@ -44,16 +44,16 @@ struct FittedCircle {
 };
 
 struct ReferenceCircles {
-    FittedCircle LSCI, MZCI, MICI, MCCI;
+    FittedCircle LSCI, MZCI, MICI, MCCI;  ///< fitted to the same points
 
     const FittedCircle& of(ReferenceCircle circle) const;
 };
 
 struct CircleOptions {
-    bool certify = true;           ///< branch and bound for MZCI and MICI: two to six times the work
-    double certificate_um = 1e-6;  ///< the gap to reach, or `certificate_relative` of the deviation if larger
-    double certificate_relative = 1e-8;
-    int certificate_nodes = 20000;  ///< then the gap reached is stated
+    bool certify = true;                 ///< branch and bound for MZCI and MICI: two to six times the work
+    double certificate_um = 1e-6;        ///< the gap to reach, or `certificate_relative` of the deviation if larger
+    double certificate_relative = 1e-8;  ///< gap to reach as a share of the deviation
+    int certificate_nodes = 20000;       ///< then the gap reached is stated
 };
 
 /// All four circles of 4 to 1e6 points in any order, any offset, partial arcs, duplicates. The points need not be

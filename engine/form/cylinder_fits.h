@@ -9,18 +9,18 @@
 namespace lathelier::form {
 
 struct LeastSquaresCylinder {
-    AxisParameters axis = AxisParameters::Zero();
-    double radius = 0;
-    double rms = 0;
-    bool converged = false;
+    AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
+    double radius = 0;                             ///< in the unit of CylinderPoints
+    double rms = 0;                                ///< root mean square of distance - radius, in that unit
+    bool converged = false;                        ///< false: no minimum found, or the points are as good as plane
 };
 
 /// Where to look for a cylinder: coordinates near its axis, and the cylinder in them.
 struct CylinderGuess {
-    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-    double scale_mm = 1;  ///< about the larger of radius and half length
-    LeastSquaresCylinder cylinder;
+    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();     ///< of the points: origin of the coordinates
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector near the axis: z of the coordinates
+    double scale_mm = 1;                                   ///< about the larger of radius and half length
+    LeastSquaresCylinder cylinder;                         ///< in these coordinates
 };
 
 /// The least-squares cylinder of some of the points, from many directions: near enough for any pose, long or short.
@@ -32,9 +32,9 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
                                           const Progress& progress);
 
 struct MinimumZoneCylinder {
-    AxisParameters axis = AxisParameters::Zero();
-    double inner = 0, outer = 0;
-    std::vector<std::size_t> contacts;
+    AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
+    double inner = 0, outer = 0;                   ///< smallest and largest distance of a point from the axis
+    std::vector<std::size_t> contacts;             ///< indices of the points that hold the zone, ascending
 };
 
 /// The narrowest zone between coaxial cylinders near `start`: the best local optimum from several starts.

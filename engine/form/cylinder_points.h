@@ -34,8 +34,8 @@ public:
     Eigen::Vector3d pointOf(const AxisParameters& axis) const;
 
     struct Extremes {
-        double nearest = 0, farthest = 0;
-        std::size_t nearest_index = 0, farthest_index = 0;
+        double nearest = 0, farthest = 0;  ///< distances from the axis, in the unit of length of the class
+        std::size_t nearest_index = 0, farthest_index = 0;  ///< places of the points that have these distances
 
         double width() const { return farthest - nearest; }
     };
@@ -50,8 +50,8 @@ private:
 
 /// Distance of a point from an axis, and how it changes with the axis' parameters.
 struct AxisDistance {
-    double distance = 0;
-    Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
+    double distance = 0;                                 ///< from the axis
+    Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< derivatives by x0, y0, tx, ty; 0 on the axis
 };
 AxisDistance distanceFrom(const AxisParameters& axis, const Eigen::Vector3d& point);
 

@@ -12,16 +12,17 @@ namespace lathelier::form {
 /// normal · step ≤ offset, the normal of length one.
 template <int N>
 struct Limit {
-    Eigen::Vector<double, N> normal = Eigen::Vector<double, N>::Zero();
-    double offset = 0;
+    Eigen::Vector<double, N> normal = Eigen::Vector<double, N>::Zero();  ///< unit vector out of what is allowed
+    double offset = 0;  ///< room from the step 0 to the limit; < 0: that step is beyond it
 };
 using HalfPlane = Limit<2>;
 
 /// Distances of points from a circle's centre or an axis, linear in its step: a - u · step.
 template <int N>
 struct LinearDistances {
-    std::vector<double> a;
-    std::array<std::vector<double>, static_cast<std::size_t>(N)> u;
+    std::vector<double> a;  ///< distance of each point at the step 0
+    std::array<std::vector<double>, static_cast<std::size_t>(N)>
+        u;  ///< by coordinate, then by point: how fast the distance falls
 
     std::size_t size() const { return a.size(); }
     void clear();
@@ -41,18 +42,18 @@ struct MinimaxStep {
     /// A constraint that holds the solution, with its multiplier: the largest and the smallest distance or one of them,
     /// as the goal has it; a limit; or none of these: a side of the cube.
     struct Active {
-        std::size_t outer = none, inner = none;
-        bool limit = false;
-        double weight = 0;
+        std::size_t outer = none, inner = none;  ///< indices of the points of this piece; `none`: no such point
+        bool limit = false;                      ///< true: one of the limits
+        double weight = 0;                       ///< its multiplier
 
         bool isPiece() const { return outer != none || inner != none; }
     };
 
-    Eigen::Vector<double, N> step = Eigen::Vector<double, N>::Zero();
+    Eigen::Vector<double, N> step = Eigen::Vector<double, N>::Zero();  ///< the best step, or where the search stopped
     double value = 0;      ///< of the goal at the step; if not `solved`, a lower bound of it
     bool solved = false;   ///< false: stopped above `enough`, or lost in rounding
     bool feasible = true;  ///< false: the limits leave nothing of the cube
-    std::array<Active, static_cast<std::size_t>(N + 1)> active;
+    std::array<Active, static_cast<std::size_t>(N + 1)> active;  ///< constraints that hold the solution
 };
 
 /// Minimises the goal over |step| ≤ half in every coordinate and within the limits, by a dual exchange of N + 1

@@ -11,9 +11,9 @@ namespace lathelier::form {
 
 template <int N>
 struct ExchangeResult {
-    Eigen::Vector<double, N> place;
-    double value = 0;
-    MinimaxStep<N> plan;  ///< of the linear problem there: what holds the optimum
+    Eigen::Vector<double, N> place;  ///< where the goal has its local minimum
+    double value = 0;                ///< of the goal there, as measure() gives it
+    MinimaxStep<N> plan;             ///< of the linear problem there: what holds the optimum
 };
 
 /// The local minimum of a goal over N coordinates, from `start`, to rounding. `Problem` offers

@@ -15,15 +15,15 @@ class ClosedFilter;
 namespace lathelier::form {
 
 struct PreparedProfile {
-    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();  ///< of the least-squares circle of the points that count
-    double radius_mm = 0;
-    std::vector<std::uint8_t> used;  ///< by given point
-    std::vector<double> angle_rad;   ///< atan2 of each given point as seen from the centre
-    std::size_t not_finite = 0, excluded = 0, outliers = 0;
-    std::vector<std::size_t> index;          ///< given points that count, in order of angle
-    std::vector<Eigen::Vector2d> points_mm;  ///< in that order
-    std::vector<double> distance_mm;         ///< from the centre, in that order
-    signal::AngularSampling sampling;        ///< of points_mm; its order is already applied
+    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();     ///< of the least-squares circle of the points that count
+    double radius_mm = 0;                                    ///< of that circle
+    std::vector<std::uint8_t> used;                          ///< by given point
+    std::vector<double> angle_rad;                           ///< atan2 of each given point as seen from the centre
+    std::size_t not_finite = 0, excluded = 0, outliers = 0;  ///< numbers of given points left out, and why
+    std::vector<std::size_t> index;                          ///< given points that count, in order of angle
+    std::vector<Eigen::Vector2d> points_mm;                  ///< in that order
+    std::vector<double> distance_mm;                         ///< from the centre, in that order
+    signal::AngularSampling sampling;                        ///< of points_mm; its order is already applied
 };
 
 /// atan2 of each point as seen from a centre.
@@ -39,8 +39,8 @@ PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared
 
 /// The prepared points after the filter: on the rays from the centre, in the same order; without a filter as they are.
 struct EvaluatedProfile {
-    std::vector<Eigen::Vector2d> points_mm;
-    signal::FilterWay way = signal::FilterWay::Uniform;
+    std::vector<Eigen::Vector2d> points_mm;              ///< in the order of PreparedProfile::points_mm
+    signal::FilterWay way = signal::FilterWay::Uniform;  ///< how it was filtered; Uniform without a filter
 };
 EvaluatedProfile evaluateProfile(const PreparedProfile& prepared, const signal::ProfileBand& band,
                                  const Progress& progress = {});

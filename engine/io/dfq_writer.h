@@ -24,15 +24,15 @@ struct QdasCharacteristic {
     std::vector<double> values;         ///< K0001; NaN: invalid (K0002)
     std::vector<std::string> measured;  ///< K0004 of each value, "dd.mm.yyyy/hh:mm:ss"; missing ones are left out
     bool lower_is_natural = false;      ///< no value can lie below, as none of a form deviation lies below 0
-    bool upper_is_natural = false;
+    bool upper_is_natural = false;      ///< no value can lie above
 };
 
 struct QdasFile {
-    std::string part_number;       ///< K1001
-    std::string part_description;  ///< K1002
-    std::string machine;           ///< K1082
-    std::vector<QdasCharacteristic> characteristics;
-    std::int64_t parts = 1;  ///< read: K1001/1, K1001/2…
+    std::string part_number;                          ///< K1001
+    std::string part_description;                     ///< K1002
+    std::string machine;                              ///< K1082
+    std::vector<QdasCharacteristic> characteristics;  ///< in the order of the file
+    std::int64_t parts = 1;                           ///< read: K1001/1, K1001/2…
 };
 
 /// The file's bytes, CRLF, all in one encoding: windows-1252 where that can say it, else UTF-8 with its mark. Values

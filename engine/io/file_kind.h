@@ -20,11 +20,11 @@ enum class Likeness { No, Possible, Likely, Certain };
 
 /// A file that is to be read in full.
 struct FileToRead {
-    std::string path;
-    std::string_view bytes;
-    const Values& reading;  ///< ImportOptions and those of the kind
-    InputFiles& inputs;     ///< where further files that belong to it are opened
-    const Progress& progress;
+    std::string path;          ///< for messages, and to find what lies beside it
+    std::string_view bytes;    ///< whole content; held by `inputs`
+    const Values& reading;     ///< ImportOptions and those of the kind
+    InputFiles& inputs;        ///< where further files that belong to it are opened
+    const Progress& progress;  ///< receives the progress; throws Cancelled when stopped
 };
 
 struct FileKind {
@@ -50,8 +50,8 @@ const FileKind* likeliestKind(const FileKinds& kinds, const std::string& path, s
 
 /// The same for a file on the disk, and how much it speaks for it. No where it cannot be read.
 struct KindFound {
-    const FileKind* kind = nullptr;
-    Likeness likeness = Likeness::No;
+    const FileKind* kind = nullptr;    ///< nullptr: all say no
+    Likeness likeness = Likeness::No;  ///< how much the head speaks for `kind`
 };
 KindFound findKind(const FileKinds& kinds, const std::string& path, const Values& reading = {});
 

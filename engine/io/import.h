@@ -19,36 +19,36 @@ enum class LengthUnit { Auto, Millimetre, Metre, Inch, Micrometre };
 
 /// What a text file may leave open. Auto: found out from the file, refused when an answer would change numbers.
 struct ImportOptions {
-    Decimal decimal = Decimal::Auto;
-    Delimiter delimiter = Delimiter::Auto;
-    Encoding encoding = Encoding::Auto;
-    LengthUnit unit = LengthUnit::Auto;
+    Decimal decimal = Decimal::Auto;        ///< decimal mark of the numbers
+    Delimiter delimiter = Delimiter::Auto;  ///< separator of the cells
+    Encoding encoding = Encoding::Auto;     ///< of the bytes of a text
+    LengthUnit unit = LengthUnit::Auto;     ///< of lengths that state none
 };
 
 const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*);
 
 /// A row that was passed over. `line` counts from 1; in a binary file it is the number of the point.
 struct SkippedRow {
-    std::int64_t line = 0;
-    Text reason;
+    std::int64_t line = 0;  ///< counted from 1
+    Text reason;            ///< why it was passed over
 };
 
 /// What was understood of a file; the command line's `inspect` and the import line of the panels show it.
 /// What does not apply (the delimiter of a binary file) is empty or 0, null in JSON.
 struct FileFacts {
-    std::string path;
-    std::string format;       ///< "ply_binary_little_endian", "xyz_text", "stl_ascii", "pcd_binary", "obj"…
-    std::string encoding;     ///< "utf-8", "utf-16le", "latin-1"…
-    std::string delimiter;    ///< "comma", "space"…
-    std::string decimal;      ///< "point", "comma"
-    std::string unit;         ///< "mm", "m", "inch", "um"
-    std::string unit_source;  ///< "stated", "guessed", "given"
-    std::int64_t rows = 0;    ///< rows read; for a cloud its points
-    std::int64_t columns = 0;
-    std::vector<SkippedRow> skipped;              ///< the first 100; `details` has "skipped_rows" when there are more
-    Values details;                               ///< by kind of file: "points", "triangles"…
+    std::string path;                 ///< as the reader was given it
+    std::string format;               ///< "ply_binary_little_endian", "xyz_text", "stl_ascii", "pcd_binary", "obj"…
+    std::string encoding;             ///< "utf-8", "utf-16le", "latin-1"…
+    std::string delimiter;            ///< "comma", "space"…
+    std::string decimal;              ///< "point", "comma"
+    std::string unit;                 ///< "mm", "m", "inch", "um"
+    std::string unit_source;          ///< "stated", "guessed", "given"
+    std::int64_t rows = 0;            ///< rows read; for a cloud its points
+    std::int64_t columns = 0;         ///< values in a row of a table, in a vertex, in a frame of a recorder
+    std::vector<SkippedRow> skipped;  ///< the first 100; `details` has "skipped_rows" when there are more
+    Values details;                   ///< by kind of file: "points", "triangles"…
     std::optional<std::array<double, 3>> min_mm;  ///< smallest coordinates of a cloud or mesh
-    std::optional<std::array<double, 3>> max_mm;
+    std::optional<std::array<double, 3>> max_mm;  ///< largest coordinates
 };
 
 }  // namespace lathelier

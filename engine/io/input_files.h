@@ -37,11 +37,11 @@ public:
 
 private:
     struct Entry {
-        std::string path;
-        std::int64_t size = 0;
+        std::string path;                                  ///< as given to open()
+        std::int64_t size = 0;                             ///< in bytes
         std::shared_ptr<FileBytes> bytes;                  ///< the digest holds it too while it is computed
         std::shared_ptr<std::atomic<std::size_t>> hashed;  ///< bytes that the digest has passed
-        std::shared_future<std::string> sha256;
+        std::shared_future<std::string> sha256;            ///< digest of the content, lower-case hexadecimal
     };
     std::deque<Entry> entries_;
     bool beside_;

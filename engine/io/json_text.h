@@ -19,8 +19,8 @@ Json parseJson(std::string_view text);
 
 /// Line and column, counted from 1, of the value at `path` in `text`, which is JSON; of the object that lacks it.
 struct JsonPlace {
-    std::int64_t line = 1;
-    std::int64_t column = 1;
+    std::int64_t line = 1;    ///< from 1
+    std::int64_t column = 1;  ///< from 1, in characters
 };
 JsonPlace placeOf(std::string_view text, const JsonPath& path);
 

@@ -16,20 +16,20 @@ enum class LGraphVersion { One, After2008, Two };
 /// One recorded channel, in the order of the samples of a frame.
 struct LGraphChannel {
     int number = 0;  ///< physical, from 1
-    int gain = 1;
+    int gain = 1;    ///< of the converter's input: 1, 2, 4 or 8
 };
 
 struct LGraphHeader {
-    LGraphVersion version = LGraphVersion::One;
-    std::string device;    ///< "L783"
-    std::string recorded;  ///< date and time as written
-    std::vector<LGraphChannel> channels;
-    std::int64_t frames = 0;
-    double total_s = 0;
-    double converter_kHz = 0;  ///< as stated
-    double delay_ms = 0;       ///< from sample to sample, as stated
-    double channel_kHz = 0;    ///< frames per millisecond
-    std::int64_t segments = 1;
+    LGraphVersion version = LGraphVersion::One;  ///< as the signature tells
+    std::string device;                          ///< "L783"
+    std::string recorded;                        ///< date and time as written
+    std::vector<LGraphChannel> channels;         ///< the active ones, their numbers ascending
+    std::int64_t frames = 0;                     ///< samples of each channel
+    double total_s = 0;                          ///< duration of the recording, as stated
+    double converter_kHz = 0;                    ///< as stated
+    double delay_ms = 0;                         ///< from sample to sample, as stated
+    double channel_kHz = 0;                      ///< frames per millisecond
+    std::int64_t segments = 1;                   ///< pieces that the recording consists of; 1 but for L-Graph II
 };
 
 /// True when `par` starts with the signature of an L-Graph.

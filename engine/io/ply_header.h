@@ -13,16 +13,16 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 
 struct PlyProperty {
-    std::string name;  ///< lower case
-    PlyType type = PlyType::Float;
-    bool isList = false;
+    std::string name;                    ///< lower case
+    PlyType type = PlyType::Float;       ///< of the value, or of a list's items
+    bool isList = false;                 ///< a number of items and the items
     PlyType countType = PlyType::UInt8;  ///< of a list's length
 };
 
 struct PlyElement {
-    std::string name;
-    std::uint64_t count = 0;  ///< as announced
-    std::vector<PlyProperty> properties;
+    std::string name;                     ///< as written: "vertex", "face"…
+    std::uint64_t count = 0;              ///< as announced
+    std::vector<PlyProperty> properties;  ///< in the order of the file
 
     bool hasList() const;
     std::size_t stride() const;                ///< bytes of one element without lists
@@ -30,12 +30,12 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-    PlyFormat format = PlyFormat::Ascii;
-    std::vector<PlyElement> elements;
-    std::optional<LengthScale> unit;  ///< stated in a comment
-    std::size_t bodyOffset = 0;
-    std::int64_t bodyLine = 1;
-    std::vector<std::int64_t> commentLines;
+    PlyFormat format = PlyFormat::Ascii;     ///< of the body
+    std::vector<PlyElement> elements;        ///< in the order of the file
+    std::optional<LengthScale> unit;         ///< stated in a comment
+    std::size_t bodyOffset = 0;              ///< byte at which the body begins
+    std::int64_t bodyLine = 1;               ///< line at which the body begins, from 1
+    std::vector<std::int64_t> commentLines;  ///< numbers of the lines with comments, from 1
     bool synthetic = false;  ///< a comment begins with "synthetic", as in the files that Lathelier makes
 };
 

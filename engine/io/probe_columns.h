@@ -26,9 +26,9 @@ bool hasProbeNames(const TableLayout& layout);
 /// What a column of a record holds.
 struct ProbeColumn {
     enum class Role { Signal, Time, Index, Section, Position, Angle, Text };
-    Role role = Role::Signal;
-    std::string name;  ///< as written, without the unit
-    std::optional<QuantityUnit> unit;
+    Role role = Role::Signal;          ///< what the values mean
+    std::string name;                  ///< as written, without the unit
+    std::optional<QuantityUnit> unit;  ///< stated by the heading or a row of units; none: not stated
 };
 
 /// All columns of the layout, in their order.

@@ -24,7 +24,7 @@ struct RecorderOptions {
 const std::vector<Field<RecorderOptions>>& fieldsOf(const RecorderOptions*);
 
 struct ProbeFile {
-    std::variant<ProbeRecord, AveragedRecord> record;
+    std::variant<ProbeRecord, AveragedRecord> record;  ///< a continuous recording, or averages
     FileFacts facts;  ///< format "probe_csv_raw" | "probe_csv_averaged" | "lgraph_1" | "lgraph_2008" | "lgraph_2";
                       ///< details: "channels", "frames", "rate_kHz", "duration_s", "channel_skew_us", "device"…;
                       ///< averaged: "sections", "angles"
@@ -38,9 +38,9 @@ bool isProbeRecord(const std::string& path);
 /// The files that a record consists of.
 struct RecordFiles {
     enum class Kind { Table, LGraph };
-    Kind kind = Kind::Table;
-    std::string par;  ///< of an L-Graph; empty when it is not there
-    std::string dat;
+    Kind kind = Kind::Table;  ///< a text table, or a pair of the recorder
+    std::string par;          ///< of an L-Graph; empty when it is not there
+    std::string dat;          ///< likewise
 };
 
 /// Finds the partner of `path`, whose content is `bytes`: the same name with .par or .dat in any case.

@@ -40,17 +40,17 @@ struct ProbeRecord {
 
 /// Mean displacements over the revolutions of one section, at uniform angles: the "averaged" shape of a record.
 struct AveragedSection {
-    int section = 0;
-    double z_mm = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> angle_deg;
-    std::vector<double> X3_um, Y3_um, Xp_um, Yp_um;      ///< workpiece (mandrel) and tool
-    std::vector<double> sX3_um, sY3_um, sXp_um, sYp_um;  ///< standard deviations over the revolutions; may be empty
+    int section = 0;                                         ///< as the file numbers it
+    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< place along the workpiece; NaN: not stated
+    std::vector<double> angle_deg;                           ///< of the spindle, one for each mean
+    std::vector<double> X3_um, Y3_um, Xp_um, Yp_um;          ///< workpiece (mandrel) and tool
+    std::vector<double> sX3_um, sY3_um, sXp_um, sYp_um;      ///< standard deviations over the revolutions; may be empty
 };
 
 struct AveragedRecord {
-    std::string name;
-    std::vector<AveragedSection> sections;
-    Values header;
+    std::string name;                       ///< name of the file without folder
+    std::vector<AveragedSection> sections;  ///< in the order of the file
+    Values header;                          ///< key=value lines of the file, as written
 };
 
 }  // namespace lathelier

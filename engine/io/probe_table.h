@@ -10,14 +10,14 @@ namespace lathelier {
 
 /// A table of a record whose rows have been read.
 struct ProbeTable {
-    std::string name;  ///< stands for the path in messages
-    TableLayout layout;
+    std::string name;                         ///< stands for the path in messages
+    TableLayout layout;                       ///< of the file
     std::vector<ProbeColumn> columns;         ///< of the file
     std::vector<std::size_t> read;            ///< places of the columns that were read
     std::vector<std::vector<double>> values;  ///< of each column that was read
-    TableRows rows;
-    Values header;
-    const ImportOptions& options;
+    TableRows rows;                           ///< how many rows were read and passed over
+    Values header;                            ///< key=value lines of the file, as written
+    const ImportOptions& options;             ///< of the caller, who keeps them
 
     std::size_t width() const { return read.size(); }
     double at(std::size_t row, std::size_t k) const { return values[k][row]; }

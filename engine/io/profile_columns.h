@@ -18,11 +18,11 @@ struct ProfileColumnChoice {
         Trace,     ///< radii or deviations at uniform angles
         Undecided  ///< two columns without names
     };
-    Shape shape = Shape::Undecided;
-    std::vector<std::size_t> columns;  ///< in the order that the shape names
-    bool areDeviations = false;        ///< the heading says so
-    bool angleStated = false;          ///< its unit
-    double degreesPerUnit = 1;
+    Shape shape = Shape::Undecided;         ///< what the columns hold
+    std::vector<std::size_t> columns;       ///< in the order that the shape names
+    bool areDeviations = false;             ///< the heading says so
+    bool angleStated = false;               ///< its unit
+    double degreesPerUnit = 1;              ///< of the angles: 1 for degrees, 180/π for radians
     std::array<char, 2> axes = {'x', 'y'};  ///< Xy: what they are called
 };
 

@@ -9,10 +9,10 @@ namespace lathelier {
 
 /// A table on its way to a profile.
 struct RawProfile {
-    ProfileFile file;
-    TableLayout layout;
-    TableRows rows;
-    ProfileColumnChoice choice;
+    ProfileFile file;            ///< the answer, filled step by step
+    TableLayout layout;          ///< of the file
+    TableRows rows;              ///< how many rows were read and passed over
+    ProfileColumnChoice choice;  ///< the columns that are read
     std::vector<double> values;  ///< row by row, the chosen columns
     std::size_t width() const { return choice.columns.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * width() + column]; }

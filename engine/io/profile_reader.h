@@ -16,19 +16,19 @@ enum class ProfileColumns { Auto, Xy, AngleRadius };
 /// What a file of a profile may leave open, besides ImportOptions. The unit of an angle is the degree unless the
 /// heading says rad.
 struct ProfileOptions {
-    ProfileColumns columns = ProfileColumns::Auto;
-    std::optional<double> nominal_radius_mm;  ///< needed when the file holds only deviations from a circle
+    ProfileColumns columns = ProfileColumns::Auto;  ///< what the table holds; Auto: by its headings, else its values
+    std::optional<double> nominal_radius_mm;        ///< needed when the file holds only deviations from a circle
 };
 
 const std::vector<Field<ProfileOptions>>& fieldsOf(const ProfileOptions*);
 
 struct ProfileFile {
-    Profile profile;
+    Profile profile;  ///< the points, in mm
     FileFacts facts;  ///< format "profile_xy" | "profile_polar" | "roundness_trace"; details: "points",
                       ///< "columns_read" ("x,y", "y,z", "angle,r", "r"), "column_names" (theirs in the
                       ///< file), "nominal_radius_mm"
     Values header;    ///< the key=value lines above the table, as written
-    Notes notes;
+    Notes notes;      ///< listed at readProfile()
 };
 
 /// Reads CSV and text tables of x,y or angle,radius in mm, µm or inch, and traces of roundness instruments that hold

@@ -14,11 +14,11 @@ namespace lathelier {
 
 /// What a reader is given. Text formats read `text`, binary ones `bytes`.
 struct ScanSource {
-    std::string_view bytes;
-    std::string_view text;
-    std::string encoding;  ///< of `text`
-    const ImportOptions& options;
-    const Progress& progress;
+    std::string_view bytes;        ///< content of the file
+    std::string_view text;         ///< the same in UTF-8; empty for binary formats
+    std::string encoding;          ///< of `text`
+    const ImportOptions& options;  ///< of the caller, who keeps them
+    const Progress& progress;      ///< receives the progress; throws Cancelled when stopped
 };
 
 /// Where the points stand in the file, for errors about one of them. All views live as long as the source.
@@ -32,13 +32,13 @@ struct PointPlaces {
 
 /// What a reader gives: points in the unit of the file, normals of any length, everything as it stands there.
 struct RawScan {
-    Scan scan;
+    Scan scan;        ///< coordinates in the unit of the file
     FileFacts facts;  ///< format, encoding, delimiter, decimal, columns, skipped, details by format
-    Notes notes;
-    std::optional<LengthScale> statedUnit;
-    PointPlaces places;
-    std::int64_t notFinite = 0;     ///< points that the reader itself has left out
-    std::int64_t skippedCount = 0;  ///< all skipped rows, of which `facts.skipped` has the first ones
+    Notes notes;      ///< what the reader had to assume or leave out
+    std::optional<LengthScale> statedUnit;  ///< of the coordinates; none: the file states none
+    PointPlaces places;                     ///< where the points stand in the file
+    std::int64_t notFinite = 0;             ///< points that the reader itself has left out
+    std::int64_t skippedCount = 0;          ///< all skipped rows, of which `facts.skipped` has the first ones
 };
 
 /// Leaves out points that are not finite and triangles without area, settles the unit, scales to mm, fills in what the

@@ -16,18 +16,18 @@ inline constexpr std::size_t listedRows = 100;
 
 /// A piece of a table's text and what became of it.
 struct TableChunk {
-    std::size_t begin = 0;  ///< its first line starts here
-    std::size_t lines = 0;  ///< lines that start in it
-    std::int64_t firstLine = 1;
-    std::size_t firstRow = 0;  ///< place of its rows before gaps are closed
-    std::size_t rows = 0;
-    std::int64_t notFinite = 0;
-    std::int64_t skippedCount = 0;
-    std::int64_t footers = 0;
-    std::vector<SkippedRow> skipped;
-    std::optional<Error> firstText;  ///< the first line of text: broken as soon as a row follows it
-    bool rowsAfterText = false;      ///< rows behind `firstText`
-    std::optional<Error> error;
+    std::size_t begin = 0;            ///< its first line starts here
+    std::size_t lines = 0;            ///< lines that start in it
+    std::int64_t firstLine = 1;       ///< number of its first line in the text, from 1
+    std::size_t firstRow = 0;         ///< place of its rows before gaps are closed
+    std::size_t rows = 0;             ///< number of rows written out
+    std::int64_t notFinite = 0;       ///< rows passed over because a wanted value is not finite
+    std::int64_t skippedCount = 0;    ///< all lines passed over
+    std::int64_t footers = 0;         ///< lines of text, and headings that came again
+    std::vector<SkippedRow> skipped;  ///< the first `listedRows` of the lines passed over
+    std::optional<Error> firstText;   ///< the first line of text: broken as soon as a row follows it
+    bool rowsAfterText = false;       ///< rows behind `firstText`
+    std::optional<Error> error;       ///< why reading stopped at a broken row; none: it did not
 };
 
 class RowReader {

@@ -11,9 +11,9 @@ namespace lathelier {
 
 /// A scan as read, in mm, with what was understood of its file.
 struct ScanFile {
-    Scan scan;
+    Scan scan;        ///< in mm
     FileFacts facts;  ///< details: "points", "triangles", "min_mm", "max_mm" (see toJson)
-    Notes notes;
+    Notes notes;      ///< what the reader had to assume or leave out
 };
 
 /// Reads XYZ/ASC/CSV/TXT/PTS, PLY (ascii, binary little and big endian), PCD (ascii, binary), STL (ascii, binary,

@@ -12,7 +12,7 @@ namespace lathelier {
 /// The way a table's rows are written.
 struct TableStyle {
     char delimiter = ' ';  ///< ' ' stands for runs of blanks and tabs
-    char decimal = '.';
+    char decimal = '.';    ///< decimal mark: '.' or ','
     bool grouped = false;  ///< the other mark is known to group thousands, so that a lone "1,234" is a thousand
     bool paired = false;   ///< commas separate cells and mark decimals: "1,5,2,5" is 1.5 and 2.5
 };
@@ -40,9 +40,9 @@ enum class CellKind {
 };
 
 struct CellValue {
-    CellKind kind = CellKind::Text;
-    double value = 0;
-    std::string_view suffix;  ///< what follows the number, when it is a unit of length: "mm"
+    CellKind kind = CellKind::Text;  ///< what the cell is
+    double value = 0;                ///< of a Number or Ambiguous cell, else 0
+    std::string_view suffix;         ///< what follows the number, when it is a unit of length: "mm"
 };
 
 /// What a cell says under a style.
@@ -52,8 +52,8 @@ CellValue readCell(Cell cell, const TableStyle& style);
 enum class Evidence { NoNumber, NoMark, Point, Comma, LonePoint, LoneComma };
 
 struct CellEvidence {
-    Evidence evidence = Evidence::NoNumber;
-    char grouping = 0;  ///< what groups thousands, for Point and Comma
+    Evidence evidence = Evidence::NoNumber;  ///< which decimal marks the cell allows
+    char grouping = 0;                       ///< what groups thousands, for Point and Comma
 };
 CellEvidence evidenceOf(Cell cell);
 

@@ -10,8 +10,8 @@ namespace lathelier {
 
 /// A line above the table.
 struct PrefaceLine {
-    std::string_view text;  ///< without the mark of a remark
-    bool isRemark = false;
+    std::string_view text;         ///< without the mark of a remark
+    bool isRemark = false;         ///< the line began with such a mark
     std::size_t skippedIndex = 0;  ///< its place in TableLayout::skipped
 };
 

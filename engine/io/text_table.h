@@ -38,15 +38,15 @@ struct TableColumn {
 
 /// What was found out about a table before its rows are read.
 struct TableLayout {
-    TableStyle style;
-    std::vector<TableColumn> columns;
-    bool hasNames = false;
+    TableStyle style;                           ///< separator and decimal mark
+    std::vector<TableColumn> columns;           ///< in the order of the file
+    bool hasNames = false;                      ///< a line above the table names the columns
     std::optional<LengthScale> unit;            ///< stated in a remark or above the table
     std::optional<std::int64_t> announcedRows;  ///< a lone whole number above the table
     std::size_t bodyOffset = 0;                 ///< where the first row starts
-    std::int64_t bodyLine = 1;
-    std::vector<SkippedRow> skipped;    ///< the lines above the first row
-    std::vector<std::string> headings;  ///< their texts: they may come again between rows
+    std::int64_t bodyLine = 1;                  ///< line of the first row, from 1
+    std::vector<SkippedRow> skipped;            ///< the lines above the first row
+    std::vector<std::string> headings;          ///< their texts: they may come again between rows
 };
 
 /// Errors numberAmbiguous, malformed (a row with too few columns, a broken row above the table), formatUnknown (no rows
@@ -55,9 +55,9 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
 
 /// A column to be read. A value that is not finite passes the row over, unless it may be missing (then it is NaN).
 struct WantedColumn {
-    std::size_t column = 0;
+    std::size_t column = 0;                                    ///< place in TableLayout::columns
     double largest = std::numeric_limits<double>::infinity();  ///< larger ones are an Error coordinateTooLarge
-    bool mayBeMissing = false;
+    bool mayBeMissing = false;                                 ///< an empty cell or one that is not finite gives NaN
 };
 
 /// What happened to the rows.

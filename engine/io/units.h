@@ -26,9 +26,9 @@ std::optional<LengthScale> lengthScale(LengthUnit unit);
 
 /// A column heading taken apart: "X (in)", "x_mm", "Y [mm]", "Z/mm", "X in mm".
 struct Heading {
-    std::string name;  ///< lower case, without the unit: "x"
-    std::optional<LengthScale> unit;
-    std::string written;  ///< as it stands in the file: "X (in)"
+    std::string name;                 ///< lower case, without the unit: "x"
+    std::optional<LengthScale> unit;  ///< none: the heading states none
+    std::string written;              ///< as it stands in the file: "X (in)"
 };
 Heading parseHeading(std::string_view cell);
 

@@ -13,11 +13,11 @@ namespace lathelier {
 
 /// An input file of a panel, with the decisions made at import.
 struct Source {
-    std::string path;    ///< absolute in memory, relative to the project file on disk; empty: an item
-    Values import;       ///< ImportOptions as values
-    std::string sha256;  ///< of the content last read; empty: not read yet
-    bool synthetic = false;
-    std::string item = {};  ///< name of an item of the project, in place of a file; empty: a file
+    std::string path;        ///< absolute in memory, relative to the project file on disk; empty: an item
+    Values import;           ///< ImportOptions as values
+    std::string sha256;      ///< of the content last read; empty: not read yet
+    bool synthetic = false;  ///< marked as made by a program, not measured
+    std::string item = {};   ///< name of an item of the project, in place of a file; empty: a file
     friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -33,22 +33,22 @@ struct Origin {
 /// A shaft, an FRF, a machine, a material… made in one panel and used in others, by its description (toValues()).
 struct Item {
     std::string kind;  ///< "shaft"
-    Values values;
-    Origin origin;
+    Values values;     ///< its description by key, as toValues() gives it
+    Origin origin;     ///< what made it
     friend bool operator==(const Item&, const Item&) = default;
 };
 
 /// What a panel works on. Its parameters are those of its fields<P>().
 struct PanelState {
-    std::map<std::string, Source> inputs;  ///< by role: "reference", "copy"
-    Values parameters;
+    std::map<std::string, Source> inputs;    ///< by role: "reference", "copy"
+    Values parameters;                       ///< by key, as in fields<P>()
     std::map<std::string, Item> items = {};  ///< of inputs that are items, by role: filled by resolved(), not saved
     friend bool operator==(const PanelState&, const PanelState&) = default;
 };
 
 struct Project {
-    std::string title;
-    std::string workspace = "inspection";
+    std::string title;                         ///< of the project, for people; may be empty
+    std::string workspace = "inspection";      ///< key of the workspace that is shown
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
     std::map<std::string, Item> items;         ///< by name
@@ -73,7 +73,7 @@ bool isOutdated(const Project& project, const Item& item);
 /// malformed (line, column; also more than 1000 panels or items, 1000 inputs of a panel or a list of more than 10 000),
 /// versionTooNew.
 struct ProjectFile {
-    Project project;
+    Project project;     ///< as read, migrated to this version
     std::string sha256;  ///< of the project file
 };
 ProjectFile readProject(const std::string& path);

@@ -22,76 +22,76 @@ enum class Symmetry { Auto, Revolution, None };
 enum class InitialPose { Auto, Identity };
 
 struct CompareParameters {
-    CompareMethod method = CompareMethod::Auto;
-    Symmetry symmetry = Symmetry::Auto;
-    InitialPose initial = InitialPose::Auto;
-    std::optional<double> tolerance_mm;         ///< band ±T; without it there is no verdict
-    double pass_percent = 95;                   ///< pass when at least this share is within the band
-    std::optional<double> scanner_accuracy_mm;  ///< one standard deviation of the scanner
-    std::optional<double> max_distance_mm;      ///< points further away are left out; default: default_reach.h
-    std::vector<Interval> exclude_z_mm;         ///< clamping areas, along the reference's axis from its first data
+    CompareMethod method = CompareMethod::Auto;  ///< how the copy is aligned
+    Symmetry symmetry = Symmetry::Auto;          ///< whether the parts may be taken as bodies of revolution
+    InitialPose initial = InitialPose::Auto;     ///< Identity: the search stays near the poses as scanned
+    std::optional<double> tolerance_mm;          ///< band ±T; without it there is no verdict
+    double pass_percent = 95;                    ///< pass when at least this share is within the band
+    std::optional<double> scanner_accuracy_mm;   ///< one standard deviation of the scanner
+    std::optional<double> max_distance_mm;       ///< points further away are left out; default: default_reach.h
+    std::vector<Interval> exclude_z_mm;          ///< clamping areas, along the reference's axis from its first data
 };
 
 const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*);
 
 /// Signed surface deviation of every point of the copy; + = material in excess. NaN where not used.
 struct DeviationStatistics {
-    std::int64_t points_used = 0;
-    std::int64_t points_excluded = 0;
-    double overlap_percent = 0;
-    double rmse_mm = 0;
-    double mean_mm = 0;
-    double std_mm = 0;
-    double min_mm = 0;
-    double max_mm = 0;
-    double p95_abs_mm = 0;
-    double median_mm = 0;
-    double mad_sigma_mm = 0;  ///< 1.4826 × median absolute deviation
-    double p2_5_mm = 0;
-    double p97_5_mm = 0;
+    std::int64_t points_used = 0;      ///< that have a deviation and lie in no excluded zone
+    std::int64_t points_excluded = 0;  ///< all others of the copy
+    double overlap_percent = 0;        ///< points_used as a share of all points of the copy
+    double rmse_mm = 0;                ///< root mean square
+    double mean_mm = 0;                ///< arithmetic mean
+    double std_mm = 0;                 ///< standard deviation about the mean, over n
+    double min_mm = 0;                 ///< smallest (signed)
+    double max_mm = 0;                 ///< largest (signed)
+    double p95_abs_mm = 0;             ///< 95 % quantile of the absolute deviation
+    double median_mm = 0;              ///< 50 % quantile
+    double mad_sigma_mm = 0;           ///< 1.4826 × median absolute deviation
+    double p2_5_mm = 0;                ///< 2.5 % quantile
+    double p97_5_mm = 0;               ///< 97.5 % quantile
 };
 
 struct Histogram {
-    std::vector<double> edges_mm;  ///< one more than counts
-    std::vector<std::int64_t> counts;
+    std::vector<double> edges_mm;      ///< one more than counts
+    std::vector<std::int64_t> counts;  ///< number of points in each bin
 };
 
 /// Mean deviation between two places along the axis.
 struct Zone {
-    double z_start_mm = 0;
-    double z_end_mm = 0;
-    double mean_mm = 0;
-    double std_mm = 0;
-    std::int64_t points = 0;
+    double z_start_mm = 0;    ///< along the axis from the reference's first data
+    double z_end_mm = 0;      ///< likewise
+    double mean_mm = 0;       ///< of the deviations in the zone
+    double std_mm = 0;        ///< standard deviation about that mean, over n - 1; NaN for one point
+    std::int64_t points = 0;  ///< number of points in the zone that count
 };
 
 /// The reference's meridian and the copy's mean deviation along it, for the plot with magnified error.
 /// z runs along the reference axis from its first data.
 struct Meridian {
-    std::vector<double> z_mm;
-    std::vector<double> reference_radius_mm;
-    std::vector<double> deviation_mm;  ///< NaN where the copy has no points
-    std::vector<double> std_mm;
+    std::vector<double> z_mm;                 ///< middle of each bin
+    std::vector<double> reference_radius_mm;  ///< NaN where there is no single radius
+    std::vector<double> deviation_mm;         ///< NaN where the copy has no points
+    std::vector<double> std_mm;               ///< standard deviation in the bin, over n - 1; NaN for fewer than 2
 };
 
 /// Mean deviation on a z × θ grid: the unrolled map. Row-major, z slow. NaN where there are no points.
 struct UnrolledMap {
-    double z_start_mm = 0;
-    double z_step_mm = 1;
-    int z_count = 0;
-    int angle_count = 0;  ///< over 360°, cell centres at (j + ½)·360/angle_count
-    std::vector<float> mean_mm;
+    double z_start_mm = 0;       ///< lower edge of the first row
+    double z_step_mm = 1;        ///< height of a row
+    int z_count = 0;             ///< number of rows
+    int angle_count = 0;         ///< over 360°, cell centres at (j + ½)·360/angle_count
+    std::vector<float> mean_mm;  ///< of the deviations in each cell
 };
 
 struct CompareResult {
-    CompareParameters parameters;  ///< as asked
-    CompareMethod method_used = CompareMethod::Plane;
-    Alignment alignment;
+    CompareParameters parameters;                      ///< as asked
+    CompareMethod method_used = CompareMethod::Plane;  ///< the method that was used; never Auto
+    Alignment alignment;                               ///< pose of the copy, its free motions and its uncertainty
     bool has_sign = true;             ///< false: the deviation is unsigned and min/mean/… are null in JSON
     std::vector<float> deviation_mm;  ///< one per point (vertex) of the copy, in input order; NaN where none
     std::vector<std::uint8_t> used;   ///< 1 where the point counts
-    DeviationStatistics statistics;
-    Histogram histogram;
+    DeviationStatistics statistics;   ///< of the points that count
+    Histogram histogram;              ///< of their deviations; empty with CompareDetail::Summary
     /// The frame in which zones, meridian and map are given: its z is their z (0 at the first data), its x axis lies at
     /// angle 0. Body of revolution only.
     std::optional<Eigen::Isometry3d> axis_T_reference;
@@ -102,10 +102,10 @@ struct CompareResult {
     double cloud_to_cloud_rmse_error_mm =
         std::numeric_limits<double>::quiet_NaN();  ///< its standard error: a large cloud is sampled; 0: all points
     double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();  ///< what that figure is for identical parts
-    std::optional<double> within_tolerance_percent;
-    std::optional<Verdict> verdict;
-    std::optional<bool> distinguishable_from_scanner;
-    Notes notes;  ///< those of the alignment included
+    std::optional<double> within_tolerance_percent;    ///< of the points that count; with a tolerance
+    std::optional<Verdict> verdict;                    ///< Pass or Fail; with a tolerance
+    std::optional<bool> distinguishable_from_scanner;  ///< rmse_mm > 1.1 × scanner_accuracy_mm, when given
+    Notes notes;                                       ///< those of the alignment included
 };
 
 /// Summary: only what the verdict needs; histogram, zones, meridian, map and the figures from cloud to cloud stay as in

@@ -9,29 +9,29 @@ namespace lathelier::registration {
 /// A piece of meridian: value + slope · (along - middle), where at the side `along` is z and the value a radius, and on
 /// a face `along` is the radius and the value z.
 struct MeridianBin {
-    double middle = 0;
-    double value = 0;
-    double slope = 0;
-    double cosine = 1;  ///< from the difference in value to the distance along the normal
-    double sigma = 1;   ///< scatter along the normal
-    double own_mm = 0;  ///< scatter of this bin alone
-    double points = 0;
-    bool active = false;
+    double middle = 0;    ///< of the bin in `along`, in mm
+    double value = 0;     ///< radius or z at the middle, in mm: the median, then fitted
+    double slope = 0;     ///< change of `value` with `along`; 0 where neighbours agree on none
+    double cosine = 1;    ///< from the difference in value to the distance along the normal
+    double sigma = 1;     ///< scatter along the normal
+    double own_mm = 0;    ///< scatter of this bin alone
+    double points = 0;    ///< number of points it was made from
+    bool active = false;  ///< false: too few points or too much scatter to count
 };
 
 /// Side bins first; when the scan shows a bore too, as many bins for the bore; then `face_columns` bins for each face.
 struct MeridianBins {
-    double z_start_mm = 0;
-    double step_mm = 1;     ///< of side bins in z and of face bins in radius
-    double size_mm = 1;     ///< lever for tilts: half the larger extent
-    double sigma_mm = 0;    ///< scatter at the side
-    double largest_mm = 0;  ///< radius that 99 % of the points stay within
-    int side_count = 0;
-    int wall_count = 0;  ///< bins of side and bore together: what comes after them is faces
-    int face_columns = 0;
+    double z_start_mm = 0;         ///< lower end of the first side bin
+    double step_mm = 1;            ///< of side bins in z and of face bins in radius
+    double size_mm = 1;            ///< lever for tilts: half the larger extent
+    double sigma_mm = 0;           ///< scatter at the side
+    double largest_mm = 0;         ///< radius that 99 % of the points stay within
+    int side_count = 0;            ///< number of side bins
+    int wall_count = 0;            ///< bins of side and bore together: what comes after them is faces
+    int face_columns = 0;          ///< bins of each face, from the axis outward
     std::vector<double> split_mm;  ///< for each side bin: points inside this radius lie on the bore; empty without bore
     std::vector<int> face_of;      ///< for each side bin: the face its points belong to when it is not active, or -1
-    std::vector<MeridianBin> bins;
+    std::vector<MeridianBin> bins;  ///< in the order that the struct names
 
     /// Index of the bin for a point at (z, r), or -1.
     int find(double z, double r) const

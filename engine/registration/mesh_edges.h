@@ -13,10 +13,10 @@ using TriangleCorners = std::array<std::uint32_t, 3>;
 
 /// One side of a triangle. Sides of the same edge have equal `corners`.
 struct MeshEdge {
-    std::uint64_t corners;  ///< smaller number in the upper half
-    std::uint32_t triangle;
-    std::uint8_t side;  ///< from corner `side` to the next
-    bool forward;       ///< from the smaller number to the larger
+    std::uint64_t corners;   ///< smaller number in the upper half
+    std::uint32_t triangle;  ///< index of the triangle
+    std::uint8_t side;       ///< from corner `side` to the next
+    bool forward;            ///< from the smaller number to the larger
 
     std::uint32_t low() const { return static_cast<std::uint32_t>(corners >> 32); }
     std::uint32_t high() const { return static_cast<std::uint32_t>(corners); }
@@ -27,8 +27,8 @@ std::vector<MeshEdge> edgesOf(std::span<const TriangleCorners> triangles);
 
 /// One number for all vertices with the same coordinates, 0…count-1.
 struct CornerNumbers {
-    std::vector<std::uint32_t> of_vertex;
-    std::uint32_t count = 0;
+    std::vector<std::uint32_t> of_vertex;  ///< by index of the vertex
+    std::uint32_t count = 0;               ///< number of different places
 
     TriangleCorners of(const TriangleCorners& triangle) const
     {

@@ -13,11 +13,11 @@ namespace lathelier::registration {
 
 /// The mesh with the same vertices; nothing is moved.
 struct RepairedMesh {
-    CornerNumbers corners;
+    CornerNumbers corners;                   ///< numbers of the vertices after merging
     std::vector<TriangleCorners> triangles;  ///< those of the mesh in their order, some turned, and those added
-    std::int64_t facets_turned = 0;
-    std::int64_t holes_filled = 0;
-    double largest_hole_mm = 0;  ///< largest extent of a hole that was filled
+    std::int64_t facets_turned = 0;          ///< triangles that now run round the other way
+    std::int64_t holes_filled = 0;           ///< holes closed with added triangles
+    double largest_hole_mm = 0;              ///< largest extent of a hole that was filled
 };
 
 /// Corners on rims that lie within a thousandth of their rims' edges from each other are taken for one. Facets follow

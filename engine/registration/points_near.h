@@ -10,8 +10,8 @@ namespace lathelier::registration {
 
 /// Places and how far around each of them points are wanted.
 struct Vicinity {
-    std::vector<Eigen::Vector3d> places_mm;
-    double radius_mm = 0;
+    std::vector<Eigen::Vector3d> places_mm;  ///< in the frame of the cloud
+    double radius_mm = 0;                    ///< how far around each place
 };
 
 /// All points within the radius of any place of any vicinity, and some further ones, in the order given. All are

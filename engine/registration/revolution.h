@@ -12,8 +12,8 @@ namespace lathelier::registration {
 
 /// A body of revolution with its shoulders, in its axis frame.
 struct TurnedPart {
-    RevolutionFit fit;
-    std::vector<Shoulder> shoulders;
+    RevolutionFit fit;                ///< axis and radius along it
+    std::vector<Shoulder> shoulders;  ///< in order of z in the axis frame
 };
 
 /// The axis through the middle of the data, toward the larger coordinate on its dominant axis.

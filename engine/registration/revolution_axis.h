@@ -11,8 +11,8 @@ namespace lathelier::registration {
 
 /// Radius along the axis in equal steps. Where there is no single radius (a shoulder, no data) it is NaN.
 struct RadiusProfile {
-    double z_start_mm = 0;  ///< lower limit of the first bin
-    double step_mm = 1;
+    double z_start_mm = 0;          ///< lower limit of the first bin
+    double step_mm = 1;             ///< width of a bin along the axis
     std::vector<double> radius_mm;  ///< at the middle of each bin
     std::vector<double> slope;      ///< dR/dz
     std::vector<double> sigma_mm;   ///< standard uncertainty of the radius
@@ -39,19 +39,19 @@ inline constexpr double kLeastCoverage_deg = 60;
 
 /// What was found of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
 struct RevolutionFit {
-    Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();
+    Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();  ///< takes points of the scan into the axis frame
     RadiusProfile profile;         ///< of the outside; of the bore where that alone is seen
     RadiusProfile bore;            ///< in the same bins, where both are seen; empty without a bore
     std::vector<double> rough_mm;  ///< median radius of bins too rough to vote (a thread, a knurl); NaN elsewhere
     Bend bend;                     ///< taken out of the points before the fit when it is seen
-    NotTurned not_turned = NotTurned::NotRound;
-    double coverage_deg = 0;      ///< how much of the circle the data see
-    double sigma_mm = 0;          ///< robust scatter of the points about the profile, along its normal
+    NotTurned not_turned = NotTurned::NotRound;  ///< No, or the first reason against a body of revolution
+    double coverage_deg = 0;                     ///< how much of the circle the data see
+    double sigma_mm = 0;                         ///< robust scatter of the points about the profile, along its normal
     double consistent_share = 0;  ///< of the points: how many lie on one surface of revolution about the axis
     double side_share = 0;        ///< of the points: on the profile, where it determines the axis across
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y) at the origin in mm and the two slopes
-    bool converged = false;
-    int iterations = 0;
+    bool converged = false;  ///< the last step was below a tenth of the standard uncertainty
+    int iterations = 0;      ///< steps of the fit in all stages
 
     /// A point of the scan in the axis frame, a bend of the part taken out.
     Eigen::Vector3d onAxis(const Eigen::Vector3d& scan_point) const
@@ -62,8 +62,8 @@ struct RevolutionFit {
 
 /// Starts for the axis, best first, and how far neighbouring points scatter about a plane (noise, and some curvature).
 struct AxisCandidates {
-    std::vector<Eigen::Isometry3d> axis_T_scan;
-    double noise_mm = 0;
+    std::vector<Eigen::Isometry3d> axis_T_scan;  ///< best first: the axis is z
+    double noise_mm = 0;                         ///< scatter of neighbouring points about a plane
 };
 
 /// Starting directions and places of the axis. `points` are 1000 to 30 000 spread over the surface.

@@ -18,8 +18,8 @@ struct RadiusReading {
 std::optional<RadiusReading> readRadius(const RadiusProfile& profile, double z_mm);
 
 struct ShiftMatch {
-    double shift = 0;  ///< reference z = copy z + shift, mm
-    double cost = std::numeric_limits<double>::infinity();
+    double shift = 0;                                       ///< reference z = copy z + shift, mm
+    double cost = std::numeric_limits<double>::infinity();  ///< mean capped difference in mm; infinite: no match
 };
 
 /// Best shift within `reach` of `centre` (mm) by the mean difference of the radii, capped at `cap`: a coarse scan, then

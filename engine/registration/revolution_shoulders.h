@@ -8,10 +8,10 @@
 namespace lathelier::registration {
 
 struct Shoulder {
-    double z_mm = 0;
-    double sigma_mm = 0;                                          ///< standard uncertainty of z
-    double before_mm = 0;                                         ///< radius just before it, in z
-    double after_mm = 0;                                          ///< radius just after it
+    double z_mm = 0;       ///< place along the axis, in the axis frame of the part
+    double sigma_mm = 0;   ///< standard uncertainty of z
+    double before_mm = 0;  ///< radius just before it, in z
+    double after_mm = 0;   ///< radius just after it
     int facing() const { return after_mm > before_mm ? -1 : 1; }  ///< direction of its outward normal along z
 };
 
@@ -21,8 +21,8 @@ struct Shoulder {
 /// the width for all shoulders of a scan together, and for both scans together when that contradicts neither (the same
 /// scanner). What the width leaves open is part of each shoulder's uncertainty.
 struct ShoulderPair {
-    std::vector<Shoulder> reference;
-    std::vector<Shoulder> copy;
+    std::vector<Shoulder> reference;  ///< of the reference, in its axis frame
+    std::vector<Shoulder> copy;       ///< of the copy, in its axis frame
 };
 ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
                            const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,

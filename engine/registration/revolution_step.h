@@ -14,18 +14,18 @@ namespace lathelier::registration {
 /// Sums of one pass: the normal equations of the four axis parameters (per unit variance), and for each bin what
 /// eliminating its own free value takes.
 struct Sums {
-    Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
-    double squares = 0;       ///< Σ w e²
-    double weights = 0;       ///< Σ w
-    double side_weights = 0;  ///< Σ w at the side
+    Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();   ///< Σ w/σ² j jᵀ, by (x, y) at the origin and slopes
+    Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< Σ w/σ² e j, e the distance of a point from its bin in mm
+    double squares = 0;                                  ///< Σ w e²
+    double weights = 0;                                  ///< Σ w
+    double side_weights = 0;                             ///< Σ w at the side
     struct Bin {
-        double weight = 0;
-        double error = 0;
-        double square = 0;
-        Eigen::Vector4d jacobian = Eigen::Vector4d::Zero();
+        double weight = 0;                                   ///< Σ w/σ² of the bin's points
+        double error = 0;                                    ///< Σ w/σ² e
+        double square = 0;                                   ///< Σ w/σ² e²
+        Eigen::Vector4d jacobian = Eigen::Vector4d::Zero();  ///< Σ w/σ² j
     };
-    std::vector<Bin> bins;
+    std::vector<Bin> bins;  ///< one for each of MeridianBins::bins
 
     void add(const Sums& other)
     {
@@ -45,10 +45,10 @@ struct Sums {
 };
 
 struct Step {
-    Eigen::Vector4d change = Eigen::Vector4d::Zero();
+    Eigen::Vector4d change = Eigen::Vector4d::Zero();   ///< of (x, y) at the origin in mm and of the two slopes
     Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();  ///< with the bins' values eliminated, per unit variance
-    bool determined = false;
-    Sums sums;
+    bool determined = false;                            ///< false: the points leave the axis open, nothing was moved
+    Sums sums;                                          ///< of the pass before the step
 };
 
 /// One Gauss-Newton step of axis and bins together. Moves the pose and the bins' values.

@@ -9,9 +9,9 @@ namespace lathelier::registration {
 
 /// The axis of a scanner whose rays run across it and toward it, and whose rows lie across it.
 struct ScannerAxis {
-    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-    double sigma_mm = 0;  ///< standard uncertainty of the place across the direction
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< on the axis, in the frame of the part's axis
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector in that frame
+    double sigma_mm = 0;                                   ///< standard uncertainty of the place across the direction
 
     /// Out of the scanner's axis, along the ray that made `point`.
     Eigen::Vector3d outward(const Eigen::Vector3d& point) const

@@ -10,21 +10,21 @@ namespace lathelier::registration {
 
 /// Where the radius jumps, roughly. Heights are z times `sign`, so that the larger radius lies at larger heights.
 struct Edge {
-    double z_mm = 0;
-    double before_mm = 0;  ///< radius just before it, in z
-    double after_mm = 0;   ///< radius just after it
-    double sign = 1;
+    double z_mm = 0;                ///< half way between the bins beside it
+    double before_mm = 0;           ///< radius just before it, in z
+    double after_mm = 0;            ///< radius just after it
+    double sign = 1;                ///< 1: the radius rises with z, -1: it falls
     double from_mm = 0, to_mm = 0;  ///< the stretch of z that was looked at
 };
 
 /// One ray near an edge: its height where it passes the larger radius, and whether it hit it.
 struct Ray {
-    double height;
-    bool hit;
+    double height;  ///< z times the sign of its edge, in mm
+    bool hit;       ///< true: the ray ended at the larger radius
 };
 
 struct EdgeRays {
-    Edge edge;
+    Edge edge;                 ///< where the radius jumps
     std::vector<Ray> rays;     ///< in order of height
     double lean_sigma_mm = 0;  ///< standard uncertainty of the heights as a whole from what is not known of the rays
 };

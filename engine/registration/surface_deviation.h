@@ -15,7 +15,7 @@ namespace lathelier::registration {
 struct SurfaceDeviation {
     std::vector<float> deviation_mm;  ///< one per point; NaN further than asked, and where the reference has no surface
     bool has_sign = true;             ///< false: unsigned distances, with the note signUndetermined
-    Notes notes;
+    Notes notes;                      ///< what had to be assumed or repaired for the reference's surface
 };
 
 /// Deviation along the surface normal, + where the copy has material in excess. Mesh reference: exact distance to its

@@ -34,10 +34,10 @@ private:
     static constexpr std::uint32_t leaf_size = 4;
 
     struct Triangle {
-        std::array<Eigen::Vector3d, 3> corners_mm;
-        std::array<std::uint32_t, 3> corners;  ///< numbers in corner_normals_
-        std::array<Eigen::Vector3f, 3> edge_normals;
-        std::uint8_t rim = 0;  ///< bit k: edge k belongs to this triangle alone
+        std::array<Eigen::Vector3d, 3> corners_mm;    ///< in the sense in which the facet runs round
+        std::array<std::uint32_t, 3> corners;         ///< numbers in corner_normals_
+        std::array<Eigen::Vector3f, 3> edge_normals;  ///< of edge k: sum of the unit normals beside it
+        std::uint8_t rim = 0;                         ///< bit k: edge k belongs to this triangle alone
 
         Eigen::Vector3d normal() const;
     };

@@ -14,9 +14,9 @@ namespace lathelier::registration {
 
 /// A small flat piece of surface with a normal of unknown sense.
 struct SurfaceElement {
-    Eigen::Vector3d centre_mm;
-    Eigen::Vector3d normal;
-    double radius_mm;  ///< elements overlap: an element's share of the surface is found from its neighbours
+    Eigen::Vector3d centre_mm;  ///< middle of the piece
+    Eigen::Vector3d normal;     ///< unit vector
+    double radius_mm;           ///< elements overlap: an element's share of the surface is found from its neighbours
 };
 
 /// For each element whether its normal has to be turned to point outward. Empty when the surface is not evidently

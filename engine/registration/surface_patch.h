@@ -9,15 +9,15 @@ namespace lathelier::registration {
 
 /// Height over the plane through `centre_mm` spanned by `u`, `v`: h = c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y².
 struct SurfacePatch {
-    Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d u = Eigen::Vector3d::UnitX();
-    Eigen::Vector3d v = Eigen::Vector3d::UnitY();
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-    Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();
-    double radius_mm = 0;  ///< reach of the points it was made from
-    double breadth = 0;    ///< across / along of those points: 0 on a line, 1 round
-    double points = 0;     ///< sum of their weights
-    double sigma_mm = 0;   ///< their scatter about it, allowing for its own degrees of freedom
+    Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();  ///< weighted mean of the points
+    Eigen::Vector3d u = Eigen::Vector3d::UnitX();         ///< unit vector along which the points spread most: x
+    Eigen::Vector3d v = Eigen::Vector3d::UnitY();         ///< unit vector across it: y
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< unit vector u × v, of either sense unless oriented
+    Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();  ///< c0 in mm, c3…c5 in 1/mm and 0 for a plane
+    double radius_mm = 0;                                                 ///< reach of the points it was made from
+    double breadth = 0;   ///< across / along of those points: 0 on a line, 1 round
+    double points = 0;    ///< sum of their weights
+    double sigma_mm = 0;  ///< their scatter about it, allowing for its own degrees of freedom
 
     /// Distance of a point along the patch's normal at its foot, to second order in the slope.
     double distance_mm(const Eigen::Vector3d& point_mm) const;

@@ -12,8 +12,8 @@ namespace lathelier::registration {
 enum class TrianglePart : std::uint8_t { Corner0, Corner1, Corner2, Edge0, Edge1, Edge2, Face };
 
 struct TrianglePoint {
-    Eigen::Vector3d point_mm;
-    TrianglePart part;
+    Eigen::Vector3d point_mm;  ///< the nearest point of the triangle
+    TrianglePart part;         ///< where on the triangle it lies
 };
 
 /// Also for triangles without area.

@@ -15,10 +15,10 @@ namespace lathelier {
 /// One piece of a shaft's meridian, from z_start to z_end (z from the free end), with errors of manufacture on radius.
 /// Neighbours with different radii are joined by a shoulder; a chamfer or cone is a piece with two radii.
 struct ShaftPiece {
-    double z_start_mm = 0;
-    double z_end_mm = 0;
-    double radius_start_mm = 0;
-    double radius_end_mm = 0;
+    double z_start_mm = 0;                          ///< from the free end
+    double z_end_mm = 0;                            ///< from the free end, beyond z_start
+    double radius_start_mm = 0;                     ///< nominal, at z_start
+    double radius_end_mm = 0;                       ///< nominal, at z_end
     double oversize_um = 0;                         ///< everywhere
     double taper_start_um = 0;                      ///< linear from the piece's start…
     double taper_end_um = 0;                        ///< …to its end
@@ -37,19 +37,19 @@ double radius_mm(const ShaftModel& shaft, double z_mm);
 
 /// How a scan is made. Rays run horizontally toward the scanner's axis (z), rows of constant z; noise is along the ray.
 struct ScannerModel {
-    double row_pitch_mm = 0.1;
-    double angle_step_deg = 0.9;
-    double spot_mm = 0.15;  ///< the range is that of a random place within this height about the ray
-    double sigma_mm = 0.05;
+    double row_pitch_mm = 0.1;     ///< distance of the rows along z
+    double angle_step_deg = 0.9;   ///< between neighbouring rays of a row
+    double spot_mm = 0.15;         ///< the range is that of a random place within this height about the ray
+    double sigma_mm = 0.05;        ///< standard deviation of the range
     double dropout_share = 0;      ///< half of them in patches, half single
     double spurious_share = 0;     ///< of the remaining points, added evenly in a box around the part
     double part_z_from_mm = -1e9;  ///< only this stretch of the part is scanned
-    double part_z_to_mm = 1e9;
+    double part_z_to_mm = 1e9;     ///< end of that stretch, z from the free end
     double scan_z_from_mm = -1e9;  ///< only rows at these heights of the scanner are taken: what stands beyond is lost
-    double scan_z_to_mm = 1e9;
+    double scan_z_to_mm = 1e9;     ///< highest of these rows
     Eigen::Isometry3d scan_T_part = Eigen::Isometry3d::Identity();   ///< how the part stands; near the scanner's axis
     Eigen::Isometry3d frame_T_scan = Eigen::Isometry3d::Identity();  ///< moves the finished cloud
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;                                          ///< of all that is random
 };
 
 /// Ray-cast scan of the shaft; 732 000 points for the nominal shaft. The same bits for any number of threads.

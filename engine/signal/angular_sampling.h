@@ -14,8 +14,8 @@ struct AngularSampling {
     std::vector<double> weight;      ///< share of the turn each point stands for; gaps count no more than
                                      ///< 1.5 median spacings on each side, so the sum may be below 1
     std::size_t different = 0;       ///< number of different angles
-    double largest_gap_rad = 0;
-    double median_spacing_rad = 0;
+    double largest_gap_rad = 0;      ///< largest spacing of neighbouring angles
+    double median_spacing_rad = 0;   ///< median spacing of neighbouring angles
     double largest_regular_rad = 0;  ///< largest spacing that is no gap
     double missing_rad = 0;          ///< what the gaps leave out in all
     std::size_t gaps = 0;            ///< spacings above gapFactor medians

@@ -29,9 +29,9 @@ std::vector<double> filterClosed(std::span<const double> values, const ProfileBa
 
 /// One harmonic; r contains amplitude · cos(upr · θ - phase).
 struct Harmonic {
-    int upr = 0;
+    int upr = 0;           ///< undulations per revolution
     double amplitude = 0;  ///< zero to peak, in the unit of the values
-    double phase_rad = 0;
+    double phase_rad = 0;  ///< the first crest lies at phase / upr
 };
 
 /// Harmonics k = 1…limit of values at uniform angles θ_j = 2πj/n, limit ≤ n/2. At k = n/2 the samples tell only the
@@ -55,8 +55,8 @@ enum class FilterWay {
 };
 
 struct FilteredValues {
-    std::vector<double> values;  ///< at the given angles, in the given order
-    FilterWay way = FilterWay::Uniform;
+    std::vector<double> values;          ///< at the given angles, in the given order
+    FilterWay way = FilterWay::Uniform;  ///< how it was done
 };
 
 /// Filters values at any angles (any order, gaps, duplicates); the answer stands at the same angles. Where no gap

@@ -10,13 +10,13 @@ namespace lathelier::trajectory {
 
 /// A displacement signal: which channel, and by what its values are multiplied.
 struct ProbePlace {
-    std::size_t channel = 0;
+    std::size_t channel = 0;  ///< place in ProbeRecord::channels
     double um_per_value = 1;  ///< with the sign of the map
 };
 
 struct ChannelMap {
-    std::size_t reference = 0;  ///< channel of the marker, or of the encoder's angle
-    bool is_angle = false;
+    std::size_t reference = 0;           ///< channel of the marker, or of the encoder's angle
+    bool is_angle = false;               ///< `reference` is an encoder's angle, not a marker
     std::array<ProbePlace, 4> probes{};  ///< in the order of Probe
 };
 

@@ -14,11 +14,11 @@ namespace lathelier::trajectory {
 /// A raw record made ready for sampling.
 struct PreparedRecord {
     const ProbeRecord* record = nullptr;  ///< of the caller, who keeps it
-    std::string path;
-    FrameClock clock;
-    ChannelMap map;
-    double channel_skew_s = 0;
-    Revolutions revolutions;
+    std::string path;                     ///< of the file, for messages
+    FrameClock clock;                     ///< when each frame was sampled
+    ChannelMap map;                       ///< which channel is which signal
+    double channel_skew_s = 0;            ///< from one channel to the next within a frame
+    Revolutions revolutions;              ///< those found in the record
 };
 
 /// Channel map, delays and revolutions of a record, with its notes. Errors carry `path`.
@@ -27,15 +27,15 @@ PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const
 
 /// The revolutions of one section.
 struct RecordSegment {
-    std::vector<Revolution> chosen;
-    int found = 0;  ///< regular ones in the segment
-    double z_mm = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Revolution> chosen;                          ///< regular ones, at most as many as asked for
+    int found = 0;                                           ///< regular ones in the segment
+    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< middle of the chosen ones; NaN: not known
 };
 
 /// How a record is cut along the workpiece.
 struct Segmentation {
-    double feed_mm_rev = 0;
-    int sections = 1;
+    double feed_mm_rev = 0;  ///< along the workpiece
+    int sections = 1;        ///< number of segments of equal length
 };
 
 /// The segmentation asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).

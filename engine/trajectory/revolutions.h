@@ -12,8 +12,8 @@ namespace lathelier::trajectory {
 struct Revolution {
     std::int64_t number = 0;  ///< from 0; counts the turns of the spindle, so that a lost mark leaves a gap
     double start_s = 0;       ///< angle 0 passes the probes, on the clock of channel 0
-    double end_s = 0;
-    bool regular = true;  ///< false: period off by more than 2 % of the median, or a pause in the recording
+    double end_s = 0;         ///< the next time it does, on the same clock
+    bool regular = true;      ///< false: period off by more than 2 % of the median, or a pause in the recording
 };
 
 /// A period further than this from the median is not one revolution, unless it is within one frame.
@@ -21,12 +21,12 @@ inline constexpr double periodTolerance = 0.02;
 
 struct Revolutions {
     std::vector<Revolution> all;  ///< in order of time
-    int irregular = 0;
-    double period_s = 0;        ///< median
-    double threshold = 0;       ///< of the marker, in its unit
-    std::vector<double> turns;  ///< encoder: turns since the first frame, for each frame, never backward
-    bool falling = false;       ///< encoder: its angle runs down
-    double angle_skew_s = 0;    ///< encoder: how much later its channel is sampled than its frame
+    int irregular = 0;            ///< how many of them are not regular
+    double period_s = 0;          ///< median
+    double threshold = 0;         ///< of the marker, in its unit
+    std::vector<double> turns;    ///< encoder: turns since the first frame, for each frame, never backward
+    bool falling = false;         ///< encoder: its angle runs down
+    double angle_skew_s = 0;      ///< encoder: how much later its channel is sampled than its frame
 
     /// When the recorded angle was `fraction` (0…1) of a turn within `revolution`. Between two marks the speed is
     /// taken as constant.

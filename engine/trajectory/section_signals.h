@@ -11,7 +11,7 @@ namespace lathelier::trajectory {
 
 /// Displacements in µm at `points` uniform angles of several revolutions. NaN: not there, or taken out.
 struct SectionSignals {
-    std::size_t points = 0;
+    std::size_t points = 0;                 ///< angles of a revolution
     std::vector<std::int64_t> numbers;      ///< of the revolutions within the record
     std::array<std::vector<double>, 4> um;  ///< by Probe: revolution after revolution
     std::size_t revolutions() const { return numbers.size(); }
@@ -35,8 +35,8 @@ std::array<double, 4> driftPerRevolution_um(const SectionSignals& signals);
 void removeDrift(SectionSignals& signals, const std::array<double, 4>& drift_um);
 
 struct Rejected {
-    std::int64_t revolutions = 0;
-    std::int64_t samples = 0;
+    std::int64_t revolutions = 0;  ///< taken out as a whole
+    std::int64_t samples = 0;      ///< set to NaN one by one, of all probes together
 };
 
 /// Hampel's rule over the revolutions: a revolution whose median distance from the median curve stands out in any probe

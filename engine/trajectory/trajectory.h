@@ -31,15 +31,15 @@ struct TrajectoryParameters {
                                                             ///< "-X3=1" turns a sign
     double sensitivity_um_per_V = 50;                       ///< of displacement channels in volts
     std::optional<double> marker_threshold_V;               ///< default: half way between its levels
-    Rotation rotation = Rotation::Same;
-    std::string z_mm;                   ///< "5,10,15": one for each record
+    Rotation rotation = Rotation::Same;                     ///< sense of the body angle against the recorded one
+    std::string z_mm;                                       ///< "5,10,15": one for each record
     std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece. Default: as the
                                         ///< record itself says when it states both feed_mm_rev and sections
     int sections = 20;
-    Drift drift = Drift::None;
+    Drift drift = Drift::None;                             ///< whether a drift of the probes is taken out first
     form::OutlierRule outliers = form::OutlierRule::None;  ///< samples and revolutions
-    double outlier_sigmas = 4;
-    form::RoundnessParameters form;  ///< filter, circle and tolerance of every section
+    double outlier_sigmas = 4;                             ///< limit of that rule, in robust standard deviations
+    form::RoundnessParameters form;                        ///< filter, circle and tolerance of every section
 };
 
 const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParameters*);
@@ -51,7 +51,7 @@ struct ProbeStatistics {
 
 /// ISO 230-7 error motion of one probe, fixed sensitive direction, k = 0 and 1 removed from the mean.
 struct ErrorMotion {
-    double synchronous_um = 0;
+    double synchronous_um = 0;                 ///< range of the mean curve
     double asynchronous_um = 0;                ///< NaN when only averages are known
     double total_um = 0;                       ///< likewise
     std::vector<double> synchronous_curve_um;  ///< mean for each angle, k = 0 and 1 removed
@@ -60,14 +60,14 @@ struct ErrorMotion {
 enum class Probe { X3, Y3, Xp, Yp };
 
 struct TrajectorySection {
-    int section = 0;
-    std::string record;  ///< name of the record
-    double z_mm = std::numeric_limits<double>::quiet_NaN();
-    int revolutions_found = 0;  ///< regular ones; averages: as the file says, else 0
-    int revolutions_used = 0;
-    std::int64_t samples_rejected = 0;
+    int section = 0;                                         ///< number from 1, or that of an averaged file
+    std::string record;                                      ///< name of the record
+    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< from the free end; NaN: not known
+    int revolutions_found = 0;                               ///< regular ones; averages: as the file says, else 0
+    int revolutions_used = 0;                                ///< what is left of the chosen ones; averages: as found
+    std::int64_t samples_rejected = 0;         ///< single samples taken out as outliers, of all probes together
     std::array<double, 4> drift_um_per_rev{};  ///< slope of each probe, removed only when asked for
-    double speed_rpm = std::numeric_limits<double>::quiet_NaN();
+    double speed_rpm = std::numeric_limits<double>::quiet_NaN();    ///< over the chosen revolutions; NaN without times
     std::vector<double> angle_deg;                                  ///< as recorded, uniform
     std::array<ProbeStatistics, 4> probes;                          ///< in the order of Probe
     std::array<std::vector<std::vector<float>>, 4> revolutions_um;  ///< [probe][revolution][angle]; empty for averages
@@ -86,29 +86,29 @@ struct TrajectorySection {
 
 /// The sections along the workpiece, z from the free end. Profile R(u) = c0 + c1 u + c2 u² over u in [-1, 1].
 struct LongitudinalSection {
-    std::vector<double> z_mm;
+    std::vector<double> z_mm;                ///< of each section, in their order
     std::vector<double> radius_mm;           ///< LSC radius of each section
     std::vector<Eigen::Vector2d> centre_um;  ///< LSC centres
     double taper_diameter_um = 0;            ///< + when the diameter grows with z: 4 c1
     double barrel_um = 0;                    ///< + barrel, - saddle, on radius: -c2
     double diameter_range_um = 0;            ///< largest - smallest LSC diameter; half of it: GOST 24642-81
-    double half_diameter_range_um = 0;
-    double axis_straightness_um = 0;     ///< of the LSC centres
-    double profile_straightness_um = 0;  ///< residual of R(z) about its line
-    double CYLt_LSCY_um = 0;  ///< NaN, as the next one, when the stack is too short for an axis (noCylindricity)
-    double CYLt_MZCY_um = 0;
+    double half_diameter_range_um = 0;       ///< half of diameter_range_um
+    double axis_straightness_um = 0;         ///< of the LSC centres
+    double profile_straightness_um = 0;      ///< residual of R(z) about its line
+    double CYLt_LSCY_um = 0;         ///< NaN, as the next one, when the stack is too short for an axis (noCylindricity)
+    double CYLt_MZCY_um = 0;         ///< see CYLt_LSCY_um
     std::array<double, 3> fit_mm{};  ///< c0, c1, c2
 };
 
 struct TrajectoryResult {
-    TrajectoryParameters parameters;
-    double workpiece_diameter_mm = 0;  ///< used
-    Values cutting;                    ///< what the records say of themselves: speed, feed, workpiece, tool…
-    std::vector<TrajectorySection> sections;
+    TrajectoryParameters parameters;          ///< as asked
+    double workpiece_diameter_mm = 0;         ///< used
+    Values cutting;                           ///< what the records say of themselves: speed, feed, workpiece, tool…
+    std::vector<TrajectorySection> sections;  ///< in the order of the records
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
     double mandrel_form_um = 0.2;    ///< floor: two probes cannot tell the mandrel's form from its motion
     std::optional<Verdict> verdict;  ///< of the worst section, with form.tolerance_um
-    Notes notes;
+    Notes notes;                     ///< listed at trajectory()
 
     /// Index of the section with the largest deviation by form.circle; none without sections.
     std::optional<std::size_t> worstSection() const;
@@ -131,10 +131,10 @@ TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const Traject
 
 /// One signal with its revolutions, for the time plot: thinned to at most `limit` points, the extremes kept.
 struct TimeSignal {
-    std::string channel;                ///< its name in the record
-    std::string signal;                 ///< "X3"…, "marker", "angle"; empty when the map does not name it
-    std::vector<double> time_s, value;  ///< µm for displacements, as recorded for others
-    std::vector<double> revolution_starts_s;
+    std::string channel;                      ///< its name in the record
+    std::string signal;                       ///< "X3"…, "marker", "angle"; empty when the map does not name it
+    std::vector<double> time_s, value;        ///< µm for displacements, as recorded for others
+    std::vector<double> revolution_starts_s;  ///< of all found in the record; empty when there are none
 };
 
 /// Every channel of a record. A map or a marker that does not fit is no error here: the plot is to show why.

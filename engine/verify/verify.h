@@ -9,9 +9,9 @@
 namespace lathelier {
 
 struct VerifyResult {
-    std::vector<VerifyKind> kinds;
-    std::string reference_data;  ///< the folder of further sets; empty: none was named, and they have no kind
-    bool pass = false;           ///< all kinds
+    std::vector<VerifyKind> kinds;  ///< one for each check that was run
+    std::string reference_data;     ///< the folder of further sets; empty: none was named, and they have no kind
+    bool pass = false;              ///< all kinds
 };
 
 /// The parts of all rooms: a new room with checks is one line there.

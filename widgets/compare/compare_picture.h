@@ -13,14 +13,14 @@
 namespace lathelier {
 
 struct ComparePicture {
-    LoadedScanPtr reference;
-    LoadedScanPtr copy;
-    std::shared_ptr<const registration::CompareResult> result;
+    LoadedScanPtr reference;                                    ///< file and content
+    LoadedScanPtr copy;                                         ///< file and content
+    std::shared_ptr<const registration::CompareResult> result;  ///< never null in a picture that find() gave
     /// For each point of the copy the mean of its cell of the unrolled map; null where there is no map.
     std::shared_ptr<const std::vector<float>> local_mean_mm;
-    std::vector<InputFile> inputs;
-    Notes notes;  ///< of both files and of the comparison
-    bool synthetic = false;
+    std::vector<InputFile> inputs;  ///< of the reference, then of the copy
+    Notes notes;                    ///< of both files and of the comparison
+    bool synthetic = false;         ///< either source is marked as synthetic
 
     const Scan& copyScan() const { return copy->file.scan; }
 };
@@ -41,11 +41,11 @@ private:
 struct ComparePlace {
     Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
     std::optional<double> z_mm;                              ///< along the axis from its first data
-    std::optional<double> angle_deg;
-    std::optional<std::size_t> point;    ///< of the copy, a cloud
-    std::optional<PickedPlace> surface;  ///< of the copy, a mesh
-    std::optional<double> deviation_mm;
-    std::optional<double> local_mean_mm;
+    std::optional<double> angle_deg;                         ///< about the axis from its x, 0…360
+    std::optional<std::size_t> point;                        ///< of the copy, a cloud
+    std::optional<PickedPlace> surface;                      ///< of the copy, a mesh
+    std::optional<double> deviation_mm;                      ///< signed; none where the place does not count
+    std::optional<double> local_mean_mm;  ///< mean deviation of its cell of the map; none without one
 };
 
 /// A point of the copy (or, with `of_reference`, of the reference).

@@ -22,31 +22,31 @@ namespace lathelier {
 enum CompareView { All, Space, Map, Profile, Distribution, Zones, Numbers, viewCount };
 
 struct CompareViews::Parts {
-    std::shared_ptr<const ComparePicture> picture;
-    std::optional<ComparePlace> place;
-    std::optional<double> chosenLimit;
-    std::optional<double> chosenFactor;
+    std::shared_ptr<const ComparePicture> picture;  ///< what is shown; null: nothing yet
+    std::optional<ComparePlace> place;              ///< the marked place; none: no place
+    std::optional<double> chosenLimit;   ///< end of the colour scale that the user chose, in mm; none: from the result
+    std::optional<double> chosenFactor;  ///< likewise, magnification of the meridian's error
     std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
-    SceneView* scene = nullptr;
-    MapView* map = nullptr;
-    PlotView* meridian = nullptr;
-    PlotView* histogram = nullptr;
-    ZoneTable* zones = nullptr;
-    StatisticsTable* numbers = nullptr;
-    QTabWidget* tabs = nullptr;
-    QSplitter* rows = nullptr;
-    QSplitter* upper = nullptr;
-    QSplitter* lower = nullptr;
+    SceneView* scene = nullptr;          ///< reference and copy in space
+    MapView* map = nullptr;              ///< unrolled map of the deviation
+    PlotView* meridian = nullptr;        ///< radius along the axis, with the error magnified
+    PlotView* histogram = nullptr;       ///< distribution of the deviations
+    ZoneTable* zones = nullptr;          ///< mean deviation by zone
+    StatisticsTable* numbers = nullptr;  ///< statistics of the deviations
+    QTabWidget* tabs = nullptr;          ///< histogram, zones and numbers
+    QSplitter* rows = nullptr;           ///< upper above lower
+    QSplitter* upper = nullptr;          ///< scene beside map
+    QSplitter* lower = nullptr;          ///< meridian beside tabs
 
-    std::array<QToolButton*, viewCount> views{};
-    QButtonGroup* viewGroup = nullptr;
-    QToolButton* overlay = nullptr;
-    QToolButton* deviation = nullptr;
-    QCheckBox* smooth = nullptr;
-    QLabel* factorLabel = nullptr;
-    QDoubleSpinBox* factor = nullptr;
-    QLabel* synthetic = nullptr;
+    std::array<QToolButton*, viewCount> views{};  ///< by CompareView
+    QButtonGroup* viewGroup = nullptr;            ///< one of `views` is checked
+    QToolButton* overlay = nullptr;               ///< button: both parts in plain colours
+    QToolButton* deviation = nullptr;             ///< button: the copy coloured by its deviation
+    QCheckBox* smooth = nullptr;                  ///< colours by the mean of the map's cell, not by each point
+    QLabel* factorLabel = nullptr;                ///< label of `factor`
+    QDoubleSpinBox* factor = nullptr;             ///< magnification of the meridian's error
+    QLabel* synthetic = nullptr;                  ///< label of synthetic data; hidden for measured ones
 
     const registration::CompareResult& result() const { return *picture->result; }
     bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }

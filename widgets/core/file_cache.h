@@ -16,9 +16,9 @@ namespace lathelier {
 
 /// A file as it was when it was read.
 struct FileSeen {
-    std::string path;
-    std::string stamp;
-    std::string sha256;
+    std::string path;    ///< as it was opened
+    std::string stamp;   ///< fileStamp() when it was read
+    std::string sha256;  ///< of the content that was read
 };
 
 /// What the window has to know of a store of files, whatever they hold. Safe from any thread.
@@ -40,7 +40,7 @@ public:
 /// A file's content with what a report says of the file, and of others that belong to it.
 template <class File>
 struct Loaded {
-    File file;
+    File file;                      ///< what the reader gave
     std::vector<InputFile> inputs;  ///< the file itself first
 
     /// Tells contents apart.
@@ -141,8 +141,8 @@ protected:
 
 private:
     struct Entry {
-        Source source;
-        Pointer loaded;
+        Source source;   ///< path and import options of the request
+        Pointer loaded;  ///< never null
     };
 
     static bool sameFile(const Source& a, const Source& b) { return a.path == b.path && a.import == b.import; }

@@ -43,9 +43,9 @@ protected:
 
 private:
     struct Row {
-        FieldInfo info;
-        QLabel* label;
-        FieldEditor* editor;
+        FieldInfo info;       ///< what the row edits
+        QLabel* label;        ///< left column
+        FieldEditor* editor;  ///< right column
     };
     void addRow(const FieldInfo& info, QFormLayout* layout, Text& group);
     void enableGroups();

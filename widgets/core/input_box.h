@@ -22,9 +22,9 @@ public:
     void setSources(const std::vector<Source>& sources);
     /// The items of the project that may be taken, and which of them have an origin that changed.
     struct ItemOffer {
-        QString name;
-        QString origin;  ///< title or id of the panel that made it; empty: none
-        bool outdated = false;
+        QString name;           ///< of the item
+        QString origin;         ///< title or id of the panel that made it; empty: none
+        bool outdated = false;  ///< isOutdated(): the panel that made it has another state by now
     };
     void setItems(const std::vector<ItemOffer>& items);
 

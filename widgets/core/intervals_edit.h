@@ -31,10 +31,10 @@ protected:
 
 private:
     struct Row {
-        QWidget* widget;
-        NumberEdit* from;
-        NumberEdit* to;
-        QToolButton* remove;
+        QWidget* widget;      ///< holds the others
+        NumberEdit* from;     ///< lower end; may be empty
+        NumberEdit* to;       ///< upper end; may be empty
+        QToolButton* remove;  ///< button that takes the row away
     };
     void addRow(std::optional<Interval> interval);
     void removeRow(QWidget* widget);

@@ -12,9 +12,9 @@ namespace lathelier {
 
 /// A file that was opened or dropped.
 struct FoundFile {
-    std::string path;
-    const FileKind* kind = nullptr;  ///< nullptr: of no kind, or not to be read
-    Likeness likeness = Likeness::No;
+    std::string path;                  ///< as it was asked for
+    const FileKind* kind = nullptr;    ///< nullptr: of no kind, or not to be read
+    Likeness likeness = Likeness::No;  ///< how much the head speaks for `kind`
 };
 
 /// Safe from any thread.
@@ -28,8 +28,8 @@ public:
 
 private:
     struct Entry {
-        FoundFile file;
-        std::string stamp;
+        FoundFile file;     ///< what find() gave
+        std::string stamp;  ///< fileStamp() before the head was read
     };
     mutable std::mutex mutex_;
     std::map<std::string, Entry> entries_;

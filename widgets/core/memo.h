@@ -36,7 +36,7 @@ public:
             place->computing = true;
         }
         struct Leave {
-            Place& place;
+            Place& place;  ///< the one whose answer is being computed
             ~Leave()
             {
                 const std::lock_guard lock(place.mutex);
@@ -52,11 +52,11 @@ public:
 
 private:
     struct Place {
-        std::string key;
-        std::mutex mutex;
-        std::condition_variable done;
-        bool computing = false;
-        std::shared_ptr<const T> answer;
+        std::string key;                  ///< what the answer is found by
+        std::mutex mutex;                 ///< guards `computing` and `answer`
+        std::condition_variable done;     ///< notified when a computation has ended, with or without an answer
+        bool computing = false;           ///< a thread computes the answer
+        std::shared_ptr<const T> answer;  ///< null: not there yet
     };
 
     std::shared_ptr<Place> placeOf(const std::string& key)

@@ -12,14 +12,14 @@ namespace lathelier {
 
 /// A phrase with named values, for what is neither error nor note: {"Saved {path}."}.
 struct Phrase {
-    Text pattern;
-    Values values;
+    Text pattern;   ///< with {name} for the values
+    Values values;  ///< by name
 };
 
 struct Message {
-    std::variant<Error, Note, Phrase> content;
-    Text source;  ///< which panel; empty: the window
-    QDateTime time = QDateTime::currentDateTime();
+    std::variant<Error, Note, Phrase> content;      ///< what is said
+    Text source;                                    ///< which panel; empty: the window
+    QDateTime time = QDateTime::currentDateTime();  ///< when it was made
 };
 
 enum class MessageKind { Info, Warning, Error };

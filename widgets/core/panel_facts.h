@@ -23,15 +23,15 @@ class Stores;
 /// An arrangement of panels for one kind of work; its panels stand together.
 struct Workspace {
     std::string id;  ///< key in the project and the settings
-    Text title;
-    QString icon;   ///< name in resources/icons
-    int order = 0;  ///< of the bar, ascending
+    Text title;      ///< what people read
+    QString icon;    ///< name in resources/icons
+    int order = 0;   ///< of the bar, ascending
 };
 
 /// One line of the panel table (app/gui/panels.cpp); menu, dock, layouts and reports follow from it.
 struct PanelFacts {
-    std::string id;  ///< key in the report, the layouts and the settings: "compare"
-    Text title;
+    std::string id;                     ///< key in the report, the layouts and the settings: "compare"
+    Text title;                         ///< what people read, in menus, tabs and reports
     QString icon;                       ///< name in resources/icons
     std::vector<Workspace> workspaces;  ///< that it is in, its own first
     std::function<PanelBase*(Session&)> make;
@@ -58,10 +58,10 @@ bool hasWork(const PanelFacts& facts, const PanelState& state);
 
 /// An input of a panel, given by a file, or by several that belong together.
 struct InputRole {
-    std::string role;  ///< key in PanelState::inputs: "reference"
-    Text label;
-    Text hint;  ///< what belongs here, for tooltip and empty state
-    bool required = true;
+    std::string role;            ///< key in PanelState::inputs: "reference"
+    Text label;                  ///< what people read
+    Text hint;                   ///< what belongs here, for tooltip and empty state
+    bool required = true;        ///< without it nothing can be computed
     bool several = false;        ///< more files follow under the keys "role.2", "role.3"…
     FileKinds kinds = {};        ///< for its file dialog, and what a file may leave open besides ImportOptions
     std::string item_kind = {};  ///< of items of the project that may stand in place of a file; empty: files only
@@ -81,15 +81,15 @@ std::function<std::vector<Text>(const PanelState&)> missingOf(const std::vector<
 
 /// The left column of a panel.
 struct PanelInputs {
-    std::vector<InputRole> roles;
-    std::vector<FieldInfo> fields;
-    Values defaults;  ///< of the fields
-    Text invitation;  ///< the one sentence of the empty state
+    std::vector<InputRole> roles;   ///< in the order on screen
+    std::vector<FieldInfo> fields;  ///< of the form, in the order on screen
+    Values defaults;                ///< of the fields
+    Text invitation;                ///< the one sentence of the empty state
 };
 
 /// A way to write the result to a file. The label stands in the Export menu.
 struct PanelExport {
-    QString label;
+    QString label;                                   ///< what people read
     QString filter;                                  ///< "CSV (*.csv)"
     QString suffix;                                  ///< "csv"
     std::function<void(const QString& path)> write;  ///< throws Error

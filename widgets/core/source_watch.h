@@ -42,7 +42,7 @@ signals:
 private:
     struct Finding {
         std::string stamp;  ///< of the file that is there
-        Note note;
+        Note note;          ///< sourceChangedSince or sourceGone
     };
     using Findings = std::map<std::string, Finding>;  ///< by path
     struct Answer;

@@ -32,7 +32,7 @@ public:
         bool busy = false;      ///< a request is waiting or running
         bool stopping = false;  ///< cancel() was called, the job has not answered yet
         double fraction = 0;    ///< 0…1, never falling during a request
-        Text stage;
+        Text stage;             ///< present stage of the running job, for people; empty: none given
     };
 
     Worker();

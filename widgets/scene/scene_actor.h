@@ -42,10 +42,10 @@ public:
 
 private:
     struct Layer {
-        vtkNew<vtkPolyData> data;
-        vtkNew<vtkPolyDataMapper> mapper;
-        vtkNew<vtkActor> actor;
-        vtkNew<vtkUnsignedCharArray> colours;
+        vtkNew<vtkPolyData> data;              ///< points relative to the origin, and which of them are drawn
+        vtkNew<vtkPolyDataMapper> mapper;      ///< draws `data` in `colours`
+        vtkNew<vtkActor> actor;                ///< stands in the renderer
+        vtkNew<vtkUnsignedCharArray> colours;  ///< red, green, blue of each point
     };
     void prepare(Layer& layer, double pointSize);
     void show();

@@ -12,11 +12,11 @@ namespace lathelier {
 
 /// Where the eye is and how it projects. View coordinates: x right, y up, z toward the eye, which is the origin.
 struct SceneCamera {
-    Eigen::Isometry3d view_T_scene = Eigen::Isometry3d::Identity();
-    double distance_mm = 1;  ///< from the eye to what it looks at
-    bool parallel = false;
-    double halfHeight_mm = 1;  ///< half of the visible height at that distance
-    double aspect = 1;         ///< width / height of the picture
+    Eigen::Isometry3d view_T_scene = Eigen::Isometry3d::Identity();  ///< from the scene into view coordinates
+    double distance_mm = 1;                                          ///< from the eye to what it looks at
+    bool parallel = false;                                           ///< parallel projection; false: perspective
+    double halfHeight_mm = 1;                                        ///< half of the visible height at that distance
+    double aspect = 1;                                               ///< width / height of the picture
 
     /// Place in the picture: x from -1 (left) to 1, y from -1 (bottom) to 1; nothing behind the eye.
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& scene) const;
@@ -32,8 +32,8 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
 
 /// Half space that is drawn: normal · p >= offset, in scene coordinates.
 struct SceneSection {
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-    double offset_mm = 0;
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< unit vector toward the part that is drawn
+    double offset_mm = 0;                               ///< of the plane from the scene's origin along the normal
 };
 
 /// Indices that show the whole evenly when only the first n of them are drawn: at most `most`, always the same.

@@ -14,28 +14,28 @@ namespace lathelier {
 
 /// A cloud or mesh in the scene. Equal `scan` and pose are uploaded once, however often the colours change.
 struct SceneObject {
-    QString name;
-    ScanPtr scan;
-    Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();
-    QColor colour;                                     ///< where there are no values
+    QString name;                                                    ///< what people read
+    ScanPtr scan;                                                    ///< never null
+    Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();  ///< pose of the scan in the scene
+    QColor colour;                                                   ///< where there are no values
     std::shared_ptr<const std::vector<float>> values;  ///< one for each point, in mm; NaN is drawn grey; null: plain
     /// Draw each point where it would lie without its value. Else points in excess stick out, hide their neighbours and
     /// make the part look larger than it is.
     bool onSurface = false;
-    bool visible = true;
+    bool visible = true;  ///< false: kept, but not drawn
 };
 
 /// Where the long axis of the part runs; the standard views lay it level. Without one they lay the longest extent
 /// level.
 struct SceneAxis {
-    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< a point of the axis, in the scene
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector in the scene
 };
 
 /// A place on a mesh: the corners of a triangle and their weights, which add up to 1.
 struct PickedPlace {
-    std::array<std::uint32_t, 3> corners{};
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    std::array<std::uint32_t, 3> corners{};             ///< indices of the vertices
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< one for each corner
 };
 
 /// Standard views of a part whose long axis lies level.

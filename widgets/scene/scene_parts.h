@@ -21,8 +21,8 @@ namespace lathelier {
 
 /// A box, in the coordinates of some frame.
 struct SceneBox {
-    Eigen::Vector3d low;
-    Eigen::Vector3d high;
+    Eigen::Vector3d low;   ///< smallest coordinates
+    Eigen::Vector3d high;  ///< largest coordinates
 };
 
 /// Extent of the objects in the coordinates of `frame`.
@@ -30,31 +30,31 @@ SceneBox extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& 
 
 struct SceneView::Parts {
     SceneCanvas* canvas = nullptr;  ///< null where nothing can be drawn
-    vtkNew<vtkPlane> plane;
+    vtkNew<vtkPlane> plane;         ///< of the section, relative to `origin`
 
-    SceneBar* bar = nullptr;
-    ColourLegend* legend = nullptr;
-    SceneRuler* ruler = nullptr;
-    SceneLabel* label = nullptr;
-    SceneLabel* cross = nullptr;
+    SceneBar* bar = nullptr;         ///< viewpoints, projection and section
+    ColourLegend* legend = nullptr;  ///< colour scale beside the picture
+    SceneRuler* ruler = nullptr;     ///< directions of x, y, z and a bar of a round length
+    SceneLabel* label = nullptr;     ///< text beside the marked place
+    SceneLabel* cross = nullptr;     ///< sign at the marked place
 
-    std::vector<SceneObject> objects;
-    std::vector<std::unique_ptr<SceneActor>> actors;
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    std::optional<SceneAxis> axis;
-    DeviationColours colours;
-    std::optional<SceneSection> section;
-    std::optional<Eigen::Vector3d> marked;
+    std::vector<SceneObject> objects;                  ///< as given to setObjects()
+    std::vector<std::unique_ptr<SceneActor>> actors;   ///< one for each object, in their order
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< middle of the objects: geometry is uploaded relative to it
+    std::optional<SceneAxis> axis;                     ///< long axis of the part; none: `longest`
+    DeviationColours colours;                          ///< from deviation to colour
+    std::optional<SceneSection> section;               ///< what is drawn; none: all
+    std::optional<Eigen::Vector3d> marked;             ///< place of the marker in the scene; none: no marker
 
-    QTimer rest;
-    bool moving = false;
-    bool aimed = false;
-    std::optional<QPoint> pressedAt;
-    QPoint movedTo;
-    bool dragging = false;
-    std::size_t budget = 80000;
-    bool coarse = false;  ///< too slow even with the fewest points: half the resolution while moving
-    Speed speed;
+    QTimer rest;                      ///< expires some time after the last motion: all points are drawn again
+    bool moving = false;              ///< thinned sets are drawn
+    bool aimed = false;               ///< the camera has been set for the present objects
+    std::optional<QPoint> pressedAt;  ///< place of the pointer when a button went down; none: no button is down
+    QPoint movedTo;                   ///< last place of the pointer with a button down
+    bool dragging = false;            ///< the pointer has moved further than in a click
+    std::size_t budget = 80000;       ///< points drawn while moving, by all clouds together; follows the frame times
+    bool coarse = false;              ///< too slow even with the fewest points: half the resolution while moving
+    Speed speed;                      ///< times of the last frames
 
     Eigen::Vector3d longest = Eigen::Vector3d::UnitX();  ///< scene axis along which there is most to see
 

@@ -10,9 +10,9 @@
 namespace lathelier {
 
 struct ScenePick {
-    std::size_t index = 0;
-    double depth_mm = 0;  ///< from the eye
-    double away_px = 0;   ///< from the pointer
+    std::size_t index = 0;  ///< of the point in its cloud
+    double depth_mm = 0;    ///< from the eye
+    double away_px = 0;     ///< from the pointer
 };
 
 /// The point nearest to the pointer among those of the front layer: all points within `radius_px` of it are projected
@@ -23,7 +23,7 @@ std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& poin
                                         double radius_px, int height_px);
 
 struct SceneHit {
-    PickedPlace place;
+    PickedPlace place;    ///< on the mesh
     double depth_mm = 0;  ///< from the eye
 };
 

@@ -52,9 +52,9 @@ public:
 
     /// Seconds of the last frames drawn while moving and at rest, and the points drawn while moving.
     struct Speed {
-        double moving_s = 0;
-        double resting_s = 0;
-        std::size_t movingPoints = 0;
+        double moving_s = 0;           ///< frame time while moving
+        double resting_s = 0;          ///< frame time at rest
+        std::size_t movingPoints = 0;  ///< of the thinned clouds; 0: nothing is thinned
     };
     Speed speed() const;
 

@@ -21,24 +21,24 @@ inline constexpr const char* spindleState = "roundness";
 inline constexpr const char* sectionKey = "section";  ///< number of the chosen section; none: the worst one
 
 struct SpindlePicture {
-    std::vector<LoadedRecordPtr> records;
+    std::vector<LoadedRecordPtr> records;  ///< as read, in the order of the inputs; none with a profile for roundness
     std::shared_ptr<const trajectory::TrajectoryResult> trajectory;  ///< null without a record, or with `problem`
     std::shared_ptr<const std::vector<trajectory::TimeSignal>>
         time_signals;                    ///< of the first record; null for averages
     std::optional<Error> problem;        ///< why the records that were read have no answer
     std::optional<std::size_t> section;  ///< index of the chosen one in the result
 
-    LoadedProfilePtr profile;  ///< measured elsewhere; it goes before the record
-    std::shared_ptr<const form::RoundnessResult> profileRoundness;
-    LoadedProfilePtr trace;  ///< laid on the profile or the section's image
-    std::shared_ptr<const form::SuperimposeResult> superimposed;
+    LoadedProfilePtr profile;                                       ///< measured elsewhere; it goes before the record
+    std::shared_ptr<const form::RoundnessResult> profileRoundness;  ///< of `profile`; null without one
+    LoadedProfilePtr trace;                                         ///< laid on the profile or the section's image
+    std::shared_ptr<const form::SuperimposeResult> superimposed;    ///< of `trace`; null without two profiles
 
     PolarPicturePtr polar;  ///< of the roundness; with Roundness only
     PolarPicturePtr laid;   ///< of the two superimposed profiles
 
-    std::vector<InputFile> inputs;
-    Notes notes;
-    bool synthetic = false;
+    std::vector<InputFile> inputs;  ///< files that this picture rests on
+    Notes notes;                    ///< of results and files
+    bool synthetic = false;         ///< one of the sources is marked as synthetic
 
     /// Of the profile, else of the chosen section; null when there is neither.
     const form::RoundnessResult* roundness() const;

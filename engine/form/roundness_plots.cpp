@@ -13,7 +13,7 @@ constexpr double um_per_mm = 1000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int leastOrders = 50;  ///< shown of a spectrum
 
-/// Numbers of the colours (polarColour()).
+/// Numbers of the series' colours.
 constexpr int profileColour = 0, leastSquaresColour = 2, zoneColour = 1, inscribedColour = 4, circumscribedColour = 3;
 
 double degrees(double angle_rad)
@@ -118,8 +118,8 @@ Plot spectrumPlot(const RoundnessResult& result)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Harmonics of the unfiltered profile");
-    plot.x_title = LT_TEXT("Engine", "Undulations per revolution (UPR)");
-    plot.y_title = LT_TEXT("Engine", "Amplitude (µm)");
+    plot.x.title = LT_TEXT("Engine", "Undulations per revolution (UPR)");
+    plot.y.title = LT_TEXT("Engine", "Amplitude (µm)");
     double largest = 0;
     for (const signal::Harmonic& h : result.harmonics) largest = std::max(largest, h.amplitude);
     int shown = leastOrders;
@@ -128,10 +128,9 @@ Plot spectrumPlot(const RoundnessResult& result)
     const signal::ProfileBand band = bandOf(result.parameters);
     for (const std::optional<double>& mark : {band.low_upr, band.high_upr})
         if (mark && *mark < static_cast<double>(result.harmonics.size())) {
-            plot.x_marks.push_back(*mark);
+            plot.limits.push_back({Limit::Direction::Vertical, *mark, LT_TEXT("Engine", "cut-off")});
             shown = std::max(shown, static_cast<int>(1.2 * *mark));
         }
-    plot.marks_name = LT_TEXT("Engine", "cut-off");
     shown = std::min(shown, static_cast<int>(result.harmonics.size()));
     Curve bars;
     bars.style = Curve::Style::Bars;
@@ -142,7 +141,7 @@ Plot spectrumPlot(const RoundnessResult& result)
     }
     bars.x.push_back(shown + 0.5);
     plot.curves = {bars};
-    plot.x_range = Interval{0, static_cast<double>(std::max(shown, 2)) + 1};
+    plot.x.range = Interval{0, static_cast<double>(std::max(shown, 2)) + 1};
     return plot;
 }
 

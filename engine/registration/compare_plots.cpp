@@ -37,10 +37,11 @@ std::optional<Interval> axisRange(const CompareResult& result)
 }
 
 /// Tolerance limits as lines, when there is a tolerance.
-std::vector<double> toleranceMarks(const CompareResult& result)
+std::vector<Limit> toleranceLimits(const CompareResult& result, Limit::Direction direction)
 {
     const auto& tolerance_mm = result.parameters.tolerance_mm;
-    return tolerance_mm ? std::vector<double>{-*tolerance_mm, *tolerance_mm} : std::vector<double>{};
+    if (!tolerance_mm) return {};
+    return {{direction, -*tolerance_mm, toleranceName}, {direction, *tolerance_mm, toleranceName}};
 }
 
 }  // namespace
@@ -61,9 +62,9 @@ ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
     ColourMap map;
     map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
                                : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
-    map.x_title = zTitle;
-    map.y_title = LT_TEXT("Engine", "Angle about the axis (°)");
-    map.value_title = deviationTitle;
+    map.x.title = zTitle;
+    map.y.title = LT_TEXT("Engine", "Angle about the axis (°)");
+    map.value.title = deviationTitle;
     map.x_from = source.z_start_mm;
     map.x_to = source.z_start_mm + source.z_step_mm * source.z_count;
     map.y_to = 360;
@@ -85,9 +86,10 @@ Plot deviationAlongAxis(const CompareResult& result)
     const Meridian& meridian = *result.meridian;
     Plot plot;
     plot.title = LT_TEXT("Engine", "Deviation along the axis");
-    plot.x_title = zTitle;
-    plot.y_title = deviationTitle;
-    Curve band{LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, Curve::Style::Band, {}, 1};
+    plot.x.title = zTitle;
+    plot.y.title = deviationTitle;
+    Curve band{
+        LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, Curve::Style::Band, {}, ColourRole::Copy};
     std::vector<double> ends;
     for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
         band.y.push_back(meridian.deviation_mm[i] + meridian.std_mm[i]);
@@ -95,12 +97,13 @@ Plot deviationAlongAxis(const CompareResult& result)
         ends.push_back(std::abs(meridian.deviation_mm[i]) + meridian.std_mm[i]);
     }
     double edge = quantileOfSize(ends, ordinaryShare);
-    plot.curves = {band, {LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm, Curve::Style::Line, {}, 1}};
-    plot.x_range = axisRange(result);
-    plot.y_marks = toleranceMarks(result);
-    plot.marks_name = toleranceName;
-    for (const double mark : plot.y_marks) edge = std::max(edge, std::abs(mark));
-    if (edge > 0) plot.y_range = Interval{-1.15 * edge, 1.15 * edge};
+    plot.curves = {
+        band,
+        {LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm, Curve::Style::Line, {}, ColourRole::Copy}};
+    plot.x.range = axisRange(result);
+    plot.limits = toleranceLimits(result, Limit::Direction::Horizontal);
+    for (const Limit& limit : plot.limits) edge = std::max(edge, std::abs(limit.place));
+    if (edge > 0) plot.y.range = Interval{-1.15 * edge, 1.15 * edge};
     return plot;
 }
 
@@ -133,14 +136,14 @@ Plot magnifiedMeridian(const CompareResult& result, const Language& language)
     const double ordinary_mm = quantileOfSize(meridian.deviation_mm, ordinaryShare);
     Plot plot;
     plot.title = LT_TEXT("Engine", "Meridian");
-    plot.x_title = zTitle;
-    plot.y_title = LT_TEXT("Engine", "Radius (mm)");
-    plot.x_range = axisRange(result);
-    Curve original{
-        LT_TEXT("Engine", "original"), meridian.z_mm, meridian.reference_radius_mm, Curve::Style::Line, {}, 0};
+    plot.x.title = zTitle;
+    plot.y.title = LT_TEXT("Engine", "Radius (mm)");
+    plot.x.range = axisRange(result);
+    Curve original{LT_TEXT("Engine", "original"), meridian.z_mm, meridian.reference_radius_mm, Curve::Style::Line, {},
+                   ColourRole::Original};
     const std::string name =
         fill(text(LT_TEXT("Engine", "copy, deviation × {factor}"), language), {{"factor", factor}}, language);
-    Curve copy{name, meridian.z_mm, {}, Curve::Style::Line, {}, 1};
+    Curve copy{name, meridian.z_mm, {}, Curve::Style::Line, {}, ColourRole::Copy};
     Interval shown{HUGE_VAL, -HUGE_VAL};
     for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
         const double radius_mm = meridian.reference_radius_mm[i];
@@ -151,7 +154,7 @@ Plot magnifiedMeridian(const CompareResult& result, const Language& language)
     }
     // Single bins at shoulders may run over the edge.
     const double air_mm = 1.5 * factor * ordinary_mm + 0.05 * (shown.to - shown.from);
-    if (shown.from <= shown.to) plot.y_range = Interval{shown.from - air_mm, shown.to + air_mm};
+    if (shown.from <= shown.to) plot.y.range = Interval{shown.from - air_mm, shown.to + air_mm};
     plot.curves = {original, copy};
     return plot;
 }
@@ -160,15 +163,14 @@ Plot histogramPlot(const CompareResult& result)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Histogram of the deviations");
-    plot.x_title = deviationTitle;
-    plot.y_title = LT_TEXT("Engine", "Points");
+    plot.x.title = deviationTitle;
+    plot.y.title = LT_TEXT("Engine", "Points");
     Curve bars;
     bars.x = result.histogram.edges_mm;
     bars.y.assign(result.histogram.counts.begin(), result.histogram.counts.end());
     bars.style = Curve::Style::Bars;
     plot.curves = {bars};
-    plot.x_marks = toleranceMarks(result);
-    plot.marks_name = toleranceName;
+    plot.limits = toleranceLimits(result, Limit::Direction::Vertical);
     return plot;
 }
 

@@ -19,40 +19,14 @@ std::vector<double> closed(std::vector<double> values, double addend = 0)
     return values;
 }
 
-/// A micrometre is as long along x as along y: an orbit shows its shape.
-void makeScalesEqual(Plot& plot)
-{
-    constexpr double widthToHeight = 3.26;  // of the frame
-    constexpr double air = 1.1;
-    Interval x{HUGE_VAL, -HUGE_VAL}, y = x;
-    const auto extend = [](Interval& range, const std::vector<double>& values) {
-        for (const double value : values) {
-            range.from = std::fmin(range.from, value);
-            range.to = std::fmax(range.to, value);
-        }
-    };
-    for (const Curve& curve : plot.curves) {
-        extend(x, curve.x);
-        extend(y, curve.y);
-    }
-    const double height = air * std::max(y.to - y.from, (x.to - x.from) / widthToHeight);
-    if (!std::isfinite(height) || height <= 0) return;
-    const auto about = [](const Interval& range, double length) {
-        const double middle = (range.from + range.to) / 2;
-        return Interval{middle - length / 2, middle + length / 2};
-    };
-    plot.x_range = about(x, widthToHeight * height);
-    plot.y_range = about(y, height);
-}
-
 }  // namespace
 
 Plot diameterAlongAxis(const LongitudinalSection& section)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Longitudinal section");
-    plot.x_title = alongAxis;
-    plot.y_title = LT_TEXT("Engine", "Diameter, deviation from its mean (µm)");
+    plot.x.title = alongAxis;
+    plot.y.title = LT_TEXT("Engine", "Diameter, deviation from its mean (µm)");
     const auto count = static_cast<double>(section.radius_mm.size());
     const double mean_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0) / count;
     const auto [from, to] = std::minmax_element(section.z_mm.begin(), section.z_mm.end());
@@ -82,23 +56,22 @@ Plot roundnessAlongAxis(const TrajectoryResult& result)
     Plot plot;
     plot.title = LT_TEXT("Engine", "Roundness of the sections");
     const bool places = result.longitudinal.has_value();
-    plot.x_title = places ? alongAxis : LT_TEXT("Engine", "Section");
-    plot.y_title = "RONt (µm)";
-    plot.y_range = Interval{0, 0};
+    plot.x.title = places ? alongAxis : LT_TEXT("Engine", "Section");
+    plot.y.title = "RONt (µm)";
+    plot.y.range = Interval{0, 0};
     for (const form::ReferenceCircle circle : {form::ReferenceCircle::MZCI, form::ReferenceCircle::LSCI}) {
         Curve curve;
         curve.name = std::string(name(circle));
         for (const TrajectorySection& section : result.sections) {
             curve.x.push_back(places ? section.z_mm : section.section);
             curve.y.push_back(section.roundness.circles.of(circle).RONt_um);
-            plot.y_range->to = std::max(plot.y_range->to, 1.15 * curve.y.back());
+            plot.y.range->to = std::max(plot.y.range->to, 1.15 * curve.y.back());
         }
         plot.curves.push_back(std::move(curve));
     }
     if (const auto& tolerance = result.parameters.form.tolerance_um) {
-        plot.y_marks = {*tolerance};
-        plot.marks_name = LT_TEXT("Engine", "tolerance");
-        plot.y_range->to = std::max(plot.y_range->to, 1.15 * *tolerance);
+        plot.limits = {{Limit::Direction::Horizontal, *tolerance, LT_TEXT("Engine", "tolerance")}};
+        plot.y.range->to = std::max(plot.y.range->to, 1.15 * *tolerance);
     }
     return plot;
 }
@@ -107,8 +80,8 @@ Plot trajectoryPlot(const TrajectorySection& section)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Trajectories over one turn");
-    plot.x_title = "X (µm)";
-    plot.y_title = "Y (µm)";
+    plot.x.title = "X (µm)";
+    plot.y.title = "Y (µm)";
     const auto curve = [&](Text title, Probe x, Probe y, int colour) {
         return Curve{title,
                      closed(section.probes[static_cast<std::size_t>(x)].mean_um),
@@ -119,7 +92,7 @@ Plot trajectoryPlot(const TrajectorySection& section)
     };
     plot.curves = {curve(LT_TEXT("Engine", "axis of the workpiece (X3, Y3)"), Probe::X3, Probe::Y3, measuredColour),
                    curve(LT_TEXT("Engine", "tool (Xp, Yp)"), Probe::Xp, Probe::Yp, toolColour)};
-    makeScalesEqual(plot);
+    plot.equal_scales = true;
     return plot;
 }
 
@@ -127,8 +100,8 @@ Plot envelopePlot(const TrajectorySection& section)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Radius about the spindle axis");
-    plot.x_title = LT_TEXT("Engine", "Angle (°)");
-    plot.y_title = LT_TEXT("Engine", "Deviation from the mean radius (µm)");
+    plot.x.title = LT_TEXT("Engine", "Angle (°)");
+    plot.y.title = LT_TEXT("Engine", "Deviation from the mean radius (µm)");
     const double mean_mm = section.roundness.circles.LSCI.radius_mm;
     const auto deviations = [&](const std::vector<double>& radius_mm) {
         std::vector<double> values;

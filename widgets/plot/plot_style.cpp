@@ -3,8 +3,6 @@
 #include <QFontMetricsF>
 #include <cmath>
 
-#include "engine/report/polar_svg.h"
-
 namespace lathelier {
 namespace {
 
@@ -19,16 +17,19 @@ QColor mix(const QColor& a, const QColor& b, double share)
 PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
     : background(palette.color(QPalette::Base)), text(palette.color(QPalette::Text)), grid(mix(background, text, 0.15))
 {
-    limit = dark() ? QColor(255, 176, 64) : QColor(176, 88, 0);
-    marker = dark() ? QColor(255, 105, 180) : QColor(170, 0, 110);
+    limit = colour(ColourRole::Limit);
+    marker = colour(ColourRole::Mark);
     lineWidth = std::max(1.4, QFontMetricsF(font).height() / 10);
 }
 
-QColor PlotStyle::curve(int index) const
+QColor PlotStyle::colour(const ChartColour& meaning, std::size_t position) const
 {
-    const std::string_view name = polarColour(static_cast<std::size_t>(index));  // as in the report
-    const QColor colour(QString::fromLatin1(name.data(), static_cast<int>(name.size())));
-    return dark() ? mix(colour, Qt::white, 0.3) : colour;
+    return toQt(colourOf(meaning, position, dark() ? Theme::Dark : Theme::Light));
+}
+
+QColor toQt(const Rgb& colour)
+{
+    return {colour.red, colour.green, colour.blue};
 }
 
 QPalette paperPalette()

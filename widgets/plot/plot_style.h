@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QPalette>
 
+#include "engine/report/colours.h"
+
 class QCustomPlot;
 
 namespace lathelier {
@@ -21,9 +23,11 @@ struct PlotStyle {
     PlotStyle(const QPalette& palette, const QFont& font);
 
     bool dark() const { return background.lightness() < 128; }
-    /// A row of colours that colour-blind people can tell apart (Okabe and Ito), lightened on dark backgrounds.
-    QColor curve(int index) const;
+    /// As in the report, on this background.
+    QColor colour(const ChartColour& meaning, std::size_t position = 0) const;
 };
+
+QColor toQt(const Rgb& colour);
 
 /// A palette for paper: dark on white, whatever the desktop looks like.
 QPalette paperPalette();

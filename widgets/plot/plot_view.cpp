@@ -148,7 +148,7 @@ void PlotView::applyStyle()
     const double width = style().lineWidth;
     for (std::size_t i = 0; i < c.drawn.size(); ++i) {
         const PlotCurve& curve = c.data.curves[i];
-        const QColor colour = curve.colour.value_or(style().curve(static_cast<int>(i)));
+        const QColor colour = curve.colour.value_or(style().colour({}, i));
         QCPAbstractPlottable* drawn = c.drawn[i];
         switch (curve.style) {
             case PlotCurve::Style::Line: drawn->setPen(QPen(colour, width)); break;

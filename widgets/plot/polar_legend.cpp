@@ -33,9 +33,9 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames)
     };
     std::size_t position = 0;
     for (const PolarPlot::Trace& trace : picture_.plot.traces)
-        add(words(trace.name), colourOf(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
+        add(words(trace.name), style_.colour(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
-        add(words(circle.name), colourOf(circle.colour, position++), circle.dashed ? Kind::Dashed : Kind::Line);
+        add(words(circle.name), style_.colour(circle.colour, position++), circle.dashed ? Kind::Dashed : Kind::Line);
     for (const bool outer : {true, false})
         if (std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
                         [&](const PolarPlot::Mark& mark) { return mark.outer == outer; }))

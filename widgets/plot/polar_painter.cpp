@@ -51,11 +51,6 @@ PolarPainter::PolarPainter(const PolarPicture& picture, double magnification, co
 {
 }
 
-QColor PolarPainter::colourOf(int wanted, std::size_t position) const
-{
-    return style_.curve(wanted >= 0 ? wanted : static_cast<int>(position));
-}
-
 PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
 {
     const QFontMetricsF metrics(font_);
@@ -239,7 +234,7 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
     for (std::size_t t = 0; t < picture_.lines.size(); ++t) {
         const PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin != thin) continue;
-        QColor colour = colourOf(trace.colour, t);
+        QColor colour = style_.colour(trace.colour, t);
         if (thin) colour.setAlphaF(0.35);
         painter.setPen(QPen(colour, thin ? 1.0 : 1.2 * style_.lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         const PolarLine& line = picture_.lines[t];
@@ -264,8 +259,8 @@ void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
-        painter.setPen(
-            QPen(colourOf(circle.colour, position++), style_.lineWidth, circle.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.setPen(QPen(style_.colour(circle.colour, position++), style_.lineWidth,
+                            circle.dashed ? Qt::DashLine : Qt::SolidLine));
         QPolygonF points;
         for (int i = 0; i <= 720; ++i) {
             const double deviation_um = deviationAt(circle, picture_.plot.base_radius_mm, i / 2.0);

@@ -109,7 +109,7 @@ void XyView::applyStyle()
     const double width = style().lineWidth;
     for (std::size_t i = 0; i < c.drawn.size(); ++i) {
         const XyCurve& curve = c.data.curves[i];
-        const QColor colour = curve.colour.value_or(style().curve(static_cast<int>(i)));
+        const QColor colour = curve.colour.value_or(style().colour({}, i));
         c.drawn[i]->setPen(curve.thin ? QPen(faint(colour, 110), 1) : QPen(colour, 1.2 * width));
     }
     if (!c.marks) return;

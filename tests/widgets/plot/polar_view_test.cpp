@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/report/polar_svg.h"
+#include "engine/report/svg.h"
 #include "widgets/core/resources.h"
 #include "widgets/plot/plot_style.h"
 
@@ -265,7 +265,7 @@ private slots:
     {
         const PlotStyle paper(paperPalette(), view_->font());
         for (int i = 0; i < 8; ++i)
-            QCOMPARE(paper.curve(i).name().toStdString(), std::string(polarColour(static_cast<std::size_t>(i))));
+            QCOMPARE(paper.colour(i).name().toStdString(), hex(colourOf(i)));
     }
 
     void clickAndKeysMoveTheMarker()

@@ -18,8 +18,8 @@ Section superimposeSection(const SuperimposeResult& result, const Language& lang
                                  {LT_TEXT("Engine", "Radius larger by"), result.radius_difference_mm, mm, 5}}};
     Plot plot;
     plot.title = LT_TEXT("Engine", "Both profiles");
-    plot.x.title = LT_TEXT("Engine", "Angle (°)");
-    plot.y.title = LT_TEXT("Engine", "Deviation (µm)");
+    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
+    plot.y = {LT_TEXT("Engine", "Deviation"), um};
     plot.curves = {{LT_TEXT("Engine", "first"), result.angle_deg, result.first_um, Curve::Style::Line, {}, 0},
                    {LT_TEXT("Engine", "second"), result.angle_deg, result.second_um, Curve::Style::Line, {}, 1}};
     plot.x.range = Interval{0, 360};

@@ -57,9 +57,9 @@ Rgb lightened(const Rgb& c)
 
 }  // namespace
 
-Rgb colourOf(const ChartColour& colour, std::size_t position, Theme theme)
+Rgb colourOf(const ChartColour& colour, std::size_t position, Ground ground)
 {
-    const bool dark = theme == Theme::Dark;
+    const bool dark = ground == Ground::Dark;
     const auto shown = [&](const Rgb& onLight) { return dark ? lightened(onLight) : onLight; };
     switch (colour.role) {
         case ColourRole::Series: break;

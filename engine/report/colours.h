@@ -42,9 +42,9 @@ struct ChartColour {
     ChartColour(int series) : number(series) {}
 };
 
-enum class Theme : std::uint8_t { Light, Dark };  ///< the ground that is drawn on; paper is light
+enum class Ground : std::uint8_t { Light, Dark };  ///< that is drawn on; paper is light
 
-Rgb colourOf(const ChartColour& colour, std::size_t position = 0, Theme theme = Theme::Light);
+Rgb colourOf(const ChartColour& colour, std::size_t position = 0, Ground ground = Ground::Light);
 
 /// The plain diverging scale: -1 is blue (material missing), 0 light grey, +1 red (material in excess). Values beyond
 /// are drawn as the ends. NaN is not drawn by callers; here it gives the colour of 0.

@@ -12,8 +12,8 @@
 
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
-#include "widgets/plot/plot_view.h"
 #include "widgets/scene/scene_view.h"
 
 namespace lathelier {
@@ -30,8 +30,8 @@ struct CompareViews::Parts {
 
     SceneView* scene = nullptr;
     MapView* map = nullptr;
-    PlotView* meridian = nullptr;
-    PlotView* histogram = nullptr;
+    ChartView* meridian = nullptr;
+    ChartView* histogram = nullptr;
     ZoneTable* zones = nullptr;
     StatisticsTable* numbers = nullptr;
     QTabWidget* tabs = nullptr;

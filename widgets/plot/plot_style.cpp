@@ -3,6 +3,8 @@
 #include <QFontMetricsF>
 #include <cmath>
 
+#include "widgets/core/language.h"
+
 namespace lathelier {
 namespace {
 
@@ -24,12 +26,27 @@ PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
 
 QColor PlotStyle::colour(const ChartColour& meaning, std::size_t position) const
 {
-    return toQt(colourOf(meaning, position, dark() ? Theme::Dark : Theme::Light));
+    return toQt(colourOf(meaning, position, dark() ? Ground::Dark : Ground::Light));
 }
 
 QColor toQt(const Rgb& colour)
 {
     return {colour.red, colour.green, colour.blue};
+}
+
+QString chartText(const Caption& caption)
+{
+    return QString::fromStdString(captionText(caption, screenLanguage()));
+}
+
+QString chartText(const Axis& axis)
+{
+    return QString::fromStdString(axisLabel(axis, screenLanguage()));
+}
+
+QString spokenTitle(const Axis& axis)
+{
+    return chartText(axis.title).section(',', 0, 0);
 }
 
 QPalette paperPalette()

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QPalette>
 
-#include "engine/report/colours.h"
+#include "engine/report/chart.h"
 
 class QCustomPlot;
 
@@ -28,6 +28,12 @@ struct PlotStyle {
 };
 
 QColor toQt(const Rgb& colour);
+
+/// The words of a chart in the language of the screen.
+QString chartText(const Caption& caption);
+QString chartText(const Axis& axis);  ///< with its unit
+/// The title as the pointer says it: what explains it behind a comma ("along the axis, from …") is left to the axis.
+QString spokenTitle(const Axis& axis);
 
 /// A palette for paper: dark on white, whatever the desktop looks like.
 QPalette paperPalette();

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/core/language.h"
-
 namespace lathelier {
 
 namespace {
@@ -17,11 +15,6 @@ constexpr double lowestWithReadout = 13;
 constexpr double smallestWithDegrees = 5;
 constexpr double smallestWithAllDegrees = 9;
 constexpr double leastShareOfDisc = 0.72;
-
-QString words(const Caption& caption)
-{
-    return QString::fromStdString(captionText(caption, screenLanguage()));
-}
 
 QString signedDivision(double value_um, const QLocale& locale)
 {
@@ -120,7 +113,7 @@ void PolarPainter::paintTitle(QPainter& painter) const
     const QString aside = remark();
     // The magnification is part of what the plot says: the title gives way to it.
     const double asideWidth = metrics.horizontalAdvance(aside) + metrics.height();
-    const QString title = boldMetrics.elidedText(words(picture_.plot.title), Qt::ElideRight,
+    const QString title = boldMetrics.elidedText(chartText(picture_.plot.title), Qt::ElideRight,
                                                  std::max(0.0, layout_.title.width() - asideWidth));
     painter.setPen(style_.text);
     painter.setFont(bold);

@@ -676,10 +676,6 @@
         <translation>lista</translation>
     </message>
     <message>
-        <source>a number, a text, true, false, null or ranges</source>
-        <translation>liczba, tekst, true, false, null albo przedziały</translation>
-    </message>
-    <message>
         <source>a Lathelier project</source>
         <translation>projekt Lathelier</translation>
     </message>
@@ -1088,20 +1084,12 @@
         <translation>Parametry</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>Gdzie</translation>
-    </message>
-    <message>
         <source>Deviations are measured along the normal of the original&apos;s surface; plus means material in excess.</source>
         <translation>Odchyłki mierzy się wzdłuż normalnej do powierzchni oryginału; plus oznacza naddatek materiału.</translation>
     </message>
     <message>
         <source>Deviations are distances from the original&apos;s surface, without a sign.</source>
         <translation>Odchyłki są odległościami od powierzchni oryginału, bez znaku.</translation>
-    </message>
-    <message>
-        <source>How sure</source>
-        <translation>Z jaką pewnością</translation>
     </message>
     <message>
         <source>The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring points: even identical parts reach its floor. The deviation from the surface does not depend on it.</source>
@@ -1214,14 +1202,6 @@
     <message>
         <source>Roundness</source>
         <translation>Okrągłość</translation>
-    </message>
-    <message>
-        <source>Chatter</source>
-        <translation>Drgania</translation>
-    </message>
-    <message>
-        <source>Deflection</source>
-        <translation>Ugięcie</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -1992,10 +1972,6 @@
         <translation>walec</translation>
     </message>
     <message>
-        <source>x (mm)</source>
-        <translation>x (mm)</translation>
-    </message>
-    <message>
         <source>within {tolerance} µm</source>
         <translation>w granicach {tolerance} µm</translation>
     </message>
@@ -2132,30 +2108,6 @@
         <translation>okrąg</translation>
     </message>
     <message>
-        <source>RONt (µm)</source>
-        <translation>RONt (µm)</translation>
-    </message>
-    <message>
-        <source>centre x (mm)</source>
-        <translation>środek x (mm)</translation>
-    </message>
-    <message>
-        <source>centre y (mm)</source>
-        <translation>środek y (mm)</translation>
-    </message>
-    <message>
-        <source>inner radius (mm)</source>
-        <translation>promień wewnętrzny (mm)</translation>
-    </message>
-    <message>
-        <source>outer radius (mm)</source>
-        <translation>promień zewnętrzny (mm)</translation>
-    </message>
-    <message>
-        <source>proved to (µm)</source>
-        <translation>potwierdzono do (µm)</translation>
-    </message>
-    <message>
         <source>About the least-squares circle</source>
         <translation>Względem okręgu najmniejszych kwadratów</translation>
     </message>
@@ -2242,14 +2194,6 @@
     <message>
         <source>All profiles</source>
         <translation>Wszystkie profile</translation>
-    </message>
-    <message>
-        <source>U, 95 % (µm)</source>
-        <translation>U, 95 % (µm)</translation>
-    </message>
-    <message>
-        <source>What the form consists of</source>
-        <translation>Z czego składa się kształt</translation>
     </message>
     <message>
         <source>The uncertainty is half of an interval about the value that holds the deviation without noise in 95 of 100 measurements (JCGM 101): the noise of the points is drawn anew, filtered and fitted. The table shows what other methods would say of the same points.</source>
@@ -2968,10 +2912,6 @@
         <translation>Ten sam przekrój z przyrządu do okrągłości, dla porównania</translation>
     </message>
     <message>
-        <source>Probe records and profiles</source>
-        <translation>Zapisy czujników i profile</translation>
-    </message>
-    <message>
         <source>Reading the profile</source>
         <translation>Odczyt profilu</translation>
     </message>
@@ -3432,10 +3372,6 @@
         <translation>krótsza lista</translation>
     </message>
     <message>
-        <source>fewer ranges</source>
-        <translation>mniej zakresów</translation>
-    </message>
-    <message>
         <source>No answer: {input} is missing.</source>
         <translation>Brak wyniku: nie podano danych „{input}”.</translation>
     </message>
@@ -3462,6 +3398,250 @@
     <message>
         <source>{path} is no longer there. This answer is of the file as it was, SHA-256 {read}….</source>
         <translation>Pliku {path} już nie ma. Wynik dotyczy pliku, jaki był, SHA-256 {read}….</translation>
+    </message>
+    <message>
+        <source>a list of rows</source>
+        <translation>lista wierszy</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiał</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>Jego nazwa.</translation>
+    </message>
+    <message>
+        <source>Elastic modulus</source>
+        <translation>Moduł sprężystości</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus E.</source>
+        <translation>Moduł Younga E.</translation>
+    </message>
+    <message>
+        <source>MPa</source>
+        <translation>MPa</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Liczba Poissona</translation>
+    </message>
+    <message>
+        <source>Lateral by axial strain.</source>
+        <translation>Odkształcenie poprzeczne do wzdłużnego.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Gęstość</translation>
+    </message>
+    <message>
+        <source>Mass by volume.</source>
+        <translation>Masa na objętość.</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>kg/m³</translation>
+    </message>
+    <message>
+        <source>Loss factor</source>
+        <translation>Współczynnik strat</translation>
+    </message>
+    <message>
+        <source>Structural damping: the modulus is E (1 + iη).</source>
+        <translation>Tłumienie konstrukcyjne: moduł wynosi E (1 + iη).</translation>
+    </message>
+    <message>
+        <source>Along the axis.</source>
+        <translation>Wzdłuż osi.</translation>
+    </message>
+    <message>
+        <source>Start ⌀</source>
+        <translation>⌀ początku</translation>
+    </message>
+    <message>
+        <source>At its end toward the free end.</source>
+        <translation>Na końcu od strony wolnego końca.</translation>
+    </message>
+    <message>
+        <source>End ⌀</source>
+        <translation>⌀ końca</translation>
+    </message>
+    <message>
+        <source>At its end toward the chuck.</source>
+        <translation>Na końcu od strony uchwytu.</translation>
+    </message>
+    <message>
+        <source>Bore ⌀</source>
+        <translation>⌀ otworu</translation>
+    </message>
+    <message>
+        <source>0: solid.</source>
+        <translation>0: pełny.</translation>
+    </message>
+    <message>
+        <source>Arc radius</source>
+        <translation>Promień łuku</translation>
+    </message>
+    <message>
+        <source>Positive: convex, negative: concave, empty: straight.</source>
+        <translation>Dodatni: wypukły, ujemny: wklęsły, pusty: prosty.</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rola</translation>
+    </message>
+    <message>
+        <source>What it is: chamfer, fillet, groove…</source>
+        <translation>Czym jest: fazka, zaokrąglenie, rowek…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Of the part.</source>
+        <translation>Części.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Odcinki</translation>
+    </message>
+    <message>
+        <source>From the free end toward the chuck.</source>
+        <translation>Od wolnego końca w stronę uchwytu.</translation>
+    </message>
+    <message>
+        <source>Stated for this part.</source>
+        <translation>Podany dla tej części.</translation>
+    </message>
+    <message>
+        <source>direction y</source>
+        <translation>kierunek y</translation>
+    </message>
+    <message>
+        <source>direction z</source>
+        <translation>kierunek z</translation>
+    </message>
+    <message>
+        <source>inner radius</source>
+        <translation>promień wewnętrzny</translation>
+    </message>
+    <message>
+        <source>outer radius</source>
+        <translation>promień zewnętrzny</translation>
+    </message>
+    <message>
+        <source>CYLt(LSCY)</source>
+        <translation>CYLt(LSCY)</translation>
+    </message>
+    <message>
+        <source>CYLp(LSCY)</source>
+        <translation>CYLp(LSCY)</translation>
+    </message>
+    <message>
+        <source>CYLv(LSCY)</source>
+        <translation>CYLv(LSCY)</translation>
+    </message>
+    <message>
+        <source>CYLq(LSCY)</source>
+        <translation>CYLq(LSCY)</translation>
+    </message>
+    <message>
+        <source>CYLt(MZCY)</source>
+        <translation>CYLt(MZCY)</translation>
+    </message>
+    <message>
+        <source>RONt</source>
+        <translation>RONt</translation>
+    </message>
+    <message>
+        <source>centre x</source>
+        <translation>środek x</translation>
+    </message>
+    <message>
+        <source>centre y</source>
+        <translation>środek y</translation>
+    </message>
+    <message>
+        <source>proved to</source>
+        <translation>potwierdzono do</translation>
+    </message>
+    <message>
+        <source>RONt(MZCI)</source>
+        <translation>RONt(MZCI)</translation>
+    </message>
+    <message>
+        <source>RONt(LSCI)</source>
+        <translation>RONt(LSCI)</translation>
+    </message>
+    <message>
+        <source>RONt(MICI)</source>
+        <translation>RONt(MICI)</translation>
+    </message>
+    <message>
+        <source>RONt(MCCI)</source>
+        <translation>RONt(MCCI)</translation>
+    </message>
+    <message>
+        <source>Roundness plot</source>
+        <translation>Wykres okrągłości</translation>
+    </message>
+    <message>
+        <source>Harmonic content</source>
+        <translation>Zawartość harmonicznych</translation>
+    </message>
+    <message>
+        <source>Measurement uncertainty</source>
+        <translation>Niepewność pomiaru</translation>
+    </message>
+    <message>
+        <source>a point cloud or a mesh</source>
+        <translation>chmura punktów albo siatka</translation>
+    </message>
+    <message>
+        <source>a table of a profile</source>
+        <translation>tabela profilu</translation>
+    </message>
+    <message>
+        <source>Q-DAS characteristics</source>
+        <translation>Cechy Q-DAS</translation>
+    </message>
+    <message>
+        <source>The key {key} is missing; expected {expected}.</source>
+        <translation>Brak klucza {key}; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>{key} is {found}; expected a value from {minimum} to {maximum}.</source>
+        <translation>{key} wynosi {found}; oczekiwano wartości od {minimum} do {maximum}.</translation>
+    </message>
+    <message>
+        <source>Line {line}, column {column}: the key {key} is not known; it changes nothing.</source>
+        <translation>Wiersz {line}, kolumna {column}: klucz {key} nie jest znany; niczego nie zmienia.</translation>
+    </message>
+    <message>
+        <source>a number, a text, true, false, null or a list</source>
+        <translation>liczba, tekst, true, false, null albo lista</translation>
+    </message>
+    <message>
+        <source>Deviation map</source>
+        <translation>Mapa odchyłek</translation>
+    </message>
+    <message>
+        <source>A mesh laid on itself</source>
+        <translation>Siatka nałożona na siebie</translation>
+    </message>
+    <message>
+        <source>A collar with known oversize</source>
+        <translation>Kołnierz o znanym naddatku</translation>
+    </message>
+    <message>
+        <source>Revolutions</source>
+        <translation>Obroty</translation>
+    </message>
+    <message>
+        <source>Diameter (LSCI)</source>
+        <translation>Średnica (LSCI)</translation>
     </message>
     <message>
         <source>Undulations per revolution</source>
@@ -3970,6 +4150,22 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
             <numerusform>%1 i jeszcze %n</numerusform>
         </translation>
     </message>
+    <message>
+        <source>“%1” of this project</source>
+        <translation>„%1” z tego projektu</translation>
+    </message>
+    <message>
+        <source>Made in %1</source>
+        <translation>Utworzono w: %1</translation>
+    </message>
+    <message>
+        <source>⚠ %1 has another state by now: keep it there again to use it.</source>
+        <translation>⚠ %1 ma już inny stan: zachowaj wynik ponownie, aby go użyć.</translation>
+    </message>
+    <message>
+        <source>Use what another panel made as “%1”</source>
+        <translation>Użyj wyniku innego panelu jako „%1”</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::InputColumn</name>
@@ -3994,8 +4190,12 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Otwórz %1</translation>
     </message>
     <message>
-        <source>%1 (%2);;All files (*)</source>
-        <translation>%1 (%2);;Wszystkie pliki (*)</translation>
+        <source>Use “%1”</source>
+        <translation>Użyj „%1”</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Wszystkie pliki (*)</translation>
     </message>
 </context>
 <context>
@@ -4037,14 +4237,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>All numbers (JSON)…</source>
-        <translation>Wszystkie liczby (JSON)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
     </message>
     <message>
         <source>For statistical process control (Q-DAS)…</source>
@@ -4353,6 +4545,18 @@ odchyłka %3 µm</translation>
         <source>%L1 points</source>
         <translation>punkty: %L1</translation>
     </message>
+    <message>
+        <source>Keep “%1” in the project</source>
+        <translation>Zachowaj „%1” w projekcie</translation>
+    </message>
+    <message>
+        <source>All numbers (JSON)…</source>
+        <translation>Wszystkie liczby (JSON)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::PlotWidget</name>
@@ -4560,14 +4764,6 @@ odchyłka %3 µm</translation>
         <translation>Tabela (*.csv)</translation>
     </message>
     <message>
-        <source>All numbers (JSON)…</source>
-        <translation>Wszystkie liczby (JSON)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
         <source>For statistical process control (Q-DAS)…</source>
         <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
     </message>
@@ -4621,6 +4817,29 @@ odchyłka %3 µm</translation>
     <message>
         <source>Numbers</source>
         <translation>Liczby</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::RowsEdit</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Dodaj wiersz</translation>
+    </message>
+    <message>
+        <source>Remove the selected rows</source>
+        <translation>Usuń zaznaczone wiersze</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Wklej</translation>
+    </message>
+    <message>
+        <source>Paste rows from a spreadsheet, from the current cell on</source>
+        <translation>Wklej wiersze z arkusza, od bieżącej komórki</translation>
     </message>
 </context>
 <context>
@@ -4792,18 +5011,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Odniesiona do średnicy nominalnej</translation>
     </message>
     <message>
-        <source>✓ within</source>
-        <translation>✓ w tolerancji</translation>
-    </message>
-    <message>
-        <source>✗ out</source>
-        <translation>✗ poza tolerancją</translation>
-    </message>
-    <message>
-        <source>? not decided</source>
-        <translation>? nie rozstrzygnięto</translation>
-    </message>
-    <message>
         <source>Two-point [µm]</source>
         <translation>Dwupunktowy [µm]</translation>
     </message>
@@ -4939,14 +5146,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Tabela (*.csv)</translation>
     </message>
     <message>
-        <source>All numbers (JSON)…</source>
-        <translation>Wszystkie liczby (JSON)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
         <source>Spindle X3: %1 · %2 turns</source>
         <translation>Wrzeciono X3: %1 · obroty: %2</translation>
     </message>
@@ -5041,10 +5240,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Sprawdzenie instalacji</translation>
     </message>
     <message>
-        <source>Circles, cylinders, lines, filters and harmonics with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
-        <translation>Na tym komputerze oblicza się okręgi, walce, proste, filtry i harmoniczne o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
-    </message>
-    <message>
         <source>Computing…</source>
         <translation>Obliczanie…</translation>
     </message>
@@ -5059,6 +5254,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Reference data with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
+        <translation>Na tym komputerze oblicza się dane odniesienia o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
     </message>
 </context>
 <context>

@@ -26,7 +26,8 @@ void addOption(CLI::App& command, const Option& option, const std::string& group
 {
     const std::string& key = option.info.key;
     CLI::Option* added = nullptr;
-    if (option.info.kind == FieldInfo::Kind::Flag)
+    const bool is_flag = option.info.kind == FieldInfo::Kind::Flag || option.info.kind == FieldInfo::Kind::Group;
+    if (is_flag)
         added = command.add_flag_callback(optionName(key), [&typed, key] { typed.values[key] = "yes"; });
     else
         added =
@@ -38,7 +39,7 @@ void addOption(CLI::App& command, const Option& option, const std::string& group
             });
     // Ranges may be given one by one; every other option once.
     const bool several = option.info.kind == FieldInfo::Kind::Intervals;
-    if (option.info.kind != FieldInfo::Kind::Flag)
+    if (!is_flag)
         added->type_name(placeholder(option.info))
             ->type_size(1)
             ->expected(1)
@@ -65,7 +66,7 @@ void addVerb(CLI::App& app, const Verb& verb, Typed& typed)
         added->required()->description(wrapHelp(operand.help))->type_name(operand.repeated ? "..." : "");
     }
     for (const Option& option : verb.parameters) addOption(command, option, "Parameters", typed);
-    for (const Option& option : verb.reading) addOption(command, option, "Reading files", typed);
+    for (const Option& option : readingOptions(verb)) addOption(command, option, "Reading files", typed);
     for (const OutputOption& output : verb.outputs)
         command.add_option(output.name, typed.outputs[output.name], wrapHelp(output.help))
             ->type_name("FILE")
@@ -120,14 +121,18 @@ Invocation toInvocation(const Verb& verb, const Typed& typed)
     Invocation result{&verb, {}, typed.common};
     for (const auto& words : typed.operands)
         result.request.operands.insert(result.request.operands.end(), words.begin(), words.end());
-    for (const auto* options : {&verb.parameters, &verb.reading})
+    const std::vector<Option> reading = readingOptions(verb);
+    for (const auto* options : {&verb.parameters, &reading})
         for (const Option& option : *options) {
             const auto given = typed.values.find(option.info.key);
             set(result.request.parameters, option.info.key,
                 given == typed.values.end() ? option.standard : understand(option.info, given->second));
+            if (!option.info.group_key.empty() && given != typed.values.end())
+                set(result.request.parameters, option.info.group_key, true);
         }
     for (const auto& [name, path] : typed.outputs)
         if (!path.empty()) result.request.outputs.emplace(name, path);
+    result.request.in_full = !typed.common.json.empty() || !typed.common.report.empty();
     checkOutputs(result);
     return result;
 }

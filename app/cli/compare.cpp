@@ -1,12 +1,11 @@
-// compare REFERENCE COPY: how far the copy is from the original, where, and how
-// sure that is.
+// compare REFERENCE COPY: how far the copy is from the original, where, and how sure that is.
 #include "engine/registration/compare.h"
-#include "engine/core/core_codes.h"
 
 #include <nlohmann/json.hpp>
 
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
+#include "engine/core/core_codes.h"
 #include "engine/registration/compare_json.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -32,24 +31,21 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
     const auto result = std::make_shared<registration::CompareResult>();
     try {
         *result = compare(reference.scan, copy.scan, fromValues<registration::CompareParameters>(request.parameters),
-                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")));
+                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")),
+                          request.in_full ? registration::CompareDetail::Full : registration::CompareDetail::Summary);
     } catch (Error& error) {  // the engine names the role of the scan at fault; here is its file
         const Value* const role = find(error.values(), "role");
         const auto* const name = role ? std::get_if<std::string>(role) : nullptr;
         if (name) error.with("path", request.operands.at(*name == "copy" ? 1 : 0));
         throw;
     }
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;  // the report shows those of the files as well
+    answerWith(
+        answer, result, [](const auto& found) { return toJson(found); },
+        [](const auto& found) { return compareReport(found, {}); },
+        [](const auto& found) { return toPlainText(compareSummary(found)); });
     if (wanted)
         writeDeviations(deviations->second, copy.scan, *result,
                         progress.part(0.9, 1, LT_TEXT("Engine", "Writing deviations")));
-
-    answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return compareReport(*result, {}); };
-    if (result->verdict == registration::Verdict::Pass) answer.pass = true;
-    if (result->verdict == registration::Verdict::Fail) answer.pass = false;  // what is undecided is neither
-    answer.summary = toPlainText(compareSummary(*result));
 }
 
 }  // namespace
@@ -57,14 +53,11 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
 Verb compareVerb()
 {
     return {"compare",
-            "Compare a copy with its original: alignment, signed surface "
-            "deviation, verdict.",
+            "Compare a copy with its original: alignment, signed surface deviation, verdict.",
             {{"REFERENCE", "The original: a point cloud or mesh."}, {"COPY", "The copy: a point cloud or mesh."}},
             optionsOf<registration::CompareParameters>(),
-            optionsOf<ImportOptions>(),
-            {{deviationsOption,
-              "Write every point of the copy with its "
-              "deviation (FILE.ply or FILE.csv)."}},
+            {&scanFiles()},
+            {{deviationsOption, "Write every point of the copy with its deviation (FILE.ply or FILE.csv)."}},
             true,
             runCompare};
 }

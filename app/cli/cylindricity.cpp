@@ -5,7 +5,7 @@
 
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
-#include "engine/form/cylindricity_json.h"
+#include "engine/form/cylindricity_quantities.h"
 #include "engine/form/roundness_report.h"
 #include "engine/report/plain_text.h"
 
@@ -19,13 +19,10 @@ void runCylindricity(const Request& request, InputFiles& inputs, const Progress&
     const auto result = std::make_shared<form::CylindricityResult>(
         cylindricity(file.scan.points_mm, fromValues<form::CylindricityParameters>(request.parameters),
                      progress.part(0.3, 1, LT_TEXT("Engine", "Fitting cylinders"))));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;  // the report shows those of the file as well
-    answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return cylindricityReport(*result, {}); };
-    if (result->verdict && *result->verdict != form::FormVerdict::Undecided)
-        answer.pass = *result->verdict == form::FormVerdict::Pass;
-    answer.summary = toPlainText(cylindricitySummary(*result));
+    answerWith(
+        answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
+        [](const auto& found) { return cylindricityReport(found, {}); },
+        [](const auto& found) { return toPlainText(cylindricitySummary(found)); });
 }
 
 }  // namespace
@@ -36,7 +33,7 @@ Verb cylindricityVerb()
             "Cylindricity of points: least-squares and minimum-zone cylinder, axis straightness, verdict.",
             {{"FILE", "Points x, y, z of a cylindrical surface: a cloud, a mesh, or stacked sections."}},
             optionsOf<form::CylindricityParameters>(),
-            optionsOf<ImportOptions>(),
+            {&scanFiles()},
             {},
             true,
             runCylindricity};

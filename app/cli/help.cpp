@@ -16,6 +16,14 @@ bool isNumeric(const FieldInfo& info)
            info.kind == FieldInfo::Kind::Intervals;
 }
 
+/// "length_mm,diameter_mm[;...]"
+std::string rowPlaceholder(const FieldInfo& info)
+{
+    std::string result;
+    for (const FieldInfo& column : info.columns) result += (result.empty() ? "" : ",") + column.key;
+    return result + "[;...]";
+}
+
 }  // namespace
 
 std::string optionName(const std::string& key)
@@ -29,11 +37,13 @@ std::string optionName(const std::string& key)
 std::string placeholder(const FieldInfo& info)
 {
     switch (info.kind) {
-        case FieldInfo::Kind::Flag: return {};
+        case FieldInfo::Kind::Flag:
+        case FieldInfo::Kind::Group: return {};
         case FieldInfo::Kind::Integer: return "N";
         case FieldInfo::Kind::Number: return "NUMBER";
         case FieldInfo::Kind::Word: return "TEXT";
         case FieldInfo::Kind::Intervals: return "A:B[,C:D...]";
+        case FieldInfo::Kind::Rows: return rowPlaceholder(info);
         case FieldInfo::Kind::Choice: break;
     }
     std::string choices;
@@ -58,8 +68,8 @@ std::string describe(const Option& option)
         if (!info.unit.empty()) range.append(" ").append(text(info.unit));
         add(range);
     }
-    if (const std::string standard = text(option.standard); !standard.empty() && info.kind != FieldInfo::Kind::Flag)
-        add("default " + standard);
+    const bool is_flag = info.kind == FieldInfo::Kind::Flag || info.kind == FieldInfo::Kind::Group;
+    if (const std::string standard = text(option.standard); !standard.empty() && !is_flag) add("default " + standard);
     return wrapHelp(facts.empty() ? result : result + " [" + facts + "]");
 }
 

@@ -1,11 +1,8 @@
 // inspect FILE...: what was understood of each file.
 #include <nlohmann/json.hpp>
 
-#include "app/cli/records.h"
-#include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/texts.h"
-#include "engine/io/dfq_writer.h"
 #include "engine/io/facts_json.h"
 #include "engine/report/plain_text.h"
 
@@ -49,30 +46,23 @@ Section factsSection(const std::vector<FileFacts>& files)
     return section;
 }
 
-/// What is in a file decides who reads it; whatever looks like nothing else is a cloud.
+/// All kinds of file that any verb reads; whatever looks like nothing else is a cloud.
+FileKinds knownKinds()
+{
+    FileKinds kinds;
+    for (const Verb& verb : verbs()) unite(kinds, verb.kinds);
+    return kinds;
+}
+
 FileFacts readFacts(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                     Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
-    FileFacts facts = [&]() -> FileFacts {
-        switch (kindOf(path, bytes, request)) {
-            case RecordKind::ProbeRecord: return readRecord(path, bytes, request, inputs, progress, answer).facts;
-            case RecordKind::Profile: return readProfile(path, bytes, request, progress, answer).facts;
-            case RecordKind::Qdas: return readDfqFacts(path, bytes);
-            case RecordKind::None: break;
-        }
-        return readScan(path, bytes, request, progress, answer).facts;
-    }();
+    const FileKind* kind = likeliestKind(knownKinds(), path, bytes, request.parameters);
+    FileFacts facts =
+        (kind ? *kind : scanFiles()).facts({path, bytes, request.parameters, inputs, progress}, answer.notes);
     inputs.drop();
     return facts;
-}
-
-std::vector<Option> readingOptions()
-{
-    std::vector<Option> options = optionsOf<ImportOptions>();
-    for (const std::vector<Option>& more : {optionsOf<ProfileOptions>(), optionsOf<RecorderOptions>()})
-        options.insert(options.end(), more.begin(), more.end());
-    return options;
 }
 
 void runInspect(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
@@ -105,7 +95,7 @@ void runInspect(const Request& request, InputFiles& inputs, const Progress& prog
 
 }  // namespace
 
-Verb inspectVerb()
+Verb inspectVerb(const FileKinds& kinds)
 {
     return {"inspect",
             "Say what was understood of files: format, units, columns, rows, extent.",
@@ -114,7 +104,7 @@ Verb inspectVerb()
               "(CSV, L-Graph .dat/.par), or characteristics (Q-DAS .dfq).",
               true}},
             {},
-            readingOptions(),
+            kinds,
             {},
             true,
             runInspect};

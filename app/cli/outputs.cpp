@@ -72,8 +72,7 @@ std::vector<NamedFile> inputsOf(const Invocation& invocation)
             inputs.push_back(named({}, path));
             for (const std::string& partner : recordPartners(path)) inputs.push_back(named({}, partner));
         }
-    for (const auto* options : {&invocation.verb->parameters, &invocation.verb->reading})
-        for (const Option& option : *options) addFilesOf(option, invocation.request.parameters, inputs);
+    for (const Option& option : invocation.verb->parameters) addFilesOf(option, invocation.request.parameters, inputs);
     return inputs;
 }
 

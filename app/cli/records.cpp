@@ -1,11 +1,5 @@
 #include "app/cli/records.h"
 
-#include <filesystem>
-
-#include "engine/io/dfq_writer.h"
-#include "engine/io/scan_reader.h"
-#include "engine/io/units.h"
-
 namespace lathelier::cli {
 namespace {
 
@@ -19,12 +13,7 @@ void addNotes(const Notes& notes, Answer& answer)
 ProfileFile readProfile(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                         Answer& answer)
 {
-    return readProfile(path, inputs.open(path, progress), request, progress, answer);
-}
-
-ProfileFile readProfile(const std::string& path, std::string_view bytes, const Request& request,
-                        const Progress& progress, Answer& answer)
-{
+    const std::string_view bytes = inputs.open(path, progress);
     const Values& given = request.parameters;
     ProfileFile file = lathelier::readProfile(path, bytes, fromValues<ImportOptions>(given),
                                               fromValues<ProfileOptions>(given), progress);
@@ -35,30 +24,12 @@ ProfileFile readProfile(const std::string& path, std::string_view bytes, const R
 ProbeFile readRecord(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                      Answer& answer)
 {
-    return readRecord(path, inputs.open(path, progress), request, inputs, progress, answer);
-}
-
-ProbeFile readRecord(const std::string& path, std::string_view bytes, const Request& request, InputFiles& inputs,
-                     const Progress& progress, Answer& answer)
-{
+    const std::string_view bytes = inputs.open(path, progress);
     const Values& given = request.parameters;
     ProbeFile file = readProbeRecord(path, bytes, inputs, fromValues<ImportOptions>(given),
                                      fromValues<RecorderOptions>(given), progress);
     addNotes(file.notes, answer);
     return file;
-}
-
-RecordKind kindOf(const std::string& path, std::string_view bytes, const Request& request)
-{
-    const auto options = fromValues<ImportOptions>(request.parameters);
-    if (isDfq(bytes) || lowerCase(std::filesystem::path(path).extension().string()) == ".dfq") return RecordKind::Qdas;
-    const RecordFiles files = findRecordFiles(path, bytes);
-    const bool isPair = files.kind == RecordFiles::Kind::LGraph;
-    if (isPair && !files.par.empty()) return RecordKind::ProbeRecord;
-    if (hasScanFormat(bytes)) return RecordKind::None;
-    if (isPair || isProbeTable(bytes, options)) return RecordKind::ProbeRecord;
-    const ProfileColumns columns = fromValues<ProfileOptions>(request.parameters).columns;
-    return isProfileTable(bytes, options, columns) ? RecordKind::Profile : RecordKind::None;
 }
 
 }  // namespace lathelier::cli

@@ -1,15 +1,16 @@
 // roundness PROFILE...: form deviation by the four reference circles, harmonics, uncertainty and verdict.
 #include "engine/form/roundness.h"
-#include "engine/core/core_codes.h"
 
 #include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/cli/filter_option.h"
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
+#include "engine/core/core_codes.h"
 #include "engine/form/roundness_dfq.h"
-#include "engine/form/roundness_json.h"
+#include "engine/form/roundness_quantities.h"
 #include "engine/form/roundness_report.h"
 #include "engine/form/superimpose.h"
 #include "engine/report/plain_text.h"
@@ -68,8 +69,8 @@ std::optional<bool> verdictOf(const std::vector<form::RoundnessResult>& results)
 {
     bool all = !results.empty();
     for (const form::RoundnessResult& result : results) {
-        if (result.verdict == form::FormVerdict::Fail) return false;
-        all &= result.verdict == form::FormVerdict::Pass;
+        if (result.verdict == Verdict::Fail) return false;
+        all &= result.verdict == Verdict::Pass;
     }
     return all ? std::optional(true) : std::nullopt;
 }
@@ -131,7 +132,8 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
             const ProfileFile file =
                 readProfile(path, request, inputs, part.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
             form::RoundnessResult result =
-                roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")));
+                roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")),
+                          request.in_full ? form::MethodTable::Made : form::MethodTable::LeftOut);
             if (result.name.empty()) result.name = path;
             answer.notes.insert(answer.notes.end(), result.notes.begin(), result.notes.end());
             // The report and the profile's own notes hold those of its file as well.
@@ -176,13 +178,11 @@ std::vector<Option> roundnessOptions()
 
 Verb roundnessVerb()
 {
-    std::vector<Option> reading = optionsOf<ImportOptions>();
-    for (const Option& option : optionsOf<ProfileOptions>()) reading.push_back(option);
     return {"roundness",
             "Roundness of profiles: four reference circles, harmonics, uncertainty, verdict.",
             {{"PROFILE", "A measured profile: x,y or angle,radius in a text table.", true}},
             roundnessOptions(),
-            reading,
+            {&profileFiles()},
             {{dfqOption, "Write the deviations as Q-DAS characteristics (FILE.dfq)."}},
             true,
             runRoundness};

@@ -11,10 +11,10 @@
 #include "engine/core/failure.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
-#include "engine/form/verify_report.h"
 #include "engine/io/units.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
+#include "engine/verify/verify_report.h"
 
 namespace lathelier::cli {
 namespace {
@@ -94,7 +94,7 @@ void writeReport(const std::string& path, const Answer& answer, InputFiles& inpu
     Document document = answer.report();
     document.inputs = inputs.list();
     document.created = now();
-    form::quoteVerification(document, form::verify({}, progress));
+    quoteVerification(document, progress);
     writeFile(path, toHtml(document));
 }
 

@@ -10,8 +10,4 @@ namespace lathelier::cli {
 ScanFile readScan(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
                   Answer& answer);
 
-/// The same for a file that is open already.
-ScanFile readScan(const std::string& path, std::string_view bytes, const Request& request, const Progress& progress,
-                  Answer& answer);
-
 }  // namespace lathelier::cli

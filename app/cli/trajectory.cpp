@@ -8,7 +8,7 @@
 #include "app/cli/verbs.h"
 #include "engine/report/plain_text.h"
 #include "engine/trajectory/section_file.h"
-#include "engine/trajectory/trajectory_json.h"
+#include "engine/trajectory/trajectory_quantities.h"
 #include "engine/trajectory/trajectory_report.h"
 
 namespace lathelier::cli {
@@ -16,14 +16,6 @@ namespace {
 
 constexpr const char* tableOption = "--csv";
 constexpr const char* imageOption = "--image-csv";
-
-/// The options of the reader and of the recorder are one list for the command line.
-std::vector<Option> readingOptions()
-{
-    std::vector<Option> options = optionsOf<ImportOptions>();
-    for (Option& option : optionsOf<RecorderOptions>()) options.push_back(std::move(option));
-    return options;
-}
 
 std::vector<Option> trajectoryOptions()
 {
@@ -46,18 +38,14 @@ void runTrajectory(const Request& request, InputFiles& inputs, const Progress& p
     }
     auto result = std::make_shared<trajectory::TrajectoryResult>(
         trajectory::trajectory(records, parameters, progress.part(0.4, 1)));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;  // the report shows those of the files as well
+    answerWith(
+        answer, result, [](const auto& found) { return toJson(found); },
+        [](const auto& found) { return trajectory::trajectoryReport(found, {}); },
+        [](const auto& found) { return toPlainText(trajectory::trajectorySummary(found)); });
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
         trajectory::writeSectionTable(table->second, *result);
     if (const auto image = request.outputs.find(imageOption); image != request.outputs.end())
         trajectory::writeImages(image->second, *result);
-
-    answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return trajectory::trajectoryReport(*result, {}); };
-    if (result->verdict && *result->verdict != form::FormVerdict::Undecided)
-        answer.pass = *result->verdict == form::FormVerdict::Pass;
-    answer.summary = toPlainText(trajectory::trajectorySummary(*result));
 }
 
 }  // namespace
@@ -68,7 +56,7 @@ Verb trajectoryVerb()
             "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.",
             {{"RECORD", "A probe record (CSV or L-Graph .dat/.par), or one for each section.", true}},
             trajectoryOptions(),
-            readingOptions(),
+            {&probeRecordFiles()},
             {{tableOption, "Write the table of the sections as FILE.csv."},
              {imageOption, "Write the images of the surface, point by point, as FILE.csv."}},
             true,

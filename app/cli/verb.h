@@ -3,13 +3,16 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
 #include "engine/core/progress.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/input_files.h"
 #include "engine/report/document.h"
 
@@ -40,6 +43,7 @@ struct Request {
     std::vector<std::string> operands;
     Values parameters;
     std::map<std::string, std::string> outputs;  ///< by option name, only those given
+    bool in_full = false;                        ///< JSON or a report is asked for: more than the summary holds
 };
 
 /// What a verb found; filled as it goes, so that notes survive an error. JSON and report are built when asked for.
@@ -58,11 +62,28 @@ struct Verb {
     std::string summary;
     std::vector<Operand> operands;
     std::vector<Option> parameters;
-    std::vector<Option> reading;  ///< options that settle what an input file leaves open
+    FileKinds kinds;  ///< of files that it reads: their reading options are options of the verb
     std::vector<OutputOption> outputs;
     bool has_report = false;
     void (*run)(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer);
 };
+
+/// Options that settle what the input files of a verb leave open.
+std::vector<Option> readingOptions(const Verb& verb);
+
+/// Fills the answer with a computed result: its notes behind those of the files, JSON, report, verdict, summary. The
+/// report shows the notes of the files as well. `json`, `report` and `summary` are functions of the result.
+template <class Result, class MakeJson, class MakeReport, class Summarise>
+void answerWith(Answer& answer, const std::shared_ptr<Result>& result, MakeJson json, MakeReport report,
+                Summarise summary)
+{
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;
+    answer.json = [result, json] { return json(*result); };
+    answer.report = [result, report] { return report(*result); };
+    answer.pass = passed(result->verdict);
+    answer.summary = summary(*result);
+}
 
 /// The options of a parameter struct, with the defaults of a fresh one.
 template <class P>

@@ -5,9 +5,27 @@ namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
 {
-    static const std::vector<Verb> all{sampleVerb(),       inspectVerb(),    compareVerb(), roundnessVerb(),
-                                       cylindricityVerb(), trajectoryVerb(), verifyVerb()};
+    static const std::vector<Verb> all = [] {
+        std::vector<Verb> table{sampleVerb(),       compareVerb(),    roundnessVerb(),
+                                cylindricityVerb(), trajectoryVerb(), verifyVerb()};
+        FileKinds kinds{&qdasFiles()};  // inspect knows the files of all others
+        for (const Verb& verb : table) unite(kinds, verb.kinds);
+        table.insert(table.begin() + 1, inspectVerb(kinds));
+        return table;
+    }();
     return all;
+}
+
+std::vector<Option> readingOptions(const Verb& verb)
+{
+    if (verb.kinds.empty()) return {};
+    std::vector<Option> options = optionsOf<ImportOptions>();
+    for (const FileKind* kind : verb.kinds)
+        for (const FieldInfo& info : kind->reading) {
+            const Value* standard = find(kind->reading_defaults, info.key);
+            options.push_back({info, standard ? *standard : Value()});
+        }
+    return options;
 }
 
 }  // namespace lathelier::cli

@@ -1,12 +1,12 @@
 // verify: refits reference data with known answers, here and now.
-#include "engine/form/verify.h"
+#include "engine/verify/verify.h"
 
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verbs.h"
-#include "engine/form/verify_json.h"
-#include "engine/form/verify_report.h"
 #include "engine/report/plain_text.h"
+#include "engine/verify/verify_json.h"
+#include "engine/verify/verify_report.h"
 
 namespace lathelier::cli {
 namespace {
@@ -17,13 +17,13 @@ void runVerify(const Request& request, InputFiles&, const Progress& progress, An
 {
     const Value* directory = find(request.parameters, referenceKey);
     const auto* word = directory ? std::get_if<std::string>(directory) : nullptr;
-    const auto result = std::make_shared<form::VerifyResult>(
-        form::verify(word ? *word : std::string(), progress.part(0, 1, LT_TEXT("Engine", "Verifying"))));
+    const auto result = std::make_shared<VerifyResult>(
+        verify(verifyParts(), word ? *word : std::string(), progress.part(0, 1, LT_TEXT("Engine", "Verifying"))));
     answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return form::verifyReport(*result); };
+    answer.report = [result] { return verifyReport(*result); };
     answer.pass = result->pass;
     answer.always_strict = true;
-    answer.summary = toPlainText(form::verifySummary(*result));
+    answer.summary = toPlainText(verifySummary(*result));
 }
 
 Option referenceOption()

@@ -27,7 +27,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       languages_(languages),
       settings_(readSettings()),
       files_(session, recoveryFolder, this),
-      workspaces_(workspacesWith(panels)),
+      workspaces_(workspacesOf(panels)),
       log_(new MessageLog),
       logDock_(new QDockWidget(this)),
       status_(new QLabel),
@@ -130,23 +130,40 @@ void MainWindow::openPaths(const QStringList& paths)
             others << path;
     }
     if (others.isEmpty()) return;
-    goWhereItBelongs(others.front());
-    if (!activeDock()) return;
-    activeDock()->show();
-    activeDock()->raise();
-    activeDock()->panel().openFiles(others);
+    FileKinds kinds;
+    for (const PanelDock* dock : docks_) unite(kinds, dock->facts().kinds);
+    opening_.compute<FoundFile>(
+        [kinds, others, store = session_.stores().of<KindStore>()](const Progress& progress) {
+            for (const QString& path : others) {
+                progress.check();
+                store->find(kinds, path.toStdString());
+            }
+            return *store->known(others.front().toStdString());
+        },
+        [this, others](const FoundFile& first) {
+            goWhereItBelongs(first);
+            if (!activeDock()) return;
+            activeDock()->show();
+            activeDock()->raise();
+            activeDock()->panel().openFiles(others);
+        },
+        [this](const Error& error) {
+            announce({error, {}});
+        });
 }
 
-/// A file that is certainly meant for another panel opens that panel's workspace.
-void MainWindow::goWhereItBelongs(const QString& path)
+/// A file that is certainly, or in all likelihood, of a kind that another panel works on opens that panel.
+void MainWindow::goWhereItBelongs(const FoundFile& file)
 {
+    if (file.likeness < Likeness::Likely) return;
     const auto takes = [&](const PanelDock* dock) {
-        return dock->facts().recognises && dock->facts().recognises(path.toStdString());
+        const FileKinds& kinds = dock->facts().kinds;
+        return std::find(kinds.begin(), kinds.end(), file.kind) != kinds.end();
     };
     if (activeDock() && takes(activeDock())) return;
     const auto found = std::find_if(docks_.begin(), docks_.end(), takes);
     if (found == docks_.end()) return;
-    const std::string& workspace = (*found)->facts().workspaces.front();
+    const std::string& workspace = (*found)->facts().workspaces.front().id;
     lastActive_[workspace] = *found;
     enterWorkspace(workspace);
 }

@@ -11,8 +11,10 @@
 #include "app/gui/project_files.h"
 #include "app/gui/settings.h"
 #include "app/gui/workspaces.h"
+#include "widgets/core/kind_store.h"
 #include "widgets/core/language.h"
 #include "widgets/core/message_log.h"
+#include "widgets/core/task.h"
 
 class QLabel;
 
@@ -28,8 +30,10 @@ public:
                const QString& recoveryFolder = {});
     ~MainWindow() override;
 
-    /// A project is opened, other files go to the active panel.
+    /// A project is opened at once; other files go to the panel that works on their kind, else to the active one, as
+    /// soon as their heads were looked at in the background.
     void openPaths(const QStringList& paths);
+    bool isOpening() const { return opening_.isBusy(); }  ///< files are still being looked at
 
     void enterWorkspace(const std::string& id);
     PanelDock* activeDock() const;
@@ -60,7 +64,7 @@ private:
     void updateUndo();
     void fillRecent();
     void askForFiles();
-    void goWhereItBelongs(const QString& path);
+    void goWhereItBelongs(const FoundFile& file);
     void askForSettings();
     void showPalette();
     void showHelp();
@@ -84,6 +88,7 @@ private:
     QLabel* status_ = nullptr;
     HelpWindow* help_ = nullptr;
     bool presenting_ = false;
+    Task opening_;  ///< finds what kind of file was dropped
     QByteArray stateBeforePresenting_;
     QFont ordinaryFont_;
 };

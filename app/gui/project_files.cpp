@@ -7,12 +7,13 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "app/gui/settings.h"
 #include "engine/sample/sample.h"
 #include "widgets/core/language.h"
 #include "widgets/core/number_edit.h"
-#include "widgets/core/worker.h"
+#include "widgets/core/task.h"
 
 namespace lathelier {
 namespace {
@@ -176,29 +177,33 @@ void ProjectFiles::leaveWithoutAsking()
 QString ProjectFiles::makeSample()
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
-    const QString project = folder + "/sample.lathelier";  // written last
+    const std::vector<std::string> names = sampleFileNames();
+    const QString project = folder + "/" + QString::fromStdString(names.back());  // written last
     // A folder of an earlier version lacks what came later.
-    if (QFileInfo::exists(project) && QFileInfo::exists(folder + "/probe_record.csv")) return project;
+    if (std::all_of(names.begin(), names.end(), [&folder](const std::string& name) {
+            return QFileInfo::exists(folder + "/" + QString::fromStdString(name));
+        }))
+        return project;
 
     QProgressDialog progress(tr("Making the sample scans…"), tr("Cancel"), 0, 1000, window_);
     progress.setWindowModality(Qt::WindowModal);
     progress.setMinimumDuration(0);
     progress.setValue(0);
-    Worker worker;
-    worker.request([path = folder.toStdString()](const Progress& share) -> std::shared_ptr<const void> {
-        writeSample(path, 1, share);
-        return nullptr;
-    });
-    connect(&progress, &QProgressDialog::canceled, this, [&worker] { worker.cancel(); });
+    Task task;
+    connect(&progress, &QProgressDialog::canceled, &task, &Task::cancel);
+    connect(&task, &Task::progressed, &progress,
+            [&progress](const Worker::State& state) { progress.setValue(static_cast<int>(state.fraction * 999)); });
     QEventLoop loop;
     std::optional<Worker::Outcome> outcome;
-    QTimer poll;
-    connect(&poll, &QTimer::timeout, &loop, [&] {
-        progress.setValue(static_cast<int>(worker.state().fraction * 999));
-        outcome = worker.take();
-        if (outcome) loop.quit();
-    });
-    poll.start(33);
+    task.start(
+        [path = folder.toStdString()](const Progress& share) -> std::shared_ptr<const void> {
+            writeSample(path, 1, share);
+            return nullptr;
+        },
+        [&](const Worker::Outcome& became) {
+            outcome = became;
+            loop.quit();
+        });
     loop.exec();
     progress.reset();
     if (std::holds_alternative<std::shared_ptr<const void>>(*outcome)) return project;

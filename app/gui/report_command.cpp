@@ -55,8 +55,7 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
             const auto facts =
                 std::find_if(panels.begin(), panels.end(), [&](const PanelFacts& panel) { return panel.id == id; });
             if (facts == panels.end()) continue;
-            const auto found = opened.panels.find(facts->stateKey());
-            const PanelState state = found == opened.panels.end() ? PanelState() : found->second;
+            const PanelState state = resolved(opened, facts->stateKey());
             if (facts->missing && !facts->missing(state).empty()) {
                 parts.push_back(partWithoutAnswer(*facts, state, {}));
                 say(screenText(facts->title));

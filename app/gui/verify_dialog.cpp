@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "engine/form/verify_report.h"
+#include "engine/verify/verify_report.h"
 #include "widgets/core/copy_table.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_files.h"
@@ -51,26 +51,18 @@ VerifyDialog::VerifyDialog(QWidget* parent)
     resize(fontMetrics().averageCharWidth() * 105, fontMetrics().height() * 32);
     retranslate();
 
-    connect(&timer_, &QTimer::timeout, this, &VerifyDialog::poll);
-    timer_.start(33);
-    worker_.request([](const Progress& progress) -> std::shared_ptr<const void> {
-        return std::make_shared<const form::VerifyResult>(form::verify({}, progress));
-    });
-}
-
-void VerifyDialog::poll()
-{
-    bar_->setValue(static_cast<int>(worker_.state().fraction * 1000));
-    const auto outcome = worker_.take();
-    if (!outcome) return;
-    timer_.stop();
-    bar_->hide();
-    if (const auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) {
-        result_ = std::static_pointer_cast<const form::VerifyResult>(*value);
-        showResult();
-    } else if (const auto* error = std::get_if<Error>(&*outcome)) {
-        headline_->setText(screenText(*error));
-    }
+    connect(&task_, &Task::progressed, this,
+            [this](const Worker::State& state) { bar_->setValue(static_cast<int>(state.fraction * 1000)); });
+    task_.compute<VerifyResult>([](const Progress& progress) { return verify(verifyParts(), {}, progress); },
+                                [this](const VerifyResult& found) {
+                                    bar_->hide();
+                                    result_ = std::make_shared<const VerifyResult>(found);
+                                    showResult();
+                                },
+                                [this](const Error& error) {
+                                    bar_->hide();
+                                    headline_->setText(screenText(error));
+                                });
 }
 
 void VerifyDialog::showResult()
@@ -97,8 +89,8 @@ void VerifyDialog::retranslate()
 {
     setWindowTitle(tr("Verify installation"));
     about_->setText(
-        tr("Circles, cylinders, lines, filters and harmonics with known answers are computed on this "
-           "computer. The largest deviation of each kind has to stay below its limit."));
+        tr("Reference data with known answers are computed on this computer. The largest deviation of each kind has to "
+           "stay below its limit."));
     if (!result_) headline_->setText(tr("Computing…"));
     table_->setAccessibleName(tr("Kinds of reference data"));
     report_->setText(tr("Report…"));
@@ -114,7 +106,7 @@ void VerifyDialog::changeEvent(QEvent* event)
 
 void VerifyDialog::done(int answer)
 {
-    worker_.cancel();
+    task_.cancel();
     QDialog::done(answer);
 }
 

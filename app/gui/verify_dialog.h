@@ -2,11 +2,10 @@
 #pragma once
 
 #include <QDialog>
-#include <QTimer>
 #include <memory>
 
-#include "engine/form/verify.h"
-#include "widgets/core/worker.h"
+#include "engine/verify/verify.h"
+#include "widgets/core/task.h"
 
 class QLabel;
 class QProgressBar;
@@ -24,7 +23,7 @@ public:
     explicit VerifyDialog(QWidget* parent = nullptr);
 
     /// Null while it computes, or when it was stopped.
-    std::shared_ptr<const form::VerifyResult> result() const { return result_; }
+    std::shared_ptr<const VerifyResult> result() const { return result_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -32,19 +31,17 @@ protected:
 
 private:
     void retranslate();
-    void poll();
     void showResult();
     void writeReportFile();
 
-    std::shared_ptr<const form::VerifyResult> result_;
+    std::shared_ptr<const VerifyResult> result_;
     QLabel* headline_;
     QLabel* about_;
     CopyTable* table_;
     QProgressBar* bar_;
     QPushButton* report_;
     QPushButton* close_;
-    QTimer timer_;
-    Worker worker_;  ///< last: stopped before anything else goes
+    Task task_;
 };
 
 }  // namespace lathelier

@@ -4,22 +4,21 @@
 
 namespace lathelier {
 
-std::vector<Workspace> workspacesWith(const std::vector<PanelFacts>& panels)
+std::vector<Workspace> workspacesOf(const std::vector<PanelFacts>& panels)
 {
-    std::vector<Workspace> all{{"inspection", LT_TEXT("Engine", "Inspection"), "inspection"},
-                               {"roundness", LT_TEXT("Engine", "Roundness"), "roundness"},
-                               {"chatter", LT_TEXT("Engine", "Chatter"), "chatter"},
-                               {"deflection", LT_TEXT("Engine", "Deflection"), "deflection"}};
-    std::erase_if(all, [&](const Workspace& workspace) {
-        return std::none_of(panels.begin(), panels.end(),
-                            [&](const PanelFacts& panel) { return isIn(panel, workspace.id); });
-    });
+    std::vector<Workspace> all;
+    for (const PanelFacts& panel : panels)
+        for (const Workspace& workspace : panel.workspaces)
+            if (std::none_of(all.begin(), all.end(), [&](const Workspace& known) { return known.id == workspace.id; }))
+                all.push_back(workspace);
+    std::stable_sort(all.begin(), all.end(), [](const Workspace& a, const Workspace& b) { return a.order < b.order; });
     return all;
 }
 
 bool isIn(const PanelFacts& panel, const std::string& workspace)
 {
-    return std::find(panel.workspaces.begin(), panel.workspaces.end(), workspace) != panel.workspaces.end();
+    return std::any_of(panel.workspaces.begin(), panel.workspaces.end(),
+                       [&](const Workspace& one) { return one.id == workspace; });
 }
 
 }  // namespace lathelier

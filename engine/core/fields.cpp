@@ -13,12 +13,14 @@ namespace {
 Text expectation(const FieldInfo& info)
 {
     switch (info.kind) {
-        case FieldInfo::Kind::Flag: return LT_TEXT("Engine", "yes or no");
+        case FieldInfo::Kind::Flag:
+        case FieldInfo::Kind::Group: return LT_TEXT("Engine", "yes or no");
         case FieldInfo::Kind::Integer: return LT_TEXT("Engine", "a whole number");
         case FieldInfo::Kind::Number: return LT_TEXT("Engine", "a number");
         case FieldInfo::Kind::Choice: return LT_TEXT("Engine", "one of the choices");
         case FieldInfo::Kind::Word: return LT_TEXT("Engine", "a text");
         case FieldInfo::Kind::Intervals: return LT_TEXT("Engine", "ranges such as 10:20,35:40");
+        case FieldInfo::Kind::Rows: return LT_TEXT("Engine", "a list of rows");
     }
     return {};
 }
@@ -72,16 +74,69 @@ std::vector<Interval> parseIntervals(const FieldInfo& info, std::string_view typ
     return result;
 }
 
+/// A row's error tells which row it is, counted from 1, and its key is that of the table and the column.
+void checkRow(const FieldInfo& info, const Row& row, std::size_t index)
+{
+    for (const FieldInfo& column : info.columns)
+        if (const Value* cell = find(row.cells, column.key)) {
+            FieldInfo named = column;
+            named.key = info.key + "[" + std::to_string(index + 1) + "]." + column.key;
+            check(named, *cell);
+        }
+}
+
+void checkRows(const FieldInfo& info, const Value& value)
+{
+    const Rows* table = std::get_if<Rows>(&value);
+    const auto* ranges = std::get_if<std::vector<Interval>>(&value);  // an empty list in JSON has no kind
+    if (!table && !(ranges && ranges->empty())) reject(info, value);
+    checkRange(info, table ? static_cast<double>(table->rows.size()) : 0);
+    if (!table) return;
+    for (std::size_t i = 0; i < table->rows.size(); ++i) checkRow(info, table->rows[i], i);
+}
+
+Rows parseRows(const FieldInfo& info, std::string_view typed)
+{
+    Rows result;
+    while (!typed.empty()) {
+        const std::size_t end = std::min(typed.find(';'), typed.size());
+        std::string_view line = typed.substr(0, end);
+        Row row;
+        for (const FieldInfo& column : info.columns) {
+            const std::size_t comma = std::min(line.find(','), line.size());
+            const std::string_view cell = line.substr(0, comma);
+            FieldInfo named = column;
+            named.key = info.key + "[" + std::to_string(result.rows.size() + 1) + "]." + column.key;
+            if (!cell.empty()) row.cells.emplace_back(column.key, parse(named, std::string(cell)));
+            line.remove_prefix(std::min(comma + 1, line.size()));
+        }
+        if (!line.empty()) reject(info, std::string(typed.substr(0, end)));
+        result.rows.push_back(std::move(row));
+        typed.remove_prefix(std::min(end + 1, typed.size()));
+    }
+    return result;
+}
+
 }  // namespace
+
+bool isImplied(const FieldInfo& group, const Values& values)
+{
+    if (group.kind != FieldInfo::Kind::Group) return false;
+    const std::string within = group.key + ".";
+    return std::any_of(values.begin(), values.end(), [&](const auto& item) {
+        return item.first.starts_with(within) && !std::holds_alternative<std::monostate>(item.second);
+    });
+}
 
 void check(const FieldInfo& info, const Value& value)
 {
     if (std::holds_alternative<std::monostate>(value)) {
-        if (!info.optional) reject(info, value);
+        if (!info.optional && info.group_key.empty()) reject(info, value);
         return;
     }
     switch (info.kind) {
         case FieldInfo::Kind::Flag:
+        case FieldInfo::Kind::Group:
             if (!std::holds_alternative<bool>(value)) reject(info, value);
             break;
         case FieldInfo::Kind::Integer:
@@ -112,6 +167,7 @@ void check(const FieldInfo& info, const Value& value)
             }
             break;
         }
+        case FieldInfo::Kind::Rows: checkRows(info, value); break;
     }
 }
 
@@ -120,6 +176,7 @@ Value parse(const FieldInfo& info, const std::string& typed)
     Value value;
     switch (info.kind) {
         case FieldInfo::Kind::Flag:
+        case FieldInfo::Kind::Group:
             if (typed != "yes" && typed != "no" && typed != "true" && typed != "false") reject(info, typed);
             value = typed == "yes" || typed == "true";
             break;
@@ -134,6 +191,7 @@ Value parse(const FieldInfo& info, const std::string& typed)
         case FieldInfo::Kind::Choice:
         case FieldInfo::Kind::Word: value = typed; break;
         case FieldInfo::Kind::Intervals: value = parseIntervals(info, typed); break;
+        case FieldInfo::Kind::Rows: value = parseRows(info, typed); break;
     }
     check(info, value);
     return value;
@@ -150,9 +208,19 @@ FieldInfo makeInfo(const char* key, FieldInfo::Kind kind, const Label& label, Ra
     info.help = label.help;
     info.unit = label.unit;
     info.advanced = label.advanced;
+    info.required = label.required;
     info.minimum = range.minimum;
     info.maximum = range.maximum;
     return info;
+}
+
+FieldInfo within(const FieldInfo& info, const std::string& key, Text heading, const std::string& group_key)
+{
+    FieldInfo result = info;
+    result.key = key + "." + info.key;
+    if (result.group.empty()) result.group = heading;
+    result.group_key = info.group_key.empty() ? group_key : key + "." + info.group_key;
+    return result;
 }
 
 double asDouble(const Value& value)

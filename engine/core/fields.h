@@ -18,20 +18,26 @@ struct FieldChoice {
 
 /// What one parameter is, without the struct it lives in.
 struct FieldInfo {
-    enum class Kind { Flag, Integer, Number, Choice, Word, Intervals };
+    /// Rows: a list of structs, a table in the form. Group: an optional struct, its Flag says whether it is there.
+    enum class Kind { Flag, Integer, Number, Choice, Word, Intervals, Rows, Group };
 
-    std::string key;  ///< stable, with its unit: "tolerance_mm"; the option is --tolerance-mm
+    std::string key;  ///< stable, with its unit: "tolerance_mm", within a group "chuck.radial_N_mm"; the option is
+                      ///< --tolerance-mm
     Kind kind = Kind::Number;
     Text label;  ///< short, without the unit
     Text help;   ///< one sentence for the tooltip and --help
     Text unit;   ///< "mm", empty when there is none
     double minimum = 0;
-    double maximum = 0;     ///< Integer, Number and the ends of Intervals: inclusive range
+    double maximum = 0;     ///< Integer, Number, the ends of Intervals, the count of Rows: inclusive range
     bool optional = false;  ///< may be "not given" (monostate)
+    bool required = false;  ///< in a JSON file: a missing key is an error
     bool advanced = false;  ///< folded away in the form
     bool wraps = false;     ///< Intervals of angles: 350:10 runs through 0
     std::vector<FieldChoice> choices;
-    std::vector<double> usual = {};  ///< Number: values of a standard, offered beside free typing
+    std::vector<double> usual = {};       ///< Number: values of a standard, offered beside free typing
+    Text group = {};                      ///< heading over the fields of one group; empty: none
+    std::string group_key = {};           ///< key of the Group whose presence this field needs; empty: none
+    std::vector<FieldInfo> columns = {};  ///< Rows: what a row holds
 };
 
 /// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.
@@ -53,7 +59,8 @@ const std::vector<Field<P>>& fields()
 /// Throws Error valueOutOfRange or valueNotUnderstood when `value` is nothing this field takes.
 void check(const FieldInfo& info, const Value& value);
 
-/// Reads what a person or a script typed ("0.05", "auto", "10:20,30:40"), decimal point only. Throws Error.
+/// Reads what a person or a script typed ("0.05", "auto", "10:20,30:40"; Rows: "20,30;40,25", the cells in the order of
+/// the columns), decimal point only. Throws Error.
 Value parse(const FieldInfo& info, const std::string& typed);
 
 /// The infos alone, for code that builds forms and options without knowing P.
@@ -74,15 +81,22 @@ Values toValues(const P& parameters)
     return result;
 }
 
-/// Applies the values whose names are known and checks them; others are ignored, missing ones keep P's default.
+/// Is a value of the group given, though nothing says whether the group is there?
+bool isImplied(const FieldInfo& group, const Values& values);
+
+/// Applies the values whose names are known and checks them; others are ignored, missing ones keep P's default. An
+/// optional group is there when its own key says so or, without that, when one of its values is given.
 template <class P>
 P fromValues(const Values& values, P parameters = {})
 {
-    for (const Field<P>& field : fields<P>())
+    for (const Field<P>& field : fields<P>()) {
         if (const Value* value = find(values, field.info.key)) {
             check(field.info, *value);
             field.set(parameters, *value);
+        } else if (isImplied(field.info, values)) {
+            field.set(parameters, true);
         }
+    }
     return parameters;
 }
 

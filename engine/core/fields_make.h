@@ -21,11 +21,13 @@ struct Label {
     Text help;
     Text unit = {};
     bool advanced = false;
+    bool required = false;
 };
 
 namespace detail {
 FieldInfo makeInfo(const char* key, FieldInfo::Kind kind, const Label& label, Range range = {0, 0});
 double asDouble(const Value& value);  ///< an integer counts as a number
+FieldInfo within(const FieldInfo& info, const std::string& key, Text heading, const std::string& group_key);
 }  // namespace detail
 
 template <class P>
@@ -92,6 +94,76 @@ Field<P> field(const char* key, E P::*member, const std::vector<FieldChoice>& ch
                 for (std::size_t i = 0; i < choices.size(); ++i)
                     if (choices[i].key == std::get<std::string>(v)) p.*member = static_cast<E>(i);
             }};
+}
+
+/// A list of structs, described like a number is: a table with a column for each field of R. `count`: how many rows.
+template <class P, class R>
+Field<P> rows(const char* key, std::vector<R> P::*member, Range count, const Label& label)
+{
+    FieldInfo info = detail::makeInfo(key, FieldInfo::Kind::Rows, label, count);
+    info.columns = infos<R>();
+    return {info,
+            [member](const P& p) -> Value {
+                Rows table;
+                for (const R& item : p.*member) table.rows.push_back({toValues(item)});
+                return table;
+            },
+            [member](P& p, const Value& v) {
+                (p.*member).clear();
+                if (const Rows* table = std::get_if<Rows>(&v))
+                    for (const Row& row : table->rows) (p.*member).push_back(fromValues<R>(row.cells));
+            }};
+}
+
+/// The fields of a struct within P, with keys "key.…", under one heading.
+template <class P, class G>
+std::vector<Field<P>> group(const char* key, G P::*member, const Label& label)
+{
+    std::vector<Field<P>> result;
+    for (const Field<G>& inner : fields<G>())
+        result.push_back({detail::within(inner.info, key, label.label, {}),
+                          [member, inner](const P& p) { return inner.get(p.*member); },
+                          [member, inner](P& p, const Value& v) { inner.set(p.*member, v); }});
+    return result;
+}
+
+/// A struct that may be absent (a tailstock or none): first the field `key` that says whether it is there, then its
+/// fields, which are "not given" while it is not.
+template <class P, class G>
+std::vector<Field<P>> group(const char* key, std::optional<G> P::*member, const Label& label)
+{
+    std::vector<Field<P>> result;
+    result.push_back({detail::makeInfo(key, FieldInfo::Kind::Group, label),
+                      [member](const P& p) -> Value { return (p.*member).has_value(); },
+                      [member](P& p, const Value& v) {
+                          if (!std::get<bool>(v))
+                              (p.*member).reset();
+                          else if (!(p.*member))
+                              (p.*member).emplace();
+                      }});
+    for (const Field<G>& inner : fields<G>())
+        result.push_back({detail::within(inner.info, key, label.label, key),
+                          [member, inner](const P& p) { return p.*member ? inner.get(*(p.*member)) : Value(); },
+                          [member, inner](P& p, const Value& v) {
+                              const bool given = !std::holds_alternative<std::monostate>(v) || inner.info.optional;
+                              if (p.*member && given) inner.set(*(p.*member), v);
+                          }});
+    return result;
+}
+
+/// A description from single fields and groups, in order.
+template <class P, class... Parts>
+std::vector<Field<P>> described(Parts... parts)
+{
+    std::vector<Field<P>> result;
+    const auto add = [&result](auto&& part) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(part)>, Field<P>>)
+            result.push_back(std::move(part));
+        else
+            for (auto& field : part) result.push_back(std::move(field));
+    };
+    (add(std::move(parts)), ...);
+    return result;
 }
 
 }  // namespace lathelier

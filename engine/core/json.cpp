@@ -1,5 +1,6 @@
 #include "engine/core/json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,13 @@ Json toJson(const Value& value)
             return result;
         }
         Json operator()(Text v) const { return v.english; }
+        Json operator()(const std::vector<double>& v) const { return numbers(v); }
+        Json operator()(const Rows& v) const
+        {
+            Json result = Json::array();
+            for (const Row& row : v.rows) result.push_back(toJson(row.cells));
+            return result;
+        }
     };
     return std::visit(Visitor{}, value);
 }
@@ -76,20 +84,38 @@ Json toJson(const Error& error)
     return result;
 }
 
+namespace {
+
+bool isPair(const Json& item)
+{
+    return item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number();
+}
+
+/// A list of pairs is ranges (so is an empty one), of numbers numbers, of objects rows; others have no place in Value.
+Value listFromJson(const Json& json)
+{
+    const auto all = [&json](auto is) { return std::all_of(json.begin(), json.end(), is); };
+    if (all(isPair)) {
+        std::vector<Interval> intervals;
+        for (const Json& item : json) intervals.push_back({item[0].get<double>(), item[1].get<double>()});
+        return intervals;
+    }
+    if (all([](const Json& item) { return item.is_number(); })) return json.get<std::vector<double>>();
+    if (!all([](const Json& item) { return item.is_object(); })) return {};
+    Rows rows;
+    for (const Json& item : json) rows.rows.push_back({valuesFromJson(item)});
+    return rows;
+}
+
+}  // namespace
+
 Value valueFromJson(const Json& json)
 {
     if (json.is_boolean()) return json.get<bool>();
     if (json.is_number_integer()) return json.get<std::int64_t>();
     if (json.is_number()) return json.get<double>();
     if (json.is_string()) return json.get<std::string>();
-    if (json.is_array()) {
-        std::vector<Interval> intervals;
-        for (const Json& item : json) {
-            if (!item.is_array() || item.size() != 2 || !item[0].is_number() || !item[1].is_number()) return {};
-            intervals.push_back({item[0].get<double>(), item[1].get<double>()});
-        }
-        return intervals;
-    }
+    if (json.is_array()) return listFromJson(json);
     return {};
 }
 

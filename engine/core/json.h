@@ -19,7 +19,7 @@ Json number(const std::optional<double>& value);
 Json numbers(std::span<const double> values);
 Json numbers(const Eigen::Vector2d& vector);
 Json numbers(const Eigen::Vector3d& vector);
-Json toJson(const Value& value);  ///< numbers as above; intervals are [[from, to], …]
+Json toJson(const Value& value);  ///< numbers as above; intervals are [[from, to], …], rows [{…}, …]
 Json toJson(const Values& values);
 Json toJson(const Notes& notes);  ///< [{"code": "…", named values…}, …]
 Json toJson(const Error& error);  ///< {"code": "…", named values…}

@@ -31,14 +31,22 @@ PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, dou
         points_mm.size(), 16384, progress, Moments{},
         [&](std::size_t begin, std::size_t end) {
             Moments part;
+            double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
             for (std::size_t i = begin; i < end; ++i) {
                 const Vector3d p = points_mm[i] - origin;
                 part.sum += p;
-                part.squares += p * p.transpose();
-                const double size = points_mm[i].allFinite() ? points_mm[i].cwiseAbs().maxCoeff()
-                                                             : std::numeric_limits<double>::infinity();
+                xx += p.x() * p.x();
+                xy += p.x() * p.y();
+                xz += p.x() * p.z();
+                yy += p.y() * p.y();
+                yz += p.y() * p.z();
+                zz += p.z() * p.z();
+                const double size = points_mm[i].cwiseAbs().maxCoeff();
                 part.largest = std::max(part.largest, size);
             }
+            part.squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+            // Maxima do not keep what is no number; the sums do.
+            if (!part.sum.allFinite()) part.largest = std::numeric_limits<double>::infinity();
             return part;
         },
         [](Moments all, const Moments& part) {

@@ -62,6 +62,23 @@ std::string text(const Value& value, const Language& language)
             return result;
         }
         std::string operator()(Text v) const { return text(v, language); }
+        std::string operator()(const std::vector<double>& v) const
+        {
+            std::string result;
+            for (const double value : v) result += (result.empty() ? "" : ", ") + number(value, language);
+            return result;
+        }
+        std::string operator()(const Rows& v) const
+        {
+            std::string result;
+            for (const Row& row : v.rows) {
+                if (!result.empty()) result += "; ";
+                std::string line;
+                for (const auto& [name, cell] : row.cells) line += (line.empty() ? "" : ", ") + text(cell, language);
+                result += line;
+            }
+            return result;
+        }
     };
     return std::visit(Visitor{language}, value);
 }

@@ -1,5 +1,6 @@
 #include "engine/core/utf8.h"
 
+#include <algorithm>
 #include <array>
 
 namespace lathelier {
@@ -19,6 +20,45 @@ Utf8Character utf8At(std::string_view text, std::size_t at)
     constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
     return code < least[length] || surrogate || code > 0x10FFFF ? Utf8Character{} : Utf8Character{code, length};
+}
+
+std::size_t countCharacters(std::string_view text)
+{
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), beginsCharacter));
+}
+
+std::string_view firstBytes(std::string_view text, std::size_t most)
+{
+    std::size_t end = std::min(text.size(), most);
+    while (end > 0 && end < text.size() && !beginsCharacter(text[end])) --end;
+    return text.substr(0, end);
+}
+
+std::string_view firstCharacters(std::string_view text, std::size_t most)
+{
+    std::size_t end = 0;
+    for (std::size_t count = 0; end < text.size(); ++end)
+        if (beginsCharacter(text[end]) && ++count > most) break;
+    return text.substr(0, end);
+}
+
+void appendUtf8(std::string& text, char32_t character)
+{
+    if (character < 0x80) {
+        text += static_cast<char>(character);
+    } else if (character < 0x800) {
+        text += static_cast<char>(0xC0 | (character >> 6));
+        text += static_cast<char>(0x80 | (character & 0x3F));
+    } else if (character < 0x10000) {
+        text += static_cast<char>(0xE0 | (character >> 12));
+        text += static_cast<char>(0x80 | ((character >> 6) & 0x3F));
+        text += static_cast<char>(0x80 | (character & 0x3F));
+    } else {
+        text += static_cast<char>(0xF0 | (character >> 18));
+        text += static_cast<char>(0x80 | ((character >> 12) & 0x3F));
+        text += static_cast<char>(0x80 | ((character >> 6) & 0x3F));
+        text += static_cast<char>(0x80 | (character & 0x3F));
+    }
 }
 
 }  // namespace lathelier

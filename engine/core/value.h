@@ -19,11 +19,30 @@ struct Interval {
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+struct Row;
+
+/// The rows of a table, each with the same names: the segments of a shaft, the rods of a measurement.
+struct Rows {
+    std::vector<Row> rows;
+    friend bool operator==(const Rows& a, const Rows& b);
+};
+
 /// One value. monostate is "not given" (JSON null); Text is a translatable phrase (JSON: its English).
-using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<Interval>, Text>;
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<Interval>, Text,
+                           std::vector<double>, Rows>;
 
 /// Values by name, in the order they were added. Names carry their unit ("extent_mm").
 using Values = std::vector<std::pair<std::string, Value>>;
+
+struct Row {
+    Values cells;
+    friend bool operator==(const Row&, const Row&) = default;
+};
+
+inline bool operator==(const Rows& a, const Rows& b)
+{
+    return a.rows == b.rows;
+}
 
 /// The value stored under `name`, or nullptr.
 const Value* find(const Values& values, std::string_view name);

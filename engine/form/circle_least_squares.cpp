@@ -5,6 +5,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/random.h"
 #include "engine/form/circle_simple.h"
 
 namespace lathelier::form {
@@ -12,6 +13,10 @@ namespace {
 
 constexpr Eigen::Index blockSize = 512;
 constexpr std::size_t grain = 1 << 15;
+constexpr Eigen::Index enoughToBegin = 8192;  ///< of many points, so that all are gone through twice only
+
+/// Coordinates, near 0 and in units near their size.
+using Coordinates = Eigen::Ref<const Eigen::ArrayXd>;
 
 /// The sums of one pass: half the gradient and half the Hessian of Σ(d - R)² in centre and radius.
 struct Sums {
@@ -28,7 +33,8 @@ struct Sums {
 };
 
 /// Of the points from `first` to `last`.
-Sums sumsOf(const CirclePoints& points, const Eigen::Vector3d& circle, Eigen::Index first, Eigen::Index last)
+Sums sumsOf(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle, Eigen::Index first,
+            Eigen::Index last)
 {
     using Block = Eigen::Array<double, blockSize, 1>;
     Block ux, uy, e, q;
@@ -37,8 +43,8 @@ Sums sumsOf(const CirclePoints& points, const Eigen::Vector3d& circle, Eigen::In
            ey = 0;
     for (Eigen::Index begin = first; begin < last; begin += blockSize) {
         const Eigen::Index n = std::min(blockSize, last - begin);
-        ux.head(n) = points.x().segment(begin, n) - circle[0];
-        uy.head(n) = points.y().segment(begin, n) - circle[1];
+        ux.head(n) = x.segment(begin, n) - circle[0];
+        uy.head(n) = y.segment(begin, n) - circle[1];
         e.head(n) = (ux.head(n).square() + uy.head(n).square()).sqrt().max(1e-300);  // a point on the centre: u = 0
         q.head(n) = e.head(n).inverse();
         ux.head(n) *= q.head(n);
@@ -70,39 +76,46 @@ Sums sumsOf(const CirclePoints& points, const Eigen::Vector3d& circle, Eigen::In
     return s;
 }
 
-Sums sumsAt(const CirclePoints& points, const Eigen::Vector3d& circle)
+Sums sumsAt(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle)
 {
     return parallelReduce(
-        points.size(), grain, {}, Sums(),
+        static_cast<std::size_t>(x.size()), grain, {}, Sums(),
         [&](std::size_t begin, std::size_t end) {
-            return sumsOf(points, circle, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end));
+            return sumsOf(x, y, circle, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end));
         },
         [](const Sums& all, const Sums& part) { return all + part; });
 }
 
 /// The circle that minimises Σ(d² - R²)²: near enough to start from.
-Eigen::Vector3d algebraicCircle(const CirclePoints& points)
+Eigen::Vector3d algebraicCircle(const Coordinates& all_x, const Coordinates& all_y)
 {
-    const double mx = points.x().mean(), my = points.y().mean();
-    const Eigen::ArrayXd x = points.x() - mx, y = points.y() - my, z = x.square() + y.square();
+    const double mx = all_x.mean(), my = all_y.mean();
+    const Eigen::ArrayXd x = all_x - mx, y = all_y - my, z = x.square() + y.square();
     Eigen::Matrix2d m;
     m << x.square().sum(), (x * y).sum(), (x * y).sum(), y.square().sum();
     const Eigen::Vector2d centre = 0.5 * m.ldlt().solve(Eigen::Vector2d((x * z).sum(), (y * z).sum()));
     return {centre.x() + mx, centre.y() + my, std::sqrt(centre.squaredNorm() + z.mean())};
 }
 
-}  // namespace
+constexpr double runaway = 1e7;  ///< radius in half sizes of the points; their sagitta is then lost in rounding
 
-LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
+struct Found {
+    Eigen::Vector3d circle;
+    double squares = 0;  ///< sum of (d - R)²
+
+    bool isCircle() const { return circle.allFinite() && std::abs(circle[2]) <= runaway; }
+};
+
+/// Newton's method from `circle`.
+Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circle)
 {
-    constexpr double runaway = 1e7;  // radius in half sizes of the points; their sagitta is then lost in rounding
-    Eigen::Vector3d circle = algebraicCircle(points);
-    Sums now = sumsAt(points, circle);
+    Sums now = sumsAt(x, y, circle);
     double damping = 0;
     for (int iteration = 0; iteration < 200; ++iteration) {
         Eigen::Matrix3d matrix = now.hessian;
         Eigen::LLT<Eigen::Matrix3d> factors(matrix);
-        if (damping > 0 || factors.info() != Eigen::Success) {
+        const bool newton = damping == 0 && factors.info() == Eigen::Success;
+        if (!newton) {
             matrix = now.gauss_newton;
             matrix.diagonal() *= 1 + damping;
             factors.compute(matrix);
@@ -110,7 +123,10 @@ LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
         const Eigen::Vector3d step = factors.solve(-now.gradient);
         if (!step.allFinite()) break;
         const Eigen::Vector3d trial = circle + step;
-        const Sums next = sumsAt(points, trial);
+        // What this step leaves is rounding, and so is what the sum of squares is off its parabola.
+        if (newton && step.norm() <= 1e-9 * std::abs(circle[2]))
+            return {trial, std::max(0.0, now.squares + now.gradient.dot(step))};
+        const Sums next = sumsAt(x, y, trial);
         const bool fine = step.norm() <= 1e-8 * std::abs(circle[2]);  // Newton's last step squares this
         if (next.squares <= now.squares || fine) {
             circle = trial;
@@ -128,12 +144,37 @@ LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
         const Eigen::Vector3d step = factors.solve(-now.gradient);
         if (step.norm() <= 1e-6 * std::abs(circle[2])) {
             circle += step;
-            now = sumsAt(points, circle);
+            now = sumsAt(x, y, circle);
         }
     }
-    if (!circle.allFinite() || std::abs(circle[2]) > runaway)
-        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
-    return {circle.head<2>(), circle[2], std::sqrt(now.squares / static_cast<double>(points.size()))};
+    return {circle, now.squares};
+}
+
+/// Where to begin: the circle of some of the points, if they are many.
+Eigen::Vector3d firstCircle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
+{
+    const Eigen::Index stride = x.size() / enoughToBegin;
+    if (stride < 4) return algebraicCircle(x, y);
+    const Eigen::Index count = x.size() / stride;
+    Eigen::ArrayXd some_x(count), some_y(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        // Anywhere in its stretch: what repeats with the stride is seen whole all the same.
+        const std::uint64_t drawn = randomBits(1, 0, static_cast<std::uint64_t>(i));
+        const Eigen::Index place = i * stride + static_cast<Eigen::Index>(drawn % static_cast<std::uint64_t>(stride));
+        some_x[i] = x[place];
+        some_y[i] = y[place];
+    }
+    const Found found = minimise(some_x, some_y, algebraicCircle(some_x, some_y));
+    return found.isCircle() ? found.circle : algebraicCircle(x, y);
+}
+
+}  // namespace
+
+LeastSquaresCircle leastSquaresCircle(const CirclePoints& points)
+{
+    const Found found = minimise(points.x(), points.y(), firstCircle(points.x(), points.y()));
+    if (!found.isCircle()) throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
+    return {found.circle.head<2>(), found.circle[2], std::sqrt(found.squares / static_cast<double>(points.size()))};
 }
 
 }  // namespace lathelier::form

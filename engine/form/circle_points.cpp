@@ -39,6 +39,19 @@ double widthAcross(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
     return across.maxCoeff() - across.minCoeff();
 }
 
+/// Whether the points lie on a line, no wider than `width`.
+bool areStraight(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, double width)
+{
+    // A few of many are not wider than all.
+    constexpr Eigen::Index few = 1024;
+    if (const Eigen::Index stride = x.size() / few; stride > 1) {
+        using Some = Eigen::Map<const Eigen::ArrayXd, 0, Eigen::InnerStride<>>;
+        const Eigen::InnerStride<> step(stride);
+        if (widthAcross(Some(x.data(), few, step), Some(y.data(), few, step)) > 10 * width) return false;
+    }
+    return widthAcross(x, y) <= width;
+}
+
 }  // namespace
 
 CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size_t least)
@@ -48,11 +61,10 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
     for (const Eigen::Vector2d& point : points_mm) {
         low = low.min(point.array());
         high = high.max(point.array());
-    }
-    // Compared so that what is no number is refused as well: minima and maxima do not keep it.
-    for (const Eigen::Vector2d& point : points_mm)
+        // Compared so that what is no number is refused as well: minima and maxima do not keep it.
         if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largest_mm) || !point.allFinite())
             throw Error(errors::coordinateTooLarge, {{"found", size}, {"maximum", largest_mm}});
+    }
     middle_mm_ = 0.5 * low + 0.5 * high;
     const double half_mm = 0.5 * (high - low).maxCoeff();
     scale_mm_ = std::ldexp(1.0, std::ilogb(half_mm) + 1);
@@ -66,7 +78,7 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
         y_[i] = local.y();
     }
     const double rounding = low.abs().max(high.abs()).maxCoeff() / scale_mm_ * std::numeric_limits<double>::epsilon();
-    if (widthAcross(x_, y_) <= std::max(1e-10, 16 * rounding))
+    if (areStraight(x_, y_, std::max(1e-10, 16 * rounding)))
         throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}});
 }
 

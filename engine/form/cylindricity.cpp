@@ -52,15 +52,6 @@ FittedCylinder toResult(const CylinderPoints& points, const MinimumZoneCylinder&
     return cylinder;
 }
 
-FormVerdict judge(double value_um, double uncertainty_um, const CylindricityParameters& parameters)
-{
-    const double tolerance_um = *parameters.tolerance_um;
-    if (parameters.decision == DecisionRule::Simple)
-        return value_um <= tolerance_um ? FormVerdict::Pass : FormVerdict::Fail;
-    if (value_um + uncertainty_um <= tolerance_um) return FormVerdict::Pass;
-    return value_um - uncertainty_um > tolerance_um ? FormVerdict::Fail : FormVerdict::Undecided;
-}
-
 }  // namespace
 
 CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const CylindricityParameters& parameters,
@@ -91,7 +82,8 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
             expandedUncertaintyOfWidth(points, fit, *parameters.probe_uncertainty_um / um_per_mm / points.scale_mm(),
                                        progress.part(0.9, 1));
     if (parameters.tolerance_um)
-        result.verdict = judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um, parameters);
+        result.verdict = judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um, *parameters.tolerance_um,
+                               parameters.decision);
 
     const SectionStack stack =
         sectionsAlong(points_mm, result.LSCY.axis_point_mm, result.LSCY.axis_direction, progress);

@@ -45,7 +45,7 @@ struct CylindricityResult {
     std::size_t sections = 0;  ///< planes z = const (or x, y: the axis' dominant coordinate) that the points lie in
     double length_mm = 0;      ///< of the points along the axis
     double CYLt_expanded_uncertainty_um = std::numeric_limits<double>::quiet_NaN();  ///< 95 %, of MZCY: Monte Carlo
-    std::optional<FormVerdict> verdict;
+    std::optional<Verdict> verdict;
     Notes notes;
 };
 

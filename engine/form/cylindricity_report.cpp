@@ -1,30 +1,26 @@
 #include <cmath>
 
+#include "engine/form/cylindricity_quantities.h"
+#include "engine/form/form_verification.h"
 #include "engine/form/roundness_report.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/report/quantity_table.h"
 
 namespace lathelier::form {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-
 QuantityTable deviationsTable(const CylindricityResult& result)
 {
-    QuantityTable table{LT_TEXT("Engine", "Cylindricity"),
-                        {{"CYLt(MZCY)", result.MZCY.CYLt_um, um},
-                         {"CYLt(LSCY)", result.LSCY.CYLt_um, um},
-                         {"CYLp(LSCY)", result.LSCY.CYLp_um, um},
-                         {"CYLv(LSCY)", result.LSCY.CYLv_um, um},
-                         {"CYLq(LSCY)", result.LSCY.CYLq_um, um}}};
-    if (std::isfinite(result.axis_straightness_um))
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Straightness of the axis of the sections"), result.axis_straightness_um, um});
-    table.rows.push_back({LT_TEXT("Engine", "Radius (least squares)"), result.LSCY.radius_mm, mm, 5});
-    table.rows.push_back({LT_TEXT("Engine", "Length"), result.length_mm, mm});
-    table.rows.push_back({LT_TEXT("Engine", "Points"), static_cast<std::int64_t>(result.points), {}});
+    QuantityTable table = quantityTable(LT_TEXT("Engine", "Cylindricity"), result, {"CYLt_MZCY_um"});
+    const auto add = [&table](std::vector<Quantity> rows) {
+        for (Quantity& row : rows) table.rows.push_back(std::move(row));
+    };
+    add(quantityRows(result.LSCY, {"CYLt_um", "CYLp_um", "CYLv_um", "CYLq_um"}));
+    if (std::isfinite(result.axis_straightness_um)) add(quantityRows(result, {"axis_straightness_um"}));
+    add(quantityRows(result.LSCY, {"radius_mm"}));
+    add(quantityRows(result, {"length_mm", "points"}));
     return table;
 }
 
@@ -32,28 +28,23 @@ QuantityTable verdictTable(const CylindricityResult& result)
 {
     QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     Value verdict = LT_TEXT("Engine", "none: no tolerance was given");
-    if (result.verdict) verdict = verdictName(*result.verdict);
+    if (result.verdict) verdict = name(*result.verdict);
     table.rows.push_back({LT_TEXT("Engine", "Verdict"), verdict, {}});
     if (result.parameters.tolerance_um)
-        table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *result.parameters.tolerance_um, um});
+        for (Quantity& row : quantityRows(result, {"tolerance_um"})) table.rows.push_back(std::move(row));
     return table;
 }
 
 Table axesTable(const CylindricityResult& result)
 {
-    Table table{
-        LT_TEXT("Engine", "Axes"),
-        {LT_TEXT("Engine", "cylinder"), LT_TEXT("Engine", "x (mm)"), LT_TEXT("Engine", "y (mm)"),
-         LT_TEXT("Engine", "z (mm)"), LT_TEXT("Engine", "direction x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")},
-        {},
-        {0, 5, 5, 5, 9, 9, 9}};
-    const auto add = [&table](const char* name, const FittedCylinder& cylinder) {
-        const Eigen::Vector3d& p = cylinder.axis_point_mm;
-        const Eigen::Vector3d& d = cylinder.axis_direction;
-        table.rows.push_back({std::string(name), p.x(), p.y(), p.z(), d.x(), d.y(), d.z()});
-    };
-    add("LSCY", result.LSCY);
-    add("MZCY", result.MZCY);
+    const std::vector<FittedCylinder> cylinders{result.LSCY, result.MZCY};
+    Table table = listTable<FittedCylinder>(LT_TEXT("Engine", "Axes"), cylinders,
+                                            {"axis_point_x_mm", "axis_point_y_mm", "axis_point_z_mm",
+                                             "axis_direction_x", "axis_direction_y", "axis_direction_z"});
+    table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "cylinder"));
+    table.decimals.insert(table.decimals.begin(), 0);
+    table.rows[0].insert(table.rows[0].begin(), "LSCY");
+    table.rows[1].insert(table.rows[1].begin(), "MZCY");
     return table;
 }
 
@@ -66,12 +57,12 @@ Headline headline(const CylindricityResult& result, const Language& language)
                   fixed(result.LSCY.CYLt_um, 2, language) + " µm";
     answer.text = keptTogether(answer.text);
     if (!result.verdict || !result.parameters.tolerance_um) return answer;
-    const Text words = *result.verdict == FormVerdict::Pass   ? LT_TEXT("Engine", "within {tolerance} µm")
-                       : *result.verdict == FormVerdict::Fail ? LT_TEXT("Engine", "above {tolerance} µm")
-                                                              : LT_TEXT("Engine", "? not decided at {tolerance} µm");
+    const Text words = *result.verdict == Verdict::Pass   ? LT_TEXT("Engine", "within {tolerance} µm")
+                       : *result.verdict == Verdict::Fail ? LT_TEXT("Engine", "above {tolerance} µm")
+                                                          : LT_TEXT("Engine", "? not decided at {tolerance} µm");
     answer.text +=
         keptTogether(" · " + fill(text(words, language), {{"tolerance", *result.parameters.tolerance_um}}, language));
-    if (*result.verdict != FormVerdict::Undecided) answer.verdict = *result.verdict == FormVerdict::Pass;
+    answer.verdict = passed(result.verdict);
     return answer;
 }
 
@@ -88,6 +79,7 @@ Document cylindricityReport(const CylindricityResult& result, const std::vector<
 {
     Document document;
     document.title = LT_TEXT("Engine", "Cylindricity");
+    document.verification = {&formVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections = {

@@ -5,7 +5,9 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 
+#include "engine/core/statistics.h"
 #include "engine/signal/fourier.h"
 #include "engine/signal/hampel.h"
 #include "engine/signal/nonuniform_fourier.h"
@@ -45,7 +47,7 @@ WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::
     for (std::size_t m = from; m <= to; m += stride)
         if (!skip[m]) values.push_back(power[m]);
     if (values.empty()) return {};
-    const double clip = 6 * signal::median(values) / std::log(2.0);
+    const double clip = 6 * median(values) / std::log(2.0);
     double sum = 0;
     for (const double value : values) sum += std::min(value, clip);
     return {sum / static_cast<double>(values.size()) / (1 - std::exp(-6.0)), values.size()};
@@ -170,8 +172,8 @@ Form standingOutOfArc(const std::vector<double>& deviation)
 std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double>& rest, double least_um)
 {
     const std::size_t n = rest.size();
-    const double sigma = std::max(signal::robustSpread(rest), least_um);
-    const double middle = signal::median(rest);
+    const double middle = median(rest);
+    const double sigma = std::max(signal::robustSpread(rest, middle), least_um);
     std::vector<std::uint8_t> out(n), spike(n);
     std::size_t count = 0;
     for (std::size_t i = 0; i < n; ++i) count += out[i] = std::abs(rest[i] - middle) > spikeSigma * sigma;
@@ -221,13 +223,17 @@ void refine(const PreparedProfile& prepared, const std::vector<double>& rest, co
         coefficients[k] = (isLine[k] ? coefficients[k] : 0) + sums[k] / total;
 }
 
-/// Greatest step of which all differences are multiples; 0 below `least`.
-double commonStep(const std::vector<double>& values, double least)
+/// Greatest step of which all differences of a profile's `value(point)` are multiples; 0 below `least`.
+template <class ValueOf>
+double commonStep(const Profile& profile, double least, ValueOf value)
 {
     const double rounding = 0.02 * least;
     double step = 0;
-    for (const double value : values) {
-        double a = std::abs(value - values.front());
+    std::optional<double> first;
+    for (const Eigen::Vector2d& point : profile.points_mm) {
+        if (!point.allFinite()) continue;
+        if (!first) first = value(point);
+        double a = std::abs(value(point) - *first);
         if (a <= rounding) continue;
         if (step == 0) {
             step = a;
@@ -250,24 +256,25 @@ double commonStep(const std::vector<double>& values, double least)
 double resolutionOf(const Profile& profile)
 {
     constexpr double least_mm = 2e-5;
-    std::vector<double> x, y, r;
-    for (const Eigen::Vector2d& point : profile.points_mm) {
-        if (!point.allFinite()) continue;
-        x.push_back(point.x());
-        y.push_back(point.y());
-        r.push_back(point.norm());
-    }
-    if (r.size() < 3) return 0;
+    const auto finite = std::count_if(profile.points_mm.begin(), profile.points_mm.end(),
+                                      [](const Eigen::Vector2d& point) { return point.allFinite(); });
+    if (finite < 3) return 0;
     // Few values can share a large step by chance or by layout: steps count that are small against the range.
-    const auto step = [&](const std::vector<double>& values) {
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        const double found = commonStep(values, least_mm);
-        return found < 0.5 * (*high - *low) ? found : 0;
+    const auto step = [&](auto value) {
+        const double found = commonStep(profile, least_mm, value);
+        if (!(found > 0)) return 0.0;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Eigen::Vector2d& point : profile.points_mm)
+            if (point.allFinite()) {
+                low = std::min(low, value(point));
+                high = std::max(high, value(point));
+            }
+        return found < 0.5 * (high - low) ? found : 0.0;
     };
-    const double radial = step(r);
+    const double radial = step([](const Eigen::Vector2d& point) { return point.norm(); });
     if (radial > 0) return radial;
-    const double across = step(x);
-    return across > 0 ? std::max(across, step(y)) : 0;
+    const double across = step([](const Eigen::Vector2d& point) { return point.x(); });
+    return across > 0 ? std::max(across, step([](const Eigen::Vector2d& point) { return point.y(); })) : 0;
 }
 
 PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<signal::Harmonic>& harmonics,

@@ -34,27 +34,37 @@ double angleAbout(const Vector2d& centre, const Vector2d& point)
 /// Fills what follows from `used`.
 void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& progress)
 {
-    const std::vector<Vector2d> points = usedPoints(profile, prepared.used);
+    const bool all = std::find(prepared.used.begin(), prepared.used.end(), 0) == prepared.used.end();
+    const std::vector<Vector2d> some = all ? std::vector<Vector2d>{} : usedPoints(profile, prepared.used);
+    const std::vector<Vector2d>& points = all ? profile.points_mm : some;
     const FittedCircle circle = fitLeastSquaresCircle(points);
     prepared.centre_mm = circle.centre_mm;
     prepared.radius_mm = circle.radius_mm;
-    prepared.sampling = signal::sampleAngles(anglesAbout(circle.centre_mm, points, progress));
+    prepared.angle_rad = anglesAbout(circle.centre_mm, profile.points_mm, progress);
     std::vector<std::size_t> given;
-    given.reserve(points.size());
-    for (std::size_t i = 0; i < prepared.used.size(); ++i)
-        if (prepared.used[i]) given.push_back(i);
-    prepared.index.clear();
-    prepared.points_mm.clear();
-    prepared.distance_mm.clear();
-    prepared.index.reserve(points.size());
-    prepared.points_mm.reserve(points.size());
-    prepared.distance_mm.reserve(points.size());
-    for (std::size_t& i : prepared.sampling.order) {
-        prepared.index.push_back(given[i]);
-        prepared.points_mm.push_back(points[i]);
-        prepared.distance_mm.push_back((points[i] - circle.centre_mm).norm());
-        i = prepared.index.size() - 1;
+    std::vector<double> angle_rad;
+    if (!all) {
+        given.reserve(points.size());
+        angle_rad.reserve(points.size());
+        for (std::size_t i = 0; i < prepared.used.size(); ++i)
+            if (prepared.used[i]) {
+                given.push_back(i);
+                angle_rad.push_back(prepared.angle_rad[i]);
+            }
     }
+    prepared.sampling = signal::sampleAngles(all ? prepared.angle_rad : angle_rad);
+    prepared.index.resize(points.size());
+    prepared.points_mm.resize(points.size());
+    prepared.distance_mm.resize(points.size());
+    parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            std::size_t& i = prepared.sampling.order[k];
+            prepared.index[k] = all ? i : given[i];
+            prepared.points_mm[k] = points[i];
+            prepared.distance_mm[k] = (points[i] - circle.centre_mm).norm();
+            i = k;
+        }
+    });
 }
 
 /// Counts anew which points lie in the sectors; true when that changed anything.

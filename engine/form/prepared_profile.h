@@ -18,6 +18,7 @@ struct PreparedProfile {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();  ///< of the least-squares circle of the points that count
     double radius_mm = 0;
     std::vector<std::uint8_t> used;  ///< by given point
+    std::vector<double> angle_rad;   ///< atan2 of each given point as seen from the centre
     std::size_t not_finite = 0, excluded = 0, outliers = 0;
     std::vector<std::size_t> index;          ///< given points that count, in order of angle
     std::vector<Eigen::Vector2d> points_mm;  ///< in that order

@@ -63,7 +63,8 @@ double turnsOf(const RoundnessResult& result)
     std::size_t forward = 0, backward = 0;
     const std::size_t n = result.angle_rad.size();
     for (std::size_t i = 1; i < n; ++i) {
-        const double step = std::remainder(result.angle_rad[i] - result.angle_rad[i - 1], 2 * std::numbers::pi);
+        double step = result.angle_rad[i] - result.angle_rad[i - 1];
+        if (std::abs(step) > std::numbers::pi) step -= std::copysign(2 * std::numbers::pi, step);
         if (std::abs(step) > std::numbers::pi / 4) continue;  // a jump over a gap, or no order
         sum += step;
         forward += step > 0;
@@ -157,21 +158,14 @@ void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, 
     }
 }
 
-FormVerdict decide(double deviation_um, double uncertainty_um, double tolerance_um, DecisionRule rule)
-{
-    if (rule == DecisionRule::Simple) return deviation_um <= tolerance_um ? FormVerdict::Pass : FormVerdict::Fail;
-    if (deviation_um + uncertainty_um <= tolerance_um) return FormVerdict::Pass;
-    if (deviation_um - uncertainty_um > tolerance_um) return FormVerdict::Fail;
-    return FormVerdict::Undecided;  // also when the uncertainty is not known
-}
-
 }  // namespace
 
-RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters, const Progress& progress)
+RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters, const Progress& progress,
+                          MethodTable table)
 {
     progress.report(0);
     const signal::ProfileBand band = bandOf(parameters);
-    const PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers, progress);
+    PreparedProfile prepared = prepareProfile(profile, parameters.exclude_deg, parameters.outliers, progress);
     progress.report(0.04);
     EvaluatedProfile evaluated = evaluateProfile(prepared, band, progress);
 
@@ -180,7 +174,7 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.name = profile.name;
     result.points = profile.points_mm.size();
     result.used = prepared.used;
-    result.angle_rad = anglesAbout(prepared.centre_mm, profile.points_mm, progress);
+    result.angle_rad = std::move(prepared.angle_rad);
     result.evaluated_index = prepared.index;
     result.filter_way = evaluated.way;
     progress.report(0.1);
@@ -197,7 +191,8 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     // Side by side: each has stretches that only one core can work on.
     parallelFor(3, 1, progress, [&](std::size_t task, std::size_t) {
         if (task == 0) {
-            result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.4, 1));
+            if (table == MethodTable::Made)
+                result.methods = methodRows(profile, prepared, parameters, circles, progress.part(0.4, 1));
         } else if (task == 1) {
             result.harmonics = harmonicsOf(prepared, result.points, progress);
             noise = estimateNoise(prepared, result.harmonics, resolutionOf(profile), parameters.probe_uncertainty_um,
@@ -218,8 +213,8 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     result.RONt_expanded_uncertainty_um = std::hypot(form_uncertainty_um, nominal_um);
     result.hints = roundnessHints(result);
     if (parameters.tolerance_um)
-        result.verdict = decide(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
-                                *parameters.tolerance_um, parameters.decision);
+        result.verdict = judge(headlineDeviation_um(result), result.RONt_expanded_uncertainty_um,
+                               *parameters.tolerance_um, parameters.decision);
 
     noteSampling(profile, prepared, band, result.notes);
     if (const double turns = turnsOf(result); turns > 1.5)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/profile.h"
@@ -18,8 +19,6 @@
 namespace lathelier::form {
 
 enum class OutlierRule { None, Hampel };
-/// Simple: pass when RONt ≤ T. Guarded: pass when RONt + U ≤ T, fail when RONt - U > T, else no verdict.
-enum class DecisionRule { Simple, Guarded };
 
 struct RoundnessParameters {
     std::optional<double> cutoff_upr;   ///< Gaussian long-wave pass: 1…cutoff
@@ -56,6 +55,9 @@ struct MethodRow {
     bool undersampled = false;
 };
 
+/// Whether the table of methods is worked out: about half of all work. Left out, the result's `methods` is empty.
+enum class MethodTable { Made, LeftOut };
+
 /// What the strongest harmonics usually mean on a lathe.
 struct RoundnessHint {
     int upr = 0;  ///< 1: eccentricity from the origin of the coordinates, which is no form
@@ -69,8 +71,6 @@ struct PaperValues {
     double run_out_um = 0;                                        ///< max R_i - min R_i about the origin
     Eigen::Vector2d limacon_centre_um = Eigen::Vector2d::Zero();  ///< 2ΣX/n, 2ΣY/n of the deviations from R0
 };
-
-enum class FormVerdict { Pass, Fail, Undecided };
 
 struct RoundnessResult {
     RoundnessParameters parameters;
@@ -94,7 +94,7 @@ struct RoundnessResult {
     double resolution_um = 0;               ///< step of the measured values; 0: none found
     double noise_correlation_points = 1;    ///< neighbours whose noise moves together; 1: independent
     std::vector<double> harmonic_floor_um;  ///< by harmonic: the amplitude that noise alone exceeds once in 3000
-    std::optional<FormVerdict> verdict;     ///< with a tolerance
+    std::optional<Verdict> verdict;         ///< with a tolerance
     Notes notes;
 };
 
@@ -105,7 +105,7 @@ struct RoundnessResult {
 /// harmonicsEstimated, resolutionCounted, noiseCorrelated, spikesCounted, twoPointIncomplete. Errors as fitCircles();
 /// valueNotUnderstood. Throws Cancelled.
 RoundnessResult roundness(const Profile& profile, const RoundnessParameters& parameters = {},
-                          const Progress& progress = {});
+                          const Progress& progress = {}, MethodTable table = MethodTable::Made);
 
 /// RONt_um of the circle that the parameters name.
 double headlineDeviation_um(const RoundnessResult& result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/utf8.h"
 #include "engine/form/roundness_report.h"
 
 namespace lathelier::form {
@@ -17,14 +18,6 @@ std::string stemOf(const std::string& name)
     return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
 }
 
-/// A character of UTF-8 is not cut in two.
-std::string shortened(const std::string& word)
-{
-    std::size_t end = std::min(word.size(), longestPartNumber);
-    while (end > 0 && end < word.size() && (static_cast<unsigned char>(word[end]) & 0xC0) == 0x80) --end;
-    return word.substr(0, end);
-}
-
 /// What the profiles of one feature have in common, without the number that tells them apart.
 std::string partOf(const std::vector<RoundnessResult>& results)
 {
@@ -37,7 +30,7 @@ std::string partOf(const std::vector<RoundnessResult>& results)
         common.erase(end, common.end());
     }
     if (results.size() > 1) common.erase(common.find_last_not_of("0123456789_-. ") + 1);
-    const std::string part = shortened(common.empty() ? first : common);
+    const std::string part = std::string(firstBytes(common.empty() ? first : common, longestPartNumber));
     return part.empty() ? "roundness" : part;
 }
 

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "engine/form/form_verification.h"
+#include "engine/form/roundness_quantities.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/report/quantity_table.h"
 
 namespace lathelier::form {
 namespace {
@@ -29,29 +32,22 @@ Text fullName(ReferenceCircle circle)
 
 Table circlesTable(const RoundnessResult& result)
 {
-    Table table{LT_TEXT("Engine", "Roundness deviation by reference circle"),
-                {LT_TEXT("Engine", "circle"), LT_TEXT("Engine", "RONt (µm)"), LT_TEXT("Engine", "centre x (mm)"),
-                 LT_TEXT("Engine", "centre y (mm)"), LT_TEXT("Engine", "inner radius (mm)"),
-                 LT_TEXT("Engine", "outer radius (mm)"), LT_TEXT("Engine", "proved to (µm)")},
-                {},
-                {0, 3, 5, 5, 5, 5, 7}};
-    for (const ReferenceCircle which : allCircles) {
-        const FittedCircle& circle = result.circles.of(which);
-        table.rows.push_back({fullName(which), circle.RONt_um, circle.centre_mm.x(), circle.centre_mm.y(),
-                              circle.inner_radius_mm, circle.outer_radius_mm,
-                              circle.certified_gap_um ? Value(*circle.certified_gap_um) : Value()});
-    }
+    std::vector<FittedCircle> circles;
+    for (const ReferenceCircle which : allCircles) circles.push_back(result.circles.of(which));
+    Table table = listTable<FittedCircle>(
+        LT_TEXT("Engine", "Roundness deviation by reference circle"), circles,
+        {"RONt_um", "centre_x_mm", "centre_y_mm", "inner_radius_mm", "outer_radius_mm", "certified_gap_um"});
+    table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "circle"));
+    table.decimals.insert(table.decimals.begin(), 0);
+    for (std::size_t i = 0; i < allCircles.size(); ++i)
+        table.rows[i].insert(table.rows[i].begin(), fullName(allCircles[i]));
     return table;
 }
 
 QuantityTable leastSquaresTable(const RoundnessResult& result)
 {
-    const FittedCircle& circle = result.circles.LSCI;
-    return {LT_TEXT("Engine", "About the least-squares circle"),
-            {{LT_TEXT("Engine", "Peak to reference RONp"), circle.RONp_um, um},
-             {LT_TEXT("Engine", "Reference to valley RONv"), circle.RONv_um, um},
-             {LT_TEXT("Engine", "Root mean square RONq"), circle.RONq_um, um},
-             {LT_TEXT("Engine", "Radius"), circle.radius_mm, mm, 5}}};
+    return quantityTable(LT_TEXT("Engine", "About the least-squares circle"), result.circles.LSCI,
+                         {"RONp_um", "RONv_um", "RONq_um", "radius_mm"});
 }
 
 QuantityTable verdictTable(const RoundnessResult& result)
@@ -59,68 +55,54 @@ QuantityTable verdictTable(const RoundnessResult& result)
     QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     const RoundnessParameters& asked = result.parameters;
     if (result.verdict)
-        table.rows.push_back({LT_TEXT("Engine", "Verdict"), verdictName(*result.verdict), {}});
+        table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
     else
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
-    if (asked.tolerance_um) table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *asked.tolerance_um, um});
-    table.rows.push_back({LT_TEXT("Engine", "Expanded uncertainty (95 %)"), result.RONt_expanded_uncertainty_um, um});
-    table.rows.push_back({LT_TEXT("Engine", "Decision rule"),
-                          asked.decision == DecisionRule::Guarded
-                              ? LT_TEXT("Engine", "ISO 14253-1: only what is sure passes or fails")
-                              : LT_TEXT("Engine", "simple: the value alone is compared"),
-                          {}});
-    table.rows.push_back(
-        {LT_TEXT("Engine", "Points used"), static_cast<std::int64_t>(result.evaluated_index.size()), {}});
-    table.rows.push_back(
-        {LT_TEXT("Engine", "Points left out"),
-         static_cast<std::int64_t>(std::count(result.used.begin(), result.used.end(), std::uint8_t{0})),
-         {}});
+    const auto add = [&](std::initializer_list<const char*> keys) {
+        for (Quantity& row : quantityRows(result, keys)) table.rows.push_back(std::move(row));
+    };
+    if (asked.tolerance_um) add({"tolerance_um"});
+    add({"RONt_expanded_uncertainty_um"});
+    table.rows.push_back({LT_TEXT("Engine", "Decision rule"), name(asked.decision), {}});
+    add({"points_used", "points_left_out"});
     return table;
 }
 
 QuantityTable sizesTable(const RoundnessResult& result)
 {
-    const TwoPointSize& size = result.two_point;
-    return {LT_TEXT("Engine", "Sizes across the section"),
-            {{LT_TEXT("Engine", "Two-point size, largest"), size.largest_mm, mm, 5},
-             {LT_TEXT("Engine", "Two-point size, smallest"), size.smallest_mm, mm, 5},
-             {LT_TEXT("Engine", "Two-point size range"), size.range_um, um},
-             {LT_TEXT("Engine", "Half of it: ovality by GOST 24642"), size.half_range_um, um},
-             {LT_TEXT("Engine", "Width between jaws, largest"), size.caliper_largest_mm, mm, 5},
-             {LT_TEXT("Engine", "Width between jaws, smallest"), size.caliper_smallest_mm, mm, 5}}};
+    return quantityTable(
+        LT_TEXT("Engine", "Sizes across the section"), result.two_point,
+        {"largest_mm", "smallest_mm", "range_um", "half_range_um", "caliper_largest_mm", "caliper_smallest_mm"});
 }
 
 QuantityTable paperTable(const RoundnessResult& result)
 {
-    const PaperValues& paper = result.paper;
-    return {LT_TEXT("Engine", "As in the source paper, about the origin of the coordinates; not roundness"),
-            {{LT_TEXT("Engine", "Radial run-out about the spindle axis"), paper.run_out_um, um},
-             {LT_TEXT("Engine", "Centre by the limaçon formula, x"), paper.limacon_centre_um.x(), um},
-             {LT_TEXT("Engine", "Centre by the limaçon formula, y"), paper.limacon_centre_um.y(), um}}};
+    return quantityTable(
+        LT_TEXT("Engine", "As in the source paper, about the origin of the coordinates; not roundness"), result.paper,
+        {"run_out_um", "limacon_centre_x_um", "limacon_centre_y_um"});
 }
 
 QuantityTable certaintyTable(const RoundnessResult& result)
 {
-    const std::string which(name(result.parameters.circle));
-    return {LT_TEXT("Engine", "Uncertainty"),
-            {{"RONt(" + which + ")", headlineDeviation_um(result), um},
-             {LT_TEXT("Engine", "Expanded uncertainty (95 %)"), result.RONt_expanded_uncertainty_um, um},
-             {LT_TEXT("Engine", "Standard deviation of a point"), result.point_noise_um, um}}};
+    QuantityTable table = quantityTable(LT_TEXT("Engine", "Uncertainty"), result,
+                                        {"RONt_um", "RONt_expanded_uncertainty_um", "point_noise_um"});
+    table.rows.front().name = "RONt(" + std::string(name(result.parameters.circle)) + ")";
+    return table;
 }
 
 Table overviewTable(const std::vector<RoundnessResult>& results, const Language& language)
 {
-    Table table{LT_TEXT("Engine", "All profiles"),
-                {LT_TEXT("Engine", "profile"), LT_TEXT("Engine", "filter"), LT_TEXT("Engine", "MZCI (µm)"),
-                 LT_TEXT("Engine", "LSCI (µm)"), LT_TEXT("Engine", "MICI (µm)"), LT_TEXT("Engine", "MCCI (µm)"),
-                 LT_TEXT("Engine", "U, 95 % (µm)"), LT_TEXT("Engine", "verdict")},
-                {},
-                {0, 0, 3, 3, 3, 3, 3, 0}};
-    for (const RoundnessResult& result : results)
-        table.rows.push_back({result.name, filterName(bandOf(result.parameters), language), result.circles.MZCI.RONt_um,
-                              result.circles.LSCI.RONt_um, result.circles.MICI.RONt_um, result.circles.MCCI.RONt_um,
-                              result.RONt_expanded_uncertainty_um,
-                              result.verdict ? Value(verdictName(*result.verdict)) : Value()});
+    Table table = listTable<RoundnessResult>(
+        LT_TEXT("Engine", "All profiles"), results,
+        {"name", "RONt_MZCI_um", "RONt_LSCI_um", "RONt_MICI_um", "RONt_MCCI_um", "RONt_expanded_uncertainty_um"});
+    table.columns.insert(table.columns.begin() + 1, LT_TEXT("Engine", "filter"));
+    table.decimals.insert(table.decimals.begin() + 1, 0);
+    table.columns.emplace_back(LT_TEXT("Engine", "verdict"));
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        std::vector<Value>& row = table.rows[i];
+        row.insert(row.begin() + 1, filterName(bandOf(results[i].parameters), language));
+        row.push_back(results[i].verdict ? Value(name(*results[i].verdict)) : Value());
+    }
     return table;
 }
 
@@ -129,8 +111,8 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
     Section summary = roundnessSummary(result, language);
     if (several) summary.title = result.name;
     document.sections.push_back(std::move(summary));
-    document.sections.push_back({LT_TEXT("Engine", "Where"), {roundnessPolarPlot(result, language)}});
-    Section spectrum{LT_TEXT("Engine", "What the form consists of"), {}};
+    document.sections.push_back({LT_TEXT("Engine", "Roundness plot"), {roundnessPolarPlot(result, language)}});
+    Section spectrum{LT_TEXT("Engine", "Harmonic content"), {}};
     if (!result.harmonics.empty()) {
         spectrum.blocks.push_back(spectrumPlot(result, language));
         spectrum.blocks.push_back(harmonicsTable(result));
@@ -138,7 +120,7 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
     spectrum.blocks.push_back(paperTable(result));
     document.sections.push_back(std::move(spectrum));
     document.sections.push_back(
-        {LT_TEXT("Engine", "How sure"),
+        {LT_TEXT("Engine", "Measurement uncertainty"),
          {certaintyTable(result), leastSquaresTable(result),
           Paragraph{LT_TEXT("Engine",
                             "The uncertainty is half of an interval about the value that holds the deviation without "
@@ -164,16 +146,6 @@ std::string filterName(const signal::ProfileBand& band, const Language& language
     return "G " + number(band.low_upr.value_or(1)) + "-" + number(*band.high_upr) + " UPR";
 }
 
-Text verdictName(FormVerdict verdict)
-{
-    switch (verdict) {
-        case FormVerdict::Pass: return LT_TEXT("Engine", "✓ within tolerance");
-        case FormVerdict::Fail: return LT_TEXT("Engine", "✗ out of tolerance");
-        case FormVerdict::Undecided: return LT_TEXT("Engine", "? not decided: too near the tolerance");
-    }
-    return {};
-}
-
 Headline headline(const RoundnessResult& result, const Language& language)
 {
     const double uncertainty = result.RONt_expanded_uncertainty_um;
@@ -188,13 +160,13 @@ Headline headline(const RoundnessResult& result, const Language& language)
                             {"uncertainty", fixed(uncertainty, decimals, language)}};
         const auto add = [&](Text words) { line += " · " + fill(text(words, language), values, language); };
         switch (*result.verdict) {
-            case FormVerdict::Pass: add(LT_TEXT("Engine", "within {tolerance} µm")); break;
-            case FormVerdict::Fail: add(LT_TEXT("Engine", "above {tolerance} µm")); break;
-            case FormVerdict::Undecided:
+            case Verdict::Pass: add(LT_TEXT("Engine", "within {tolerance} µm")); break;
+            case Verdict::Fail: add(LT_TEXT("Engine", "above {tolerance} µm")); break;
+            case Verdict::Undecided:
                 add(LT_TEXT("Engine", "? not decided: {tolerance} µm is within the uncertainty of {uncertainty} µm"));
                 break;
         }
-        if (*result.verdict != FormVerdict::Undecided) answer.verdict = *result.verdict == FormVerdict::Pass;
+        answer.verdict = passed(result.verdict);
     }
     line = keptTogether(line);
     return answer;
@@ -218,6 +190,7 @@ Document roundnessReport(const std::vector<RoundnessResult>& results, const std:
 {
     Document document;
     document.title = LT_TEXT("Engine", "Roundness");
+    document.verification = {&formVerification()};
     document.inputs = inputs;
     const bool several = results.size() > 1;
     if (several) document.sections.push_back({LT_TEXT("Engine", "Overview"), {overviewTable(results, language)}});

@@ -45,7 +45,4 @@ std::string filterName(const signal::ProfileBand& band, const Language& language
 /// Decimals that show the first two digits of an uncertainty, one to three; two where there is none.
 int decimalsFor(double uncertainty_um);
 
-/// "pass", "fail", "not decided" as they stand in tables.
-Text verdictName(FormVerdict verdict);
-
 }  // namespace lathelier::form

@@ -35,14 +35,18 @@ std::size_t drawsFor(std::size_t points)
 std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNoise& noise,
                                   const signal::ProfileBand& band, const Progress& progress)
 {
-    const std::vector<double>& angle = prepared.sampling.angle_rad;
-    std::vector<double> form = noise.form_um;
-    if (!band.isAll()) form = filterClosedAt(prepared.sampling, std::move(form), band, progress).values;
+    std::vector<double> filtered;
+    if (!band.isAll()) filtered = filterClosedAt(prepared.sampling, noise.form_um, band, progress).values;
+    const std::vector<double>& form = band.isAll() ? noise.form_um : filtered;
     std::vector<Vector2d> points;
-    points.reserve(angle.size());
-    for (std::size_t i = 0; i < angle.size(); ++i)
-        points.push_back(prepared.centre_mm +
-                         (prepared.radius_mm + form[i] / 1000) * Vector2d(std::cos(angle[i]), std::sin(angle[i])));
+    points.reserve(form.size());
+    for (std::size_t i = 0; i < form.size(); ++i) {
+        const Vector2d ray = prepared.points_mm[i] - prepared.centre_mm;
+        const double angle = prepared.sampling.angle_rad[i];
+        const Vector2d direction = prepared.distance_mm[i] > 0 ? Vector2d(ray / prepared.distance_mm[i])
+                                                               : Vector2d(std::cos(angle), std::sin(angle));
+        points.push_back(prepared.centre_mm + (prepared.radius_mm + form[i] / 1000) * direction);
+    }
     return points;
 }
 
@@ -215,17 +219,35 @@ Vector2d leastSquaresStep(const Zone& zone, const std::vector<double>& noise)
     return (inverse * right).head<2>();
 }
 
-/// The width of the zone about the centre that made `step`, in mm.
-double widthAfter(const Vector2d& step, const Zone& zone, const std::vector<double>& noise,
-                  const std::vector<std::size_t>& touching)
+struct Extent {
+    double nearest_mm = std::numeric_limits<double>::infinity(), farthest_mm = -nearest_mm;
+    double width_mm() const { return farthest_mm - nearest_mm; }
+};
+
+/// Of the zone about the centre that made `step`.
+Extent extentAfter(const Vector2d& step, const Zone& zone, const std::vector<double>& noise,
+                   const std::vector<std::size_t>& touching)
 {
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    Extent extent;
     for (const std::size_t i : touching) {
         const double distance = zone.distance_mm[i] + noise[i] - zone.direction[i].dot(step);
-        nearest = std::min(nearest, distance);
-        farthest = std::max(farthest, distance);
+        extent.nearest_mm = std::min(extent.nearest_mm, distance);
+        extent.farthest_mm = std::max(extent.farthest_mm, distance);
     }
-    return farthest - nearest;
+    return extent;
+}
+
+/// The centre's step that the circle takes, if it is not that of least squares.
+Vector2d minimaxStep(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
+                     ReferenceCircle which, double half)
+{
+    if (zone.fixed) return Vector2d::Zero();
+    LinearDistances<2> distances;
+    for (const std::size_t i : touching) distances.push(zone.distance_mm[i] + noise[i], zone.direction[i]);
+    const MinimaxGoal goal = which == ReferenceCircle::MZCI   ? MinimaxGoal::Width
+                             : which == ReferenceCircle::MICI ? MinimaxGoal::Nearest
+                                                              : MinimaxGoal::Farthest;
+    return minimax(distances, goal, half).step;
 }
 
 /// RONt of one draw (or of the quiet form, without noise), in mm.
@@ -233,18 +255,9 @@ double widthAfter(const Vector2d& step, const Zone& zone, const std::vector<doub
 double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
                       ReferenceCircle which, double half)
 {
-    Vector2d step = Vector2d::Zero();
-    if (which == ReferenceCircle::LSCI) {
-        step = leastSquaresStep(zone, noise);
-    } else if (!zone.fixed) {
-        LinearDistances<2> distances;
-        for (const std::size_t i : touching) distances.push(zone.distance_mm[i] + noise[i], zone.direction[i]);
-        const MinimaxGoal goal = which == ReferenceCircle::MZCI   ? MinimaxGoal::Width
-                                 : which == ReferenceCircle::MICI ? MinimaxGoal::Nearest
-                                                                  : MinimaxGoal::Farthest;
-        step = minimax(distances, goal, half).step;
-    }
-    return widthAfter(step, zone, noise, touching);
+    const Vector2d step = which == ReferenceCircle::LSCI ? leastSquaresStep(zone, noise)
+                                                         : minimaxStep(zone, noise, touching, which, half);
+    return extentAfter(step, zone, noise, touching).width_mm();
 }
 
 /// Long profiles: neighbours that lie on one piece of the form count as one. Of independent normal noise on m points
@@ -258,33 +271,51 @@ public:
         constexpr std::size_t enough = 16384, least = 4;
         const std::size_t width = points.size() / enough;
         if (width < least) return std::nullopt;
-        Blocks blocks(points, circle, width);
+        Blocks blocks(points, circle, width, noise.sigma_um / 1000);
         return blocks.areFlat(noise.sigma_um / 1000) ? std::optional(std::move(blocks)) : std::nullopt;
     }
 
     std::size_t count() const { return mean_.distance_mm.size(); }
 
-    /// RONt in mm of the form with the noise of one draw; of the form alone if `sigma_mm` is 0.
+    /// RONt in mm of the form alone.
+    double quietDeviation(ReferenceCircle which, double half) const
+    {
+        const std::vector<double> none(edges_.near.size(), 0.0), no_means(count(), 0.0);
+        const Vector2d step = stepOf(none, no_means, edges_.near, which, half);
+        return extentAfter(step, edges_, none, edges_.near).width_mm();
+    }
+
+    /// RONt in mm of the form with the noise of one draw.
     double deviation(std::uint64_t draw, double sigma_mm, ReferenceCircle which, double half) const
     {
-        std::vector<double> noise(2 * count(), 0.0);
-        Vector2d step = Vector2d::Zero();
-        if (which == ReferenceCircle::LSCI) {
-            std::vector<double> means(count(), 0.0);
-            for (std::size_t b = 0; sigma_mm > 0 && b < count(); ++b)
-                means[b] = sigma_mm / std::sqrt(width_) * randomNormal(seed + 1, draw, b);
-            step = leastSquaresStep(mean_, means);
+        std::vector<double> means;
+        if (which == ReferenceCircle::LSCI)
+            for (std::size_t b = 0; b < count(); ++b)
+                means.push_back(sigma_mm / std::sqrt(width_) * randomNormal(seed + 1, draw, b));
+        std::vector<double> noise(edges_.near.size(), 0.0);
+        std::vector<std::size_t> touching;
+        for (const bool all : {false, true}) {
+            touching.clear();
+            for (const std::size_t i : edges_.near) {
+                const double uniform = randomUniform(seed, draw, i);
+                if (!all && uniform > edges_.rarity[i]) continue;
+                noise[i] = (i % 2 == 0 ? -sigma_mm : sigma_mm) * largest(1 - uniform);
+                touching.push_back(i);
+            }
+            if (touching.empty()) continue;
+            const Vector2d step = stepOf(noise, means, touching, which, half);
+            const Extent extent = extentAfter(step, edges_, noise, touching);
+            // All others lie within the zone: else, which is rare, they are drawn as well.
+            const double least = beyond * sigma_mm + step.norm();
+            if (all ||
+                (extent.farthest_mm >= quiet_.farthest_mm + least && extent.nearest_mm <= quiet_.nearest_mm - least))
+                return extent.width_mm();
         }
-        for (std::size_t b = 0; sigma_mm > 0 && b < count(); ++b) {
-            noise[2 * b] = -sigma_mm * largest(draw, 2 * b);
-            noise[2 * b + 1] = sigma_mm * largest(draw, 2 * b + 1);
-        }
-        return which == ReferenceCircle::LSCI ? widthAfter(step, edges_, noise, edges_.near)
-                                              : drawnDeviation(edges_, noise, edges_.near, which, half);
+        return 0;
     }
 
 private:
-    Blocks(const std::vector<Vector2d>& points, const FittedCircle& circle, std::size_t width)
+    Blocks(const std::vector<Vector2d>& points, const FittedCircle& circle, std::size_t width, double sigma_mm)
         : width_(static_cast<double>(width))
     {
         edges_.fixed = circle.held;
@@ -307,7 +338,20 @@ private:
             add(edges_, nearest, direction);
             add(edges_, farthest, direction);
             add(mean_, (nearest + farthest) / 2, direction);
+            quiet_.nearest_mm = std::min(quiet_.nearest_mm, nearest);
+            quiet_.farthest_mm = std::max(quiet_.farthest_mm, farthest);
         }
+        for (std::size_t b = 0; b < count(); ++b) {
+            edges_.rarity.push_back(rarityOf(edges_.distance_mm[2 * b] - quiet_.nearest_mm, sigma_mm));
+            edges_.rarity.push_back(rarityOf(quiet_.farthest_mm - edges_.distance_mm[2 * b + 1], sigma_mm));
+        }
+    }
+
+    Vector2d stepOf(const std::vector<double>& noise, const std::vector<double>& means,
+                    const std::vector<std::size_t>& touching, ReferenceCircle which, double half) const
+    {
+        return which == ReferenceCircle::LSCI ? leastSquaresStep(mean_, means)
+                                              : minimaxStep(edges_, noise, touching, which, half);
     }
 
     /// Whether the form hardly changes within a block, beside the noise; in one of a hundred it may.
@@ -319,16 +363,23 @@ private:
         return 100 * steep <= count();
     }
 
-    /// The largest of as many normal deviates as a block has points.
-    double largest(std::uint64_t draw, std::size_t index) const
+    /// The share of draws that bring a block's edge, so `deep` within the form's, further than `beyond` outside that.
+    double rarityOf(double deep_mm, double sigma_mm) const
     {
-        const double uniform = 1.0 - randomUniform(seed, draw, index);  // never 0
-        return -Eigen::numext::ndtri(-std::expm1(std::log(uniform) / width_));
+        const double beyond_here = 0.5 * std::erfc((deep_mm / sigma_mm + beyond) / std::numbers::sqrt2);
+        return -std::expm1(width_ * std::log1p(-beyond_here));
     }
+
+    /// The largest of as many normal deviates as a block has points; `uniform` in (0, 1].
+    double largest(double uniform) const { return -Eigen::numext::ndtri(-std::expm1(std::log(uniform) / width_)); }
+
+    /// The noise of many blocks moves the zone's edges further out than this, in standard deviations.
+    static constexpr double beyond = 1;
 
     double width_;
     Zone edges_;  ///< of each block the nearest, then the farthest point of the form
     Zone mean_;
+    Extent quiet_;
 };
 
 }  // namespace
@@ -345,7 +396,7 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
     // Few points hardly tell correlated noise from form: found by simulation of the kinds in the tests.
     const double few = 1 + 6 / static_cast<double>(n);
     if (const auto blocks = plain ? Blocks::of(form, circle, noise) : std::nullopt) {
-        const double quiet = blocks->deviation(0, 0, which, half);
+        const double quiet = blocks->quietDeviation(which, half);
         std::vector<double> changes(drawsFor(blocks->count()));
         parallelFor(changes.size(), 1, progress, [&](std::size_t k, std::size_t) {
             changes[k] = 1000 * (blocks->deviation(k, noise.beyond_rounding_um / 1000, which, half) - quiet);

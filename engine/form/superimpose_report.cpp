@@ -1,21 +1,15 @@
+#include "engine/form/roundness_quantities.h"
 #include "engine/form/roundness_report.h"
+#include "engine/report/quantity_table.h"
 
 namespace lathelier::form {
 
 Section superimposeSection(const SuperimposeResult& result, const Language& language)
 {
-    const Text mm = LT_TEXT("Engine", "mm");
-    const Text um = LT_TEXT("Engine", "µm");
-    const QuantityTable figures{LT_TEXT("Engine", "The second profile laid on the first"),
-                                {{LT_TEXT("Engine", "Largest difference"), result.largest_difference_um, um},
-                                 {LT_TEXT("Engine", "Mean difference"), result.mean_difference_um, um},
-                                 {LT_TEXT("Engine", "Root mean square difference"), result.rms_difference_um, um},
-                                 {LT_TEXT("Engine", "Correlation of the forms"), result.correlation, {}, 4},
-                                 {LT_TEXT("Engine", "Turned by"), result.rotation_deg, LT_TEXT("Engine", "°"), 3},
-                                 {LT_TEXT("Engine", "Mirrored"), result.mirrored, {}},
-                                 {LT_TEXT("Engine", "Shifted by, x"), result.shift_mm.x(), mm, 5},
-                                 {LT_TEXT("Engine", "Shifted by, y"), result.shift_mm.y(), mm, 5},
-                                 {LT_TEXT("Engine", "Radius larger by"), result.radius_difference_mm, mm, 5}}};
+    const QuantityTable figures =
+        quantityTable(LT_TEXT("Engine", "The second profile laid on the first"), result,
+                      {"largest_difference_um", "mean_difference_um", "rms_difference_um", "correlation",
+                       "rotation_deg", "mirrored", "shift_x_mm", "shift_y_mm", "radius_difference_mm"});
     Plot plot;
     plot.title = LT_TEXT("Engine", "Both profiles");
     plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};

@@ -13,6 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
@@ -80,23 +81,24 @@ TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const signal::Ang
     const signal::ClosedInterpolation profile(sampling, distance);
     TwoPointSize result;
     struct Sizes {
-        double largest_mm = nan, smallest_mm = nan;
+        double largest_mm = -infinity, smallest_mm = infinity;
         std::size_t missing = 0;
     };
     const Sizes sizes = parallelReduce(
         distance.size(), 8192, progress, Sizes(),
         [&](std::size_t begin, std::size_t end) {
             Sizes part;
+            std::size_t place = (begin + distance.size() / 2) % distance.size();  // about opposite
             for (std::size_t i = begin; i < end; ++i) {
-                const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi);
-                part.largest_mm = std::fmax(part.largest_mm, size);
-                part.smallest_mm = std::fmin(part.smallest_mm, size);
+                const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi, place);
+                if (size > part.largest_mm) part.largest_mm = size;  // never where there is none: NaN
+                if (size < part.smallest_mm) part.smallest_mm = size;
                 part.missing += std::isnan(size);
             }
             return part;
         },
         [](const Sizes& all, const Sizes& part) {
-            return Sizes{std::fmax(all.largest_mm, part.largest_mm), std::fmin(all.smallest_mm, part.smallest_mm),
+            return Sizes{std::max(all.largest_mm, part.largest_mm), std::min(all.smallest_mm, part.smallest_mm),
                          all.missing + part.missing};
         });
     // Interpolation of noise may go a little beyond it; sizes of the points themselves cannot.

@@ -3,7 +3,7 @@
 
 #include "engine/core/random.h"
 #include "engine/form/cylindricity.h"
-#include "engine/form/verify_kinds.h"
+#include "engine/form/form_verification.h"
 
 namespace lathelier::form {
 namespace {

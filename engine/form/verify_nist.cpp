@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/form/circles.h"
-#include "engine/form/verify_kinds.h"
+#include "engine/form/form_verification.h"
 #include "engine/io/file.h"
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "engine/form/verify_kinds.h"
+#include "engine/form/form_verification.h"
 #include "engine/signal/closed_profile.h"
 
 namespace lathelier::form {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/utf8.h"
 #include "engine/io/encoding.h"
 #include "engine/io/file.h"
 #include "engine/io/windows1252.h"
@@ -21,17 +22,6 @@ std::string asUtf8(std::string_view word)
     } catch (const Error&) {
         return std::string(decodeText(word, Encoding::Latin1).view());
     }
-}
-
-/// At most so many characters.
-std::string shortened(std::string_view word, std::size_t most)
-{
-    std::size_t end = 0;
-    for (std::size_t count = 0; end < word.size(); ++end) {
-        const bool starts = (static_cast<unsigned char>(word[end]) & 0xC0) != 0x80;
-        if (starts && ++count > most) break;
-    }
-    return std::string(word.substr(0, end));
 }
 
 /// One line; blanks in place of what would end it.
@@ -73,7 +63,8 @@ std::string_view limitKind(const std::optional<double>& limit, bool isNatural)
 void addCharacteristic(std::string& out, const QdasCharacteristic& characteristic, std::size_t index)
 {
     addWord(out, fieldOf("K2001", index), characteristic.number);
-    addWord(out, fieldOf("K2002", index), shortened(characteristic.description, longestDescription));
+    addWord(out, fieldOf("K2002", index),
+            std::string(firstCharacters(characteristic.description, longestDescription)));
     addLine(out, fieldOf("K2004", index), "0");  // measured values
     addLine(out, fieldOf("K2022", index), std::to_string(characteristic.decimals));
     addNumber(out, fieldOf("K2101", index), characteristic.nominal);

@@ -13,25 +13,6 @@ namespace {
 
 constexpr std::size_t checkMask = 0xFFFFF;  ///< a look at the progress every million characters
 
-void appendUtf8(std::string& out, char32_t c)
-{
-    if (c < 0x80) {
-        out += static_cast<char>(c);
-    } else if (c < 0x800) {
-        out += static_cast<char>(0xC0 | (c >> 6));
-        out += static_cast<char>(0x80 | (c & 0x3F));
-    } else if (c < 0x10000) {
-        out += static_cast<char>(0xE0 | (c >> 12));
-        out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-        out += static_cast<char>(0x80 | (c & 0x3F));
-    } else {
-        out += static_cast<char>(0xF0 | (c >> 18));
-        out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
-        out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-        out += static_cast<char>(0x80 | (c & 0x3F));
-    }
-}
-
 /// What typesetting programs put in place of a plain blank, minus or apostrophe.
 char32_t plainCharacter(char32_t c)
 {
@@ -256,9 +237,7 @@ DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress
 
 std::int64_t columnAt(std::string_view line, std::size_t offset)
 {
-    const std::string_view before = line.substr(0, offset);
-    return 1 + std::count_if(before.begin(), before.end(),
-                             [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    return 1 + static_cast<std::int64_t>(countCharacters(line.substr(0, offset)));
 }
 
 std::string excerpt(std::string_view text)

@@ -1,38 +1,69 @@
-// What every reader asks first: is this text at all, or a file of a foreign kind?
+// Kinds of file, each described once: inspect, drag and drop, file dialogs, import lines and the inputs of panels read
+// this. A room with files of its own describes them in a header of its own; who reads them names them in the table of
+// verbs or panels.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "engine/core/text.h"
-#include "engine/io/encoding.h"
+#include "engine/core/fields.h"
+#include "engine/core/progress.h"
+#include "engine/io/import.h"
+#include "engine/io/input_files.h"
 
 namespace lathelier {
 
-/// Throws Error formatUnknown for kinds of files that a person may well drop here and that hold none of our data
-/// (pictures, archives, documents…). `expected` says what would be right.
-void refuseForeign(std::string_view bytes, Text expected);
+/// How much the head of a file speaks for a kind. Possible: nothing speaks against it.
+enum class Likeness { No, Possible, Likely, Certain };
 
-/// Throws Error formatUnknown when the name of a file says that it is of a foreign kind ("part.step", "fit.py"). Where
-/// a table of numbers is read, `isTable`, a name that promises a mesh or a scan is foreign too.
-void refuseForeignName(std::string_view name, bool isTable, Text expected);
+/// A file that is to be read in full.
+struct FileToRead {
+    std::string path;
+    std::string_view bytes;
+    const Values& reading;  ///< ImportOptions and those of the kind
+    InputFiles& inputs;     ///< where further files that belong to it are opened
+    const Progress& progress;
+};
 
-/// Throws Error formatUnknown (`line`, `column`) for the source text of a program and for JSON: their numbers are no
-/// rows of measured values.
-void refuseProgram(std::string_view text, Text expected);
+struct FileKind {
+    std::string key;                 ///< "probe_record"
+    Text name;                       ///< "Probe records", for file dialogs
+    std::string patterns;            ///< "*.csv *.dat *.par"
+    std::vector<FieldInfo> reading;  ///< what such a file may leave open, besides ImportOptions
+    Values reading_defaults;         ///< of these fields
+    /// What the first headForKind bytes say. Never throws for a file of another kind; may look at the name and at the
+    /// files beside.
+    std::function<Likeness(const std::string& path, std::string_view head, const Values& reading)> sniff;
+    /// "What I understood of this file", for inspect. Errors of its reader.
+    std::function<FileFacts(const FileToRead& file, Notes& notes)> facts;
+    /// Of a list of paths, each file once where several make one (.dat and .par); none: as they are.
+    std::function<std::vector<std::string>(const std::vector<std::string>& paths)> counted_once = {};
+};
 
-/// True for Q-DAS: the first line is a K-field.
-bool looksLikeQdas(std::string_view text);
+using FileKinds = std::vector<const FileKind*>;
 
-/// Throws Error formatUnknown (`byte` 0, `found`, `expected`).
-[[noreturn]] void throwUnknownFormat(Text found, Text expected);
+/// The kind that the head of a file speaks for most, the first of equals; nullptr when all say no.
+const FileKind* likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head,
+                              const Values& reading);
 
-/// The text of a file of numbers. Errors fileEmpty, formatUnknown (foreign, binary, or with more than a disk's cluster
-/// of filling behind it), malformed (encoding).
-DecodedText readableText(std::string_view bytes, Encoding encoding, Text expected, const Progress& progress);
+/// The same for a file on the disk, and how much it speaks for it. No where it cannot be read.
+struct KindFound {
+    const FileKind* kind = nullptr;
+    Likeness likeness = Likeness::No;
+};
+KindFound findKind(const FileKinds& kinds, const std::string& path, const Values& reading = {});
 
-/// The same for a table: what its name or its content says to be something else is refused (formatUnknown): a mesh, a
-/// Q-DAS file, the source text of a program. An empty name says nothing.
-DecodedText readableTable(std::string_view name, std::string_view bytes, Encoding encoding, Text expected,
-                          const Progress& progress);
+/// Adds to `kinds` those of `more` that are not in it yet.
+void unite(FileKinds& kinds, const FileKinds& more);
+
+/// Clouds and meshes; also any table that is nothing else.
+const FileKind& scanFiles();
+const FileKind& profileFiles();
+/// Tables and L-Graph pairs.
+const FileKind& probeRecordFiles();
+/// Q-DAS characteristics.
+const FileKind& qdasFiles();
 
 }  // namespace lathelier

@@ -45,6 +45,13 @@ inline constexpr ErrorCode formatUnknown{
 inline constexpr ErrorCode malformed{"malformed", ErrorKind::InputRejected,
                                      LT_TEXT("Engine", "Found “{found}”, expected {expected}.")};
 
+inline constexpr ErrorCode keyMissing{"key_missing", ErrorKind::InputRejected,
+                                      LT_TEXT("Engine", "The key {key} is missing; expected {expected}.")};
+
+inline constexpr ErrorCode keyOutOfRange{
+    "key_out_of_range", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "{key} is {found}; expected a value from {minimum} to {maximum}.")};
+
 inline constexpr ErrorCode truncated{
     "truncated", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The file ends early: {found} of {expected} {items} are there.")};
@@ -86,6 +93,10 @@ inline constexpr ErrorCode recordContradicts{
 }  // namespace errors
 
 namespace notes {
+
+inline constexpr NoteCode unknownKey{
+    "unknown_key", Severity::Warning,
+    LT_TEXT("Engine", "Line {line}, column {column}: the key {key} is not known; it changes nothing.")};
 
 inline constexpr NoteCode unitGuessed{
     "unit_guessed", Severity::Warning,

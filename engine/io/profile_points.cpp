@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/parallel.h"
 #include "engine/io/column_names.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/io_codes.h"
@@ -174,15 +175,16 @@ void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions
     else
         settleAngleUnit(raw);
     std::vector<Eigen::Vector2d>& points = raw.file.profile.points_mm;
-    points.reserve(raw.rows.rows);
+    points.resize(raw.rows.rows);
     const double count = static_cast<double>(raw.rows.rows);
-    for (std::size_t i = 0; i < raw.rows.rows; ++i) {
-        if ((i & 0xFFFF) == 0) progress.check();
-        const double angle_rad = isTrace ? 2 * std::numbers::pi * static_cast<double>(i) / count
-                                         : raw.at(i, 0) * raw.choice.degreesPerUnit * (std::numbers::pi / 180);
-        const double r_mm = added_mm + raw.at(i, raw.width() - 1) * unit.mm;
-        points.emplace_back(r_mm * std::cos(angle_rad), r_mm * std::sin(angle_rad));
-    }
+    parallelFor(raw.rows.rows, 0x8000, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double angle_rad = isTrace ? 2 * std::numbers::pi * static_cast<double>(i) / count
+                                             : raw.at(i, 0) * raw.choice.degreesPerUnit * (std::numbers::pi / 180);
+            const double r_mm = added_mm + raw.at(i, raw.width() - 1) * unit.mm;
+            points[i] = {r_mm * std::cos(angle_rad), r_mm * std::sin(angle_rad)};
+        }
+    });
     raw.file.facts.format = isTrace ? "roundness_trace" : "profile_polar";
     set(raw.file.facts.details, "columns_read", std::string(isTrace ? "r" : "angle,r"));
 }

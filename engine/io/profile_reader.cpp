@@ -1,7 +1,7 @@
 #include "engine/io/profile_reader.h"
 
 #include "engine/io/file.h"
-#include "engine/io/file_kind.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"

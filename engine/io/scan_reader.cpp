@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "engine/io/file.h"
-#include "engine/io/file_kind.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/ply_header.h"

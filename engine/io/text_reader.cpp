@@ -6,7 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/io/column_names.h"
-#include "engine/io/file_kind.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe_columns.h"
 #include "engine/io/raw_scan.h"

@@ -6,7 +6,7 @@ namespace lathelier {
 
 const std::vector<MigrationStep>& migrationSteps()
 {
-    static const std::vector<MigrationStep> steps;
+    static const std::vector<MigrationStep> steps{[](Json& json) { json["items"] = Json::object(); }};
     return steps;
 }
 

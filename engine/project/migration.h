@@ -8,12 +8,13 @@
 namespace lathelier {
 
 /// The format version this program writes. Raise it, and add a step, whenever an older program would misread the file.
-inline constexpr int projectVersion = 1;
+inline constexpr int projectVersion = 2;
 
 /// Turns one format version into the next.
 using MigrationStep = void (*)(Json&);
 
-/// The steps of this program: the first turns version 1 into 2, and so on. Version 1 is the first one.
+/// The steps of this program: the first turns version 1 into 2, and so on. Version 1 is the first one; 2 has items, and
+/// inputs that are items.
 const std::vector<MigrationStep>& migrationSteps();
 
 /// Applies the steps from version `from` on and sets "version" to where they lead.

@@ -1,8 +1,10 @@
 #include "engine/project/project.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/core/json.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project_codes.h"
@@ -42,6 +44,43 @@ std::string writeProject(const std::string& path, const Project& project)
     const std::string text = toJsonText(project, folderOf(path));
     writeFile(path, text);
     return sha256(text);
+}
+
+PanelState resolved(const Project& project, const std::string& id)
+{
+    const auto panel = project.panels.find(id);
+    if (panel == project.panels.end()) return {};
+    PanelState state = panel->second;
+    for (const auto& [role, source] : state.inputs)
+        if (const auto item = project.items.find(source.item); item != project.items.end())
+            state.items[role] = item->second;
+    return state;
+}
+
+std::string stateDigest(const PanelState& state)
+{
+    Json json{{"inputs", Json::object()}, {"parameters", toJson(state.parameters)}};
+    for (const auto& [role, source] : state.inputs)
+        json["inputs"][role] = {{"content", source.sha256.empty() ? source.path + source.item : source.sha256},
+                                {"import", toJson(source.import)}};
+    return sha256(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+Origin originOf(const Project& project, const std::string& id, const std::string& version)
+{
+    Origin origin{id, version, {}, {}};
+    const auto panel = project.panels.find(id);
+    const PanelState state = panel == project.panels.end() ? PanelState() : panel->second;
+    origin.state_sha256 = stateDigest(state);
+    for (const auto& [role, source] : state.inputs)
+        if (!source.sha256.empty()) origin.inputs.push_back(source.sha256);
+    return origin;
+}
+
+bool isOutdated(const Project& project, const Item& item)
+{
+    if (item.origin.panel.empty()) return false;
+    return originOf(project, item.origin.panel, {}).state_sha256 != item.origin.state_sha256;
 }
 
 Notes checkSources(const Project& project, const Progress& progress)

@@ -13,17 +13,36 @@ namespace lathelier {
 
 /// An input file of a panel, with the decisions made at import.
 struct Source {
-    std::string path;    ///< absolute in memory, relative to the project file on disk
+    std::string path;    ///< absolute in memory, relative to the project file on disk; empty: an item
     Values import;       ///< ImportOptions as values
     std::string sha256;  ///< of the content last read; empty: not read yet
     bool synthetic = false;
+    std::string item = {};  ///< name of an item of the project, in place of a file; empty: a file
     friend bool operator==(const Source&, const Source&) = default;
+};
+
+/// Where an item came from: the panel that made it, and what it was made of.
+struct Origin {
+    std::string panel;                ///< its id; empty: not made by a panel (typed, from a library)
+    std::string version;              ///< of the program
+    std::string state_sha256;         ///< of the panel's state at that time: stateDigest()
+    std::vector<std::string> inputs;  ///< SHA-256 of its input files
+    friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+/// A shaft, an FRF, a machine, a material… made in one panel and used in others, by its description (toValues()).
+struct Item {
+    std::string kind;  ///< "shaft"
+    Values values;
+    Origin origin;
+    friend bool operator==(const Item&, const Item&) = default;
 };
 
 /// What a panel works on. Its parameters are those of its fields<P>().
 struct PanelState {
     std::map<std::string, Source> inputs;  ///< by role: "reference", "copy"
     Values parameters;
+    std::map<std::string, Item> items = {};  ///< of inputs that are items, by role: filled by resolved(), not saved
     friend bool operator==(const PanelState&, const PanelState&) = default;
 };
 
@@ -32,12 +51,26 @@ struct Project {
     std::string workspace = "inspection";
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
+    std::map<std::string, Item> items;         ///< by name
     friend bool operator==(const Project&, const Project&) = default;
 };
 
-/// Reads a project file (JSON, format version 1; see project_json.h). Older versions are migrated, newer ones refused.
+/// The state of panel `id` with the items that its inputs name; empty when the project has none. An item that is not
+/// there leaves its input without a value.
+PanelState resolved(const Project& project, const std::string& id);
+
+/// Tells states apart: SHA-256 over inputs (their content where it is known) and parameters.
+std::string stateDigest(const PanelState& state);
+
+/// The origin of what panel `id` makes now.
+Origin originOf(const Project& project, const std::string& id, const std::string& version);
+
+/// Has the panel that made the item another state by now? False for an item that no panel made.
+bool isOutdated(const Project& project, const Item& item);
+
+/// Reads a project file (JSON, see project_json.h). Older format versions are migrated, newer ones refused.
 /// Source paths come out absolute; the sources themselves are not looked at. Errors: those of FileBytes, fileEmpty,
-/// malformed (line, column; also more than 1000 panels, 1000 inputs of a panel or 10 000 ranges of a parameter),
+/// malformed (line, column; also more than 1000 panels or items, 1000 inputs of a panel or a list of more than 10 000),
 /// versionTooNew.
 struct ProjectFile {
     Project project;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/project/json_text.h"
+#include "engine/io/json_document.h"
 #include "engine/project/migration.h"
 #include "engine/project/project_codes.h"
 
@@ -18,80 +18,6 @@ constexpr const char* formatName = "lathelier-project";
 constexpr std::size_t mostPanels = 1000;
 constexpr std::size_t mostInputs = 1000;
 constexpr std::size_t mostParameters = 1000;
-constexpr std::size_t mostRanges = 10000;
-
-/// A value that is not what is expected at its place.
-struct Misfit {
-    JsonPath path;
-    Value expected;
-};
-
-/// A value of the file together with the way to it.
-class Cursor {
-public:
-    Cursor(const Json& json, JsonPath path) : json_(json), path_(std::move(path)) {}
-
-    [[noreturn]] void reject(Value expected) const { throw Misfit{path_, std::move(expected)}; }
-
-    std::string string() const
-    {
-        if (!json_.is_string()) reject(LT_TEXT("Engine", "a text"));
-        return json_.get<std::string>();
-    }
-
-    bool flag() const
-    {
-        if (!json_.is_boolean()) reject(LT_TEXT("Engine", "true or false"));
-        return json_.get<bool>();
-    }
-
-    /// Calls use(key, value) for each member.
-    template <class Use>
-    void members(std::size_t most, Use use) const
-    {
-        if (!json_.is_object()) reject(LT_TEXT("Engine", "an object"));
-        if (json_.size() > most) reject(LT_TEXT("Engine", "fewer members"));
-        for (const auto& [name, value] : json_.items()) use(name, Cursor(value, inside(name)));
-    }
-
-    template <class Use>
-    void items(std::size_t most, Use use) const
-    {
-        if (!json_.is_array()) reject(LT_TEXT("Engine", "a list"));
-        if (json_.size() > most) reject(LT_TEXT("Engine", "a shorter list"));
-        for (std::size_t i = 0; i < json_.size(); ++i) use(Cursor(json_[i], inside(std::to_string(i))));
-    }
-
-    Value value() const
-    {
-        constexpr auto largest = static_cast<std::uint64_t>(INT64_MAX);
-        const bool tooLarge = json_.is_number_unsigned() && json_.get<std::uint64_t>() > largest;
-        if (json_.is_array() && json_.size() > mostRanges) reject(LT_TEXT("Engine", "fewer ranges"));
-        Value result = tooLarge ? Value() : valueFromJson(json_);
-        if (!json_.is_null() && std::holds_alternative<std::monostate>(result))
-            reject(LT_TEXT("Engine", "a number, a text, true, false, null or ranges"));
-        return result;
-    }
-
-    Values values() const
-    {
-        Values result;
-        members(mostParameters,
-                [&](const std::string& name, const Cursor& member) { set(result, name, member.value()); });
-        return result;
-    }
-
-private:
-    JsonPath inside(const std::string& step) const
-    {
-        JsonPath result = path_;
-        result.push_back(step);
-        return result;
-    }
-
-    const Json& json_;
-    JsonPath path_;
-};
 
 Value oneOf(const char* names)
 {
@@ -111,12 +37,14 @@ std::string relativePath(const std::string& path, const fs::path& folder)
     return result.empty() ? path : result;
 }
 
-Source parseSource(const Cursor& cursor, const fs::path& folder)
+Source parseSource(const JsonCursor& cursor, const fs::path& folder)
 {
     Source source;
-    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
         if (key == "path")
             source.path = absolutePath(member.string(), folder);
+        else if (key == "item")
+            source.item = member.string();
         else if (key == "import")
             source.import = member.values();
         else if (key == "sha256")
@@ -124,17 +52,17 @@ Source parseSource(const Cursor& cursor, const fs::path& folder)
         else if (key == "synthetic")
             source.synthetic = member.flag();
         else
-            member.reject(oneOf("path | import | sha256 | synthetic"));
+            member.reject(oneOf("path | item | import | sha256 | synthetic"));
     });
     return source;
 }
 
-PanelState parsePanel(const Cursor& cursor, const fs::path& folder)
+PanelState parsePanel(const JsonCursor& cursor, const fs::path& folder)
 {
     PanelState panel;
-    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
         if (key == "inputs")
-            member.members(mostInputs, [&](const std::string& role, const Cursor& source) {
+            member.members(mostInputs, [&](const std::string& role, const JsonCursor& source) {
                 panel.inputs[role] = parseSource(source, folder);
             });
         else if (key == "parameters")
@@ -145,59 +73,115 @@ PanelState parsePanel(const Cursor& cursor, const fs::path& folder)
     return panel;
 }
 
-Project parseBody(const Cursor& cursor, const fs::path& folder)
+Origin parseOrigin(const JsonCursor& cursor)
+{
+    Origin origin;
+    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+        if (key == "panel")
+            origin.panel = member.string();
+        else if (key == "version")
+            origin.version = member.string();
+        else if (key == "state_sha256")
+            origin.state_sha256 = member.string();
+        else if (key == "inputs")
+            member.items(mostInputs, [&](const JsonCursor& input) { origin.inputs.push_back(input.string()); });
+        else
+            member.reject(oneOf("panel | version | state_sha256 | inputs"));
+    });
+    return origin;
+}
+
+Item parseItem(const JsonCursor& cursor)
+{
+    Item item;
+    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+        if (key == "kind")
+            item.kind = member.string();
+        else if (key == "values")
+            item.values = member.values();
+        else if (key == "origin")
+            item.origin = parseOrigin(member);
+        else
+            member.reject(oneOf("kind | values | origin"));
+    });
+    return item;
+}
+
+Project parseBody(const JsonCursor& cursor, const fs::path& folder)
 {
     Project project;
-    cursor.members(mostParameters, [&](const std::string& key, const Cursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
         if (key == "title")
             project.title = member.string();
         else if (key == "workspace")
             project.workspace = member.string();
         else if (key == "panels")
-            member.members(mostPanels, [&](const std::string& id, const Cursor& panel) {
+            member.members(mostPanels, [&](const std::string& id, const JsonCursor& panel) {
                 project.panels[id] = parsePanel(panel, folder);
             });
+        else if (key == "items")
+            member.members(mostPanels, [&](const std::string& name, const JsonCursor& item) {
+                project.items[name] = parseItem(item);
+            });
         else if (key == "report")
-            member.items(mostPanels, [&](const Cursor& id) { project.report.push_back(id.string()); });
+            member.items(mostPanels, [&](const JsonCursor& id) { project.report.push_back(id.string()); });
         else if (key != "format" && key != "version")
-            member.reject(oneOf("format | version | title | workspace | panels | report"));
+            member.reject(oneOf("format | version | title | workspace | panels | items | report"));
     });
     return project;
 }
 
-int readVersion(const Json& json)
+int readVersion(const JsonCursor& root)
 {
-    if (!json.is_object() || json.value("format", Json()) != formatName)
-        throw Misfit{json.is_object() && json.contains("format") ? JsonPath{"format"} : JsonPath{},
-                     LT_TEXT("Engine", "a Lathelier project")};
-    const Json version = json.value("version", Json());
-    if (!version.is_number_integer() || version < 1)
-        throw Misfit{{"version"}, LT_TEXT("Engine", "a format version from 1")};
-    if (version > projectVersion)
-        throw Error(errors::versionTooNew, {{"found", version.dump()}, {"maximum", std::int64_t{projectVersion}}});
-    return version.get<int>();
+    const Value wanted = LT_TEXT("Engine", "a Lathelier project");
+    if (!root.isObject()) root.reject(wanted);
+    const auto format = root.member("format");
+    if (!format) root.reject(wanted);
+    if (format->value() != Value(std::string(formatName))) format->reject(wanted);
+    const auto version = root.member("version");
+    const Value versions = LT_TEXT("Engine", "a format version from 1");
+    if (!version) root.reject(versions);
+    const Value number = version->value();
+    const auto* whole = std::get_if<std::int64_t>(&number);
+    if (!whole || *whole < 1) version->reject(versions);
+    if (*whole > projectVersion)
+        throw Error(errors::versionTooNew,
+                    {{"found", std::to_string(*whole)}, {"maximum", std::int64_t{projectVersion}}});
+    return static_cast<int>(*whole);
 }
 
 Json toJson(const Source& source, const fs::path& folder)
 {
-    Json result{{"path", relativePath(source.path, folder)}};
+    Json result = Json::object();
+    if (source.item.empty())
+        result["path"] = relativePath(source.path, folder);
+    else
+        result["item"] = source.item;
     if (!source.import.empty()) result["import"] = toJson(source.import);
     if (!source.sha256.empty()) result["sha256"] = source.sha256;
     if (source.synthetic) result["synthetic"] = true;
     return result;
 }
 
+Json toJson(const Item& item)
+{
+    return {{"kind", item.kind},
+            {"values", toJson(item.values)},
+            {"origin",
+             {{"panel", item.origin.panel},
+              {"version", item.origin.version},
+              {"state_sha256", item.origin.state_sha256},
+              {"inputs", item.origin.inputs}}}};
+}
+
 }  // namespace
 
 Project parseProject(std::string_view text, const fs::path& folder)
 {
-    Json json = parseJson(text);
-    try {
-        migrate(json, readVersion(json), migrationSteps());
-        return parseBody(Cursor(json, {}), folder);
-    } catch (const Misfit& wrong) {
-        throw misfit(text, wrong.path, wrong.expected);
-    }
+    JsonDocument document{std::string(text)};
+    const int version = readVersion(document.root());
+    migrate(document.json(), version, migrationSteps());
+    return parseBody(document.root(), folder);
 }
 
 std::string toJsonText(const Project& project, const fs::path& folder)
@@ -213,6 +197,8 @@ std::string toJsonText(const Project& project, const fs::path& folder)
         for (const auto& [role, source] : panel.inputs) state["inputs"][role] = toJson(source, folder);
         state["parameters"] = toJson(panel.parameters);
     }
+    json["items"] = Json::object();
+    for (const auto& [name, item] : project.items) json["items"][name] = toJson(item);
     json["report"] = project.report;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -244,7 +244,7 @@ struct LeftOut {
 };
 
 /// Statistics, verdict and histogram. Error partsDoNotMatch when too little of the copy lies near the reference.
-void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm,
+void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm, CompareDetail detail,
                          const Progress& progress)
 {
     const std::vector<float> deviations = finiteOf(result.deviation_mm);
@@ -255,7 +255,7 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     result.statistics = summarise(deviations, progress);
     result.statistics.points_excluded = static_cast<std::int64_t>(result.used.size() - deviations.size());
     result.statistics.overlap_percent = 100 * static_cast<double>(deviations.size()) / count;
-    result.histogram = histogramOf(deviations, progress);
+    if (detail == CompareDetail::Full) result.histogram = histogramOf(deviations, progress);
     if (left_out.far > 0)
         result.notes.push_back({notes::outliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
     if (left_out.zones > 0) result.notes.push_back({notes::zonesExcluded, {{"count", left_out.zones}}});
@@ -265,7 +265,7 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
 }  // namespace
 
 CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const CompareParameters& parameters,
-                      const Progress& progress)
+                      const Progress& progress, CompareDetail detail)
 {
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
     const SurfacePoints reference_surface = surfaceOf(reference_scan, "reference", progress);
@@ -338,7 +338,11 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         left_out.far += result.used[i] ? 0 : 1;
     }
     if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
-    summariseDeviations(result, left_out, reach_mm, measuring);
+    summariseDeviations(result, left_out, reach_mm, detail, measuring);
+    if (detail == CompareDetail::Summary) {
+        progress.report(1);
+        return result;
+    }
     if (line) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
     const CloudFigure clouds =
         compareClouds(reference_points, moved_copy, result.used, reach_mm,

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
@@ -82,8 +83,6 @@ struct UnrolledMap {
     std::vector<float> mean_mm;
 };
 
-enum class Verdict { Pass, Fail };
-
 struct CompareResult {
     CompareParameters parameters;  ///< as asked
     CompareMethod method_used = CompareMethod::Plane;
@@ -109,11 +108,15 @@ struct CompareResult {
     Notes notes;  ///< those of the alignment included
 };
 
+/// Summary: only what the verdict needs; histogram, zones, meridian, map and the figures from cloud to cloud stay as in
+/// a fresh result. Numbers and notes are the same.
+enum class CompareDetail { Full, Summary };
+
 /// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.
 /// Errors: tooFewPoints, pointsDegenerate, partsDoNotMatch (with overlap_percent), notConverged,
 /// notABodyOfRevolution with `reason` and coverageTooSmall (when asked for method revolution). Throws Cancelled.
 /// Where one of the two scans is at fault, the error names its `role`.
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
-                      const Progress& progress = {});
+                      const Progress& progress = {}, CompareDetail detail = CompareDetail::Full);
 
 }  // namespace lathelier::registration

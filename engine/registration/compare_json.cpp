@@ -46,7 +46,7 @@ Json toJson(const CompareResult& result)
     json["p2_5_mm"] = withSign(s.p2_5_mm);
     json["p97_5_mm"] = withSign(s.p97_5_mm);
     json["within_tolerance_percent"] = number(result.within_tolerance_percent);
-    json["verdict"] = result.verdict ? Json(*result.verdict == Verdict::Pass ? "pass" : "fail") : Json(nullptr);
+    json["verdict"] = result.verdict ? Json(key(*result.verdict)) : Json(nullptr);
     json["distinguishable_from_scanner"] =
         result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);
     json["cloud_to_cloud_rmse_mm"] = number(result.cloud_to_cloud_rmse_mm);

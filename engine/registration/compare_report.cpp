@@ -2,6 +2,7 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_plots.h"
+#include "engine/registration/registration_verification.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
@@ -60,11 +61,7 @@ QuantityTable verdictTable(const CompareResult& result)
     const CompareParameters& asked = result.parameters;
     QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     if (result.verdict) {
-        const bool pass = *result.verdict == Verdict::Pass;
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Verdict"),
-             pass ? Value(LT_TEXT("Engine", "within tolerance")) : Value(LT_TEXT("Engine", "out of tolerance")),
-             {}});
+        table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
         table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
         table.rows.push_back(
             {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
@@ -156,7 +153,7 @@ Table transformTable(const CompareResult& result)
 
 Section whereSection(const CompareResult& result, const Language& language, std::vector<Picture> pictures)
 {
-    Section section{LT_TEXT("Engine", "Where"), {}};
+    Section section{LT_TEXT("Engine", "Deviation map"), {}};
     section.blocks.push_back(
         result.has_sign
             ? Paragraph{LT_TEXT("Engine",
@@ -179,7 +176,7 @@ Section whereSection(const CompareResult& result, const Language& language, std:
 
 Section certaintySection(const CompareResult& result)
 {
-    Section section{LT_TEXT("Engine", "How sure"), {alignmentTable(result), paperTable(result)}};
+    Section section{LT_TEXT("Engine", "Measurement uncertainty"), {alignmentTable(result), paperTable(result)}};
     section.blocks.push_back(Paragraph{
         LT_TEXT("Engine",
                 "The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring "
@@ -207,9 +204,7 @@ Headline headline(const CompareResult& result, const Language& language)
                  {{"share", fixed(*result.within_tolerance_percent, 1, language)},
                   {"tolerance", *result.parameters.tolerance_mm}},
                  language));
-    std::optional<bool> pass;
-    if (result.verdict) pass = *result.verdict == Verdict::Pass;
-    return {keptTogether(line), pass};
+    return {keptTogether(line), passed(result.verdict)};
 }
 
 Section compareSummary(const CompareResult& result, const Language& language)
@@ -225,6 +220,7 @@ Document compareReport(const CompareResult& result, const std::vector<InputFile>
 {
     Document document;
     document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
+    document.verification = {&registrationVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections = {compareSummary(result, language),

@@ -168,8 +168,10 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
         for (std::size_t k = from; k < to; ++k) radii.push_back(points[by_z.items[k]].r);
         const std::size_t least = std::max<std::size_t>(6, radii.size() * 8 / 100);
         if (radii.size() < 2 * least) continue;
-        std::sort(radii.begin(), radii.end());
         const double gap = std::min(kGap_mm, 0.05 * largest);
+        const auto [smallest, greatest] = std::minmax_element(radii.begin(), radii.end());
+        if (*greatest - *smallest < gap) continue;
+        std::sort(radii.begin(), radii.end());
         for (std::size_t place = least; place + least <= radii.size(); ++place) {  // the innermost gap
             const double wide = radii[place] - radii[place - 1];
             if (wide < gap || wide < 8 * scatterOf(0, place)) continue;

@@ -51,7 +51,11 @@ bool centreOf(const std::vector<Residual>& section, double reach_mm, Centre& cen
         value += change;
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
         std::nth_element(sizes.begin(), middle, sizes.end());
+        const double before = scale;
         scale = std::clamp(6 * 1.4826 * *middle, 1e-9 * reach_mm, reach_mm);
+        // Done: another round would change no more than a hundredth of the standard error.
+        const double error = scale / 6 / std::sqrt(static_cast<double>(section.size()));
+        if (change.norm() < 0.01 * error && std::abs(scale - before) < 0.01 * scale) break;
     }
     const Eigen::Matrix3d covariance = normal.inverse() * (scale * scale / 36);
     centre.place = value.tail<2>();

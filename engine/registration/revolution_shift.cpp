@@ -2,13 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace lathelier::registration {
 namespace {
 
-/// Cost of one shift: mean difference of the radii, capped, plus half the cap for what does not overlap.
-double costOf(const RadiusProfile& reference, const RadiusProfile& copy, double shift, double cap, std::size_t stride)
+/// Between the middles of two bins; NaN where there is none.
+double radiusAt(const RadiusProfile& p, double z)
+{
+    const double place = (z - p.z_start_mm) / p.step_mm - 0.5;
+    if (!(place >= 0) || place >= static_cast<double>(p.size()) - 1) return std::numeric_limits<double>::quiet_NaN();
+    const auto i = static_cast<std::size_t>(place);
+    const double t = place - static_cast<double>(i);
+    return (1 - t) * p.radius_mm[i] + t * p.radius_mm[i + 1];
+}
+
+/// Cost of one shift: mean difference of the radii, capped, plus half the cap for what does not overlap. `known`: bins
+/// of the reference that have a radius.
+double costOf(const RadiusProfile& reference, double known, const RadiusProfile& copy, double shift, double cap,
+              std::size_t stride)
 {
     double sum = 0;
     double both = 0;
@@ -16,13 +29,11 @@ double costOf(const RadiusProfile& reference, const RadiusProfile& copy, double 
     for (std::size_t i = 0; i < copy.size(); i += stride) {
         if (std::isnan(copy.radius_mm[i])) continue;
         ++all;
-        const auto there = readRadius(reference, copy.middle_mm(i) + shift);
-        if (!there) continue;
+        const double there = radiusAt(reference, copy.middle_mm(i) + shift);
+        if (std::isnan(there)) continue;
         ++both;
-        sum += std::min(cap, std::abs(there->radius - copy.radius_mm[i]));
+        sum += std::min(cap, std::abs(there - copy.radius_mm[i]));
     }
-    double known = 0;
-    for (const double r : reference.radius_mm) known += std::isnan(r) ? 0 : 1;
     const double length = std::min(all * copy.step_mm * static_cast<double>(stride), known * reference.step_mm);
     const double overlap = std::min(1.0, both * copy.step_mm * static_cast<double>(stride) / length);
     if (overlap < 0.25) return std::numeric_limits<double>::infinity();
@@ -48,8 +59,8 @@ std::optional<RadiusReading> readRadius(const RadiusProfile& p, double z)
     const double t = place - static_cast<double>(i);
     const double radius = (1 - t) * p.radius_mm[i] + t * p.radius_mm[i + 1];
     if (std::isnan(radius)) return std::nullopt;
-    return RadiusReading{radius, (p.radius_mm[i + 1] - p.radius_mm[i]) / p.step_mm,
-                         std::hypot((1 - t) * p.sigma_mm[i], t * p.sigma_mm[i + 1])};
+    const double own = (1 - t) * p.sigma_mm[i], next = t * p.sigma_mm[i + 1];
+    return RadiusReading{radius, (p.radius_mm[i + 1] - p.radius_mm[i]) / p.step_mm, std::sqrt(own * own + next * next)};
 }
 
 ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, double centre, double reach,
@@ -58,12 +69,14 @@ ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, 
     ShiftMatch best;
     double step = std::max(reference.step_mm, copy.step_mm);
     const double even = 1e-3 * cap;  // differences below this are noise
+    double known = 0;
+    for (const double r : reference.radius_mm) known += std::isnan(r) ? 0 : 1;
     const auto scan = [&](double from, double to, std::size_t stride) {
         const int count = static_cast<int>((to - from) / step) + 1;
         std::vector<ShiftMatch> matches;
         for (int k = 0; k <= count; ++k) {
             const double shift = from + k * step;
-            matches.push_back({shift, costOf(reference, copy, shift, cap, stride)});
+            matches.push_back({shift, costOf(reference, known, copy, shift, cap, stride)});
         }
         double least = std::numeric_limits<double>::infinity();
         for (const ShiftMatch& m : matches) least = std::min(least, m.cost);

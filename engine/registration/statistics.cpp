@@ -37,16 +37,24 @@ std::vector<double> quantiles(std::span<const float> values, const std::vector<d
     std::vector<std::size_t> counts(
         65536);  // by the upper half of the bits; each quantile then looks at one such group
     for (const float v : values) ++counts[ordered(v) >> 16];
-    for (const double share : shares) {
-        auto rank = std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())));
+    struct Wanted {
+        std::size_t rank;  // within the group
         std::uint32_t group = 0;
-        while (rank >= counts[group]) rank -= counts[group++];
-        std::vector<float> members;
-        members.reserve(counts[group]);
-        for (const float v : values)
-            if (ordered(v) >> 16 == group) members.push_back(v);
-        const auto place = members.begin() + static_cast<std::ptrdiff_t>(rank);
-        std::nth_element(members.begin(), place, members.end());
+        std::vector<float> members = {};
+    };
+    std::vector<Wanted> wanted;
+    for (const double share : shares) {
+        Wanted own{std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))};
+        while (own.rank >= counts[own.group]) own.rank -= counts[own.group++];
+        own.members.reserve(counts[own.group]);
+        wanted.push_back(std::move(own));
+    }
+    for (const float v : values)
+        for (Wanted& own : wanted)
+            if (ordered(v) >> 16 == own.group) own.members.push_back(v);
+    for (Wanted& own : wanted) {
+        const auto place = own.members.begin() + static_cast<std::ptrdiff_t>(own.rank);
+        std::nth_element(own.members.begin(), place, own.members.end());
         result.push_back(*place);
     }
     return result;
@@ -84,15 +92,22 @@ DeviationStatistics summarise(std::span<const float> values, const Progress& pro
     s.min_mm = any ? sums.low : kNone;
     s.max_mm = any ? sums.high : kNone;
 
-    std::vector<float> off(values.size());
-    const std::vector<double> own = quantiles(values, {0.025, 0.5, 0.975});
-    s.p2_5_mm = own[0];
-    s.median_mm = own[1];
-    s.p97_5_mm = own[2];
-    for (std::size_t i = 0; i < values.size(); ++i) off[i] = std::abs(values[i]);
-    s.p95_abs_mm = quantiles(off, {0.95})[0];
-    for (std::size_t i = 0; i < values.size(); ++i) off[i] = std::abs(values[i] - static_cast<float>(s.median_mm));
-    s.mad_sigma_mm = 1.4826 * quantiles(off, {0.5})[0];
+    const auto offFrom = [&](double middle, double share) {
+        std::vector<float> off(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) off[i] = std::abs(values[i] - static_cast<float>(middle));
+        return quantiles(off, {share})[0];
+    };
+    parallelFor(2, 1, progress, [&](std::size_t task, std::size_t) {
+        if (task == 0) {
+            const std::vector<double> own = quantiles(values, {0.025, 0.5, 0.975});
+            s.p2_5_mm = own[0];
+            s.median_mm = own[1];
+            s.p97_5_mm = own[2];
+            s.mad_sigma_mm = 1.4826 * offFrom(s.median_mm, 0.5);
+        } else {
+            s.p95_abs_mm = offFrom(0, 0.95);
+        }
+    });
     return s;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/report/cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,17 @@ std::string cellText(const Value& value, int decimals, const Language& language)
     return text(value, language);
 }
 
+std::string csvCell(const Value& value)
+{
+    if (const auto* number = std::get_if<double>(&value))
+        return std::isfinite(*number) ? fmt::format("{}", *number) : std::string();
+    std::string cell = std::holds_alternative<bool>(value) ? (std::get<bool>(value) ? "1" : "0") : text(value);
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+    std::string quoted = "\"";
+    for (const char c : cell) quoted.append(c == '"' ? 2 : 1, c);
+    return quoted + '"';
+}
+
 bool isNumeric(const Value& value)
 {
     return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value) ||
@@ -49,12 +62,6 @@ std::string keptTogether(std::string line)
         for (std::size_t at = line.find(unit); at != std::string::npos; at = line.find(unit, at + 1))
             line.replace(at, 1, "\u00A0");
     return line;
-}
-
-std::size_t characters(const std::string& text)
-{
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 }  // namespace lathelier

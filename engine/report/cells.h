@@ -12,6 +12,9 @@ namespace lathelier {
 /// Numbers with `decimals`, whole numbers in groups of three (narrow no-break space), "–" for what does not exist.
 std::string cellText(const Value& value, int decimals, const Language& language);
 
+/// A cell of CSV: decimal point, full precision, empty for what does not exist; quoted where a comma or quote asks it.
+std::string csvCell(const Value& value);
+
 /// Numbers are set to the right.
 bool isNumeric(const Value& value);
 
@@ -20,8 +23,5 @@ std::string verdictText(const Headline& headline, const Language& language);
 
 /// A line break must not part a number from its unit: no-break spaces between them.
 std::string keptTogether(std::string line);
-
-/// As many columns as the text takes on a terminal, roughly: its characters.
-std::size_t characters(const std::string& text);
 
 }  // namespace lathelier

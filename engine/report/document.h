@@ -16,6 +16,8 @@
 
 namespace lathelier {
 
+struct VerifyPart;
+
 /// One line of a two-column table: name, value, unit.
 struct Quantity {
     Caption name;
@@ -65,7 +67,8 @@ struct Section {
 
 struct Document {
     Caption title;
-    bool verified = false;  ///< holds what "Verify installation" found
+    std::vector<const VerifyPart*> verification;  ///< of its capabilities: quoted as the last section
+    bool verified = false;                        ///< holds what "Verify installation" found
     std::vector<Section> sections;
     std::vector<InputFile> inputs;
     std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/utf8.h"
 #include "engine/report/cells.h"
 
 namespace lathelier {
@@ -14,7 +15,7 @@ std::string spaces(std::size_t wanted, std::size_t used)
 
 std::string padded(const std::string& text, std::size_t width, bool right)
 {
-    const std::string room = spaces(width, characters(text));
+    const std::string room = spaces(width, countCharacters(text));
     return right ? room + text : text + room;
 }
 
@@ -23,8 +24,8 @@ std::string tableText(const QuantityTable& table, const Language& language)
     std::size_t name = 0;
     std::size_t value = 0;
     for (const Quantity& row : table.rows) {
-        name = std::max(name, characters(captionText(row.name, language)));
-        value = std::max(value, characters(cellText(row.value, row.decimals, language)));
+        name = std::max(name, countCharacters(captionText(row.name, language)));
+        value = std::max(value, countCharacters(cellText(row.value, row.decimals, language)));
     }
     std::string result = captionText(table.title, language) + "\n";
     for (const Quantity& row : table.rows) {
@@ -48,7 +49,7 @@ std::string tableText(const Table& table, const Language& language)
     std::vector<std::size_t> widths(table.columns.size());
     for (const auto& line : lines)
         for (std::size_t i = 0; i < std::min(line.size(), widths.size()); ++i)
-            widths[i] = std::max(widths[i], characters(line[i]));
+            widths[i] = std::max(widths[i], countCharacters(line[i]));
     std::string result = captionText(table.title, language) + "\n";
     for (const auto& line : lines) {
         for (std::size_t i = 0; i < std::min(line.size(), widths.size()); ++i)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/core/utf8.h"
 #include "engine/core/visible.h"
 #include "engine/report/png.h"
 
@@ -58,7 +59,7 @@ double textWidth(std::string_view text, double size)
 {
     double width = 0;
     for (const char c : text) {
-        if ((static_cast<std::uint8_t>(c) & 0xC0U) == 0x80U) continue;  // inside a UTF-8 character
+        if (!beginsCharacter(c)) continue;
         if (std::string_view("iljtfrI.,:;'|()[]- ").find(c) != std::string_view::npos)
             width += 0.36;
         else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)

@@ -65,6 +65,9 @@ Scan bracketMesh();
 Scan scanBracket(std::size_t count, double sigma_mm, const Eigen::Isometry3d& frame_T_part, std::uint64_t seed,
                  const Progress& progress = {});
 
+/// The names of the files that writeSample() writes, the project last.
+std::vector<std::string> sampleFileNames();
+
 /// Writes the sample project into the folder `directory` (made when missing): original.ply, copy.ply, truth.json,
 /// probe_record.csv (one continuous recording of 20 sections), averaged.csv (their averages) and sample.lathelier, all
 /// marked synthetic. Gives the paths in that order. Error fileNotWritable.

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "engine/core/json.h"
-#include "engine/form/circles_json.h"
+#include "engine/form/roundness_quantities.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project.h"
@@ -77,7 +77,7 @@ Json truthOf(const SpindleModel& model)
     for (int i = 0; i < model.sections; ++i)
         sections.push_back({{"section", i + 1},
                             {"z_mm", sectionMiddle_mm(model, i)},
-                            {"circles", toJson(form::fitCircles(trueImage_mm(model, i)))}});
+                            {"circles", nestedJson(describedValues(form::fitCircles(trueImage_mm(model, i))))}});
     return {{"about", kSyntheticRecord},
             {"workpiece_diameter_mm", model.workpiece_diameter_mm},
             {"taper_diameter_um", model.taper_diameter_um},
@@ -92,13 +92,18 @@ Json truthOf(const SpindleModel& model)
 
 }  // namespace
 
+std::vector<std::string> sampleFileNames()
+{
+    return {"original.ply", "copy.ply", "truth.json", "probe_record.csv", "averaged.csv", "sample.lathelier"};
+}
+
 std::vector<std::string> writeSample(const std::string& directory, std::uint64_t seed, const Progress& progress)
 {
     namespace fs = std::filesystem;
     std::error_code failure;
     fs::create_directories(directory, failure);
     if (failure) throw Error(errors::fileNotWritable, {{"path", directory}, {"reason", failure.message()}});
-    const auto path = [&](const char* name) { return (fs::absolute(directory) / name).lexically_normal().string(); };
+    const auto path = [&](const std::string& name) { return (fs::absolute(directory) / name).lexically_normal().string(); };
 
     // Both parts stand a little askew on the turntable, the copy also turned.
     const auto pose = [](double x, double y, double z, double lean_x, double lean_y, double turn) {
@@ -113,8 +118,8 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     copy.seed = 2 * seed + 1;
     copy.scan_T_part = pose(1, 1.2, 1, 0.007, -0.025, 0.436);
 
-    std::vector<std::string> paths{path("original.ply"),     path("copy.ply"),     path("truth.json"),
-                                   path("probe_record.csv"), path("averaged.csv"), path("sample.lathelier")};
+    std::vector<std::string> paths;
+    for (const std::string& name : sampleFileNames()) paths.push_back(path(name));
     const std::string original_ply =
         plyOf(scanShaft(nominalShaft(), original, progress.part(0, 0.35, LT_TEXT("Engine", "Scanning the original"))));
     writeFile(paths[0], original_ply);

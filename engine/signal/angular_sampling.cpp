@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/statistics.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier::signal {
@@ -16,6 +17,22 @@ constexpr double turn = 2 * std::numbers::pi;
 
 constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the weights bound the condition
 constexpr double mostLeakage = 0.1;
+
+using Placed = std::pair<double, std::size_t>;
+
+/// Sorts by insertion; false, and still unsorted, when that takes more steps than a few for each value.
+bool sortNearlySorted(std::vector<Placed>& pairs)
+{
+    std::size_t left = 4 * pairs.size();
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+        const Placed pair = pairs[i];
+        std::size_t to = i;
+        for (; to > 0 && pair < pairs[to - 1] && left > 0; --to, --left) pairs[to] = pairs[to - 1];
+        pairs[to] = pair;
+        if (left == 0) return false;
+    }
+    return true;
+}
 
 /// Places of the values in ascending order; equal values keep the order given.
 std::vector<std::size_t> ascending(const std::vector<double>& values)
@@ -30,24 +47,50 @@ std::vector<std::size_t> ascending(const std::vector<double>& values)
         std::rotate(order.begin(), order.begin() + (turned - values.begin()), order.end());
         return order;
     }
-    std::vector<std::pair<double, std::size_t>> pairs(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) pairs[i] = {values[i], i};
-    std::sort(pairs.begin(), pairs.end());
+    // Noise makes neighbours of such a turn change places.
+    std::vector<Placed> pairs(values.size());
+    const auto first = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t place = first + i < values.size() ? first + i : first + i - values.size();
+        pairs[i] = {values[place], place};
+    }
+    if (!sortNearlySorted(pairs)) std::sort(pairs.begin(), pairs.end());
     for (std::size_t i = 0; i < values.size(); ++i) order[i] = pairs[i].second;
     return order;
 }
 
-/// Largest distance of ascending different angles from evenly spaced ones, in their spacing.
-double displacementOf(const std::vector<double>& angle)
+/// Whether angles so far apart count as two among n.
+bool areTwo(double spacing, std::size_t n)
 {
-    const auto n = static_cast<double>(angle.size());
-    const double step = turn / n;
+    return !(spacing <= 1e-9 * turn / static_cast<double>(n));
+}
+
+/// Largest distance of the `different` angles from evenly spaced ones, in their spacing.
+double displacementOf(const AngularSampling& sampling)
+{
+    const std::vector<double>& angle = sampling.angle_rad;
+    const std::size_t n = angle.size();
+    const double step = turn / static_cast<double>(sampling.different);
     double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (std::size_t i = 0; i < angle.size(); ++i) {
-        const double off = angle[i] - static_cast<double>(i) * step;
+    double place = 0;
+    const auto count = [&](double at) {
+        const double off = at - place * step;
         least = std::min(least, off);
         most = std::max(most, off);
+        ++place;
+    };
+    std::size_t last = n;  // the last of the different ones
+    double spacing = 0;
+    while (last-- > 0) {
+        spacing = (last + 1 < n ? angle[last + 1] : angle[0] + turn) - angle[last];
+        if (areTwo(spacing, n)) break;
     }
+    // A point near 2π that belongs before the first would spoil the comparison with even steps.
+    const bool before = sampling.different > 1 && spacing < 0.5 * step;
+    if (before) count(angle[last] - turn);
+    for (std::size_t i = 0; i < last; ++i)
+        if (areTwo(angle[i + 1] - angle[i], n)) count(angle[i]);
+    if (!before) count(angle[last]);
     return (most - least) / (2 * step);
 }
 
@@ -61,42 +104,39 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
     for (std::size_t i = 0; i < n; ++i) wrapped[i] = angle_rad[i] - turn * std::floor(angle_rad[i] / turn);
     result.order = ascending(wrapped);
     result.angle_rad = inOrder(result, wrapped);
+    wrapped = {};
 
-    std::vector<double> spacing(n), different, place;
+    const auto spacingAfter = [&](std::size_t i) {
+        return (i + 1 < n ? result.angle_rad[i + 1] : result.angle_rad[0] + turn) - result.angle_rad[i];
+    };
+    std::vector<double> different;
+    different.reserve(n);
+    result.largest_gap_rad = spacingAfter(n - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        const double next = i + 1 < n ? result.angle_rad[i + 1] : result.angle_rad[0] + turn;
-        spacing[i] = next - result.angle_rad[i];
-        if (spacing[i] <= 1e-9 * turn / static_cast<double>(n)) continue;
-        different.push_back(spacing[i]);
-        place.push_back(result.angle_rad[i]);
+        const double spacing = spacingAfter(i);
+        result.largest_gap_rad = std::max(result.largest_gap_rad, spacing);
+        if (areTwo(spacing, n)) different.push_back(spacing);
     }
     result.different = different.size();
-    result.largest_gap_rad = *std::max_element(spacing.begin(), spacing.end());
-    result.median_spacing_rad = median(different);
+    result.median_spacing_rad = median(std::move(different));
     const double gap = AngularSampling::gapFactor * result.median_spacing_rad;
-    for (const double s : different) {
-        if (s > gap) {
-            ++result.gaps;
-            result.missing_rad += s - result.median_spacing_rad;
-        } else {
-            result.largest_regular_rad = std::max(result.largest_regular_rad, s);
-        }
-    }
-    // A point near 2π that belongs before the first would spoil the comparison with even steps.
-    if (place.size() > 1 && different.back() < 0.5 * turn / static_cast<double>(place.size())) {
-        place.insert(place.begin(), place.back() - turn);
-        place.pop_back();
-    }
-    result.displacement = displacementOf(place);
-    result.uniform = result.different == n && result.displacement < 1e-6;
-    if (result.uniform) result.displacement = 0;
-
     const double widest = 3 * result.median_spacing_rad;
     result.weight.resize(n);
+    double before = spacingAfter(n - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        const double before = spacing[(i + n - 1) % n], after = spacing[i];
+        const double after = spacingAfter(i);
         result.weight[i] = (std::min(before, widest) + std::min(after, widest)) / (2 * turn);
+        before = after;
+        if (after > gap) {
+            ++result.gaps;
+            result.missing_rad += after - result.median_spacing_rad;
+        } else if (areTwo(after, n)) {
+            result.largest_regular_rad = std::max(result.largest_regular_rad, after);
+        }
     }
+    result.displacement = displacementOf(result);
+    result.uniform = result.different == n && result.displacement < 1e-6;
+    if (result.uniform) result.displacement = 0;
     return result;
 }
 

@@ -20,78 +20,85 @@ ClosedInterpolation::ClosedInterpolation(const AngularSampling& sampling, const 
 
 double ClosedInterpolation::operator()(double angle_rad) const
 {
-    const std::size_t n = angle_.size();
-    const double angle = angle_rad - turn * std::floor((angle_rad - angle_.front()) / turn);
-    const std::ptrdiff_t right = firstBeyond(angle);
-    const double near = 1e-6 * turn / static_cast<double>(n);
-    if (angle - angleAt(right - 1) <= near) return valueAt(right - 1);
-    if (angleAt(right) - angle <= near) return valueAt(right);
-    if (angleAt(right) - angleAt(right - 1) > widest_) return std::numeric_limits<double>::quiet_NaN();
-    const std::ptrdiff_t left = right - 1;
-    const auto [narrowest, broadest] = std::minmax({spacingAt(left - 1), spacingAt(left), spacingAt(left + 1)});
-    if (n < 5 || broadest > widest_) {
-        const double share = (angle - angleAt(left)) / spacingAt(left);
-        return (1 - share) * valueAt(left) + share * valueAt(right);
-    }
-    return broadest <= evenEnough * narrowest ? throughFour(left - 1, angle) : monotone(left, angle);
+    // Begun where even spacing would have the place.
+    const double turns = (angle_rad - angle_.front()) / turn;
+    auto place = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(angle_.size()));
+    return (*this)(angle_rad, place);
 }
 
-/// std::upper_bound, begun where even spacing would have the place.
-std::ptrdiff_t ClosedInterpolation::firstBeyond(double angle) const
+double ClosedInterpolation::operator()(double angle_rad, std::size_t& place) const
+{
+    const std::size_t n = angle_.size();
+    const double angle = angle_rad - turn * std::floor((angle_rad - angle_.front()) / turn);
+    place = firstBeyond(angle, place);
+    const Neighbours p = about(place);
+    const double near = 1e-6 * turn / static_cast<double>(n);
+    if (angle - p.angle[1] <= near) return p.value[1];
+    if (p.angle[2] - angle <= near) return p.value[2];
+    if (p.spacing(1) > widest_) return std::numeric_limits<double>::quiet_NaN();
+    const auto [narrowest, broadest] = std::minmax({p.spacing(0), p.spacing(1), p.spacing(2)});
+    if (n < 5 || broadest > widest_) {
+        const double share = (angle - p.angle[1]) / p.spacing(1);
+        return (1 - share) * p.value[1] + share * p.value[2];
+    }
+    return broadest <= evenEnough * narrowest ? p.throughFour(angle) : p.monotone(angle);
+}
+
+/// std::upper_bound, begun at `place`.
+std::size_t ClosedInterpolation::firstBeyond(double angle, std::size_t place) const
+{
+    const std::size_t n = angle_.size();
+    std::size_t low = std::min(place, n), high = low;
+    for (std::size_t step = 1; low > 0 && angle_[low - 1] > angle; step *= 2) low -= std::min(low, step);
+    for (std::size_t step = 1; high < n && !(angle_[high] > angle); step *= 2) high = std::min(n, high + step);
+    const auto begin = angle_.begin();
+    return static_cast<std::size_t>(
+        std::upper_bound(begin + static_cast<std::ptrdiff_t>(low), begin + static_cast<std::ptrdiff_t>(high), angle) -
+        begin);
+}
+
+/// Two points before the one at `right`, that one, and the next.
+ClosedInterpolation::Neighbours ClosedInterpolation::about(std::size_t right) const
 {
     const auto n = static_cast<std::ptrdiff_t>(angle_.size());
-    const double share = (angle - angle_.front()) / turn;
-    const auto guess = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(share * static_cast<double>(n)), 0, n);
-    std::ptrdiff_t low = guess, high = guess;
-    for (std::ptrdiff_t step = 1; low > 0 && angle_[static_cast<std::size_t>(low) - 1] > angle; step *= 2)
-        low = std::max<std::ptrdiff_t>(0, low - step);
-    for (std::ptrdiff_t step = 1; high < n && !(angle_[static_cast<std::size_t>(high)] > angle); step *= 2)
-        high = std::min(n, high + step);
-    return std::upper_bound(angle_.begin() + low, angle_.begin() + high, angle) - angle_.begin();
+    Neighbours p;
+    for (std::size_t k = 0; k < 4; ++k) {
+        auto i = static_cast<std::ptrdiff_t>(right + k) - 2;
+        const double turns = i < 0 ? -1 : i >= n ? 1 : 0;
+        while (i < 0) i += n;
+        while (i >= n) i -= n;
+        p.angle[k] = angle_[static_cast<std::size_t>(i)] + turn * turns;
+        p.value[k] = values_[static_cast<std::size_t>(i)];
+    }
+    return p;
 }
 
 /// Lagrange's polynomial.
-double ClosedInterpolation::throughFour(std::ptrdiff_t first, double angle) const
+double ClosedInterpolation::Neighbours::throughFour(double at) const
 {
-    const double a = angleAt(first), b = angleAt(first + 1), c = angleAt(first + 2), d = angleAt(first + 3);
-    const double xa = angle - a, xb = angle - b, xc = angle - c, xd = angle - d;
-    return valueAt(first) * (xb * xc * xd) / ((a - b) * (a - c) * (a - d)) +
-           valueAt(first + 1) * (xa * xc * xd) / ((b - a) * (b - c) * (b - d)) +
-           valueAt(first + 2) * (xa * xb * xd) / ((c - a) * (c - b) * (c - d)) +
-           valueAt(first + 3) * (xa * xb * xc) / ((d - a) * (d - b) * (d - c));
+    const auto [a, b, c, d] = angle;
+    const double xa = at - a, xb = at - b, xc = at - c, xd = at - d;
+    return value[0] * (xb * xc * xd) / ((a - b) * (a - c) * (a - d)) +
+           value[1] * (xa * xc * xd) / ((b - a) * (b - c) * (b - d)) +
+           value[2] * (xa * xb * xd) / ((c - a) * (c - b) * (c - d)) +
+           value[3] * (xa * xb * xc) / ((d - a) * (d - b) * (d - c));
 }
 
-double ClosedInterpolation::slopeAt(std::ptrdiff_t i) const
+double ClosedInterpolation::Neighbours::slope(std::size_t i) const
 {
-    const double before = spacingAt(i - 1), after = spacingAt(i);
+    const double before = spacing(i - 1), after = spacing(i);
     if (!(before > 0) || !(after > 0)) return 0;  // two points at one angle
-    const double rise = (valueAt(i) - valueAt(i - 1)) / before, next = (valueAt(i + 1) - valueAt(i)) / after;
+    const double rise = (value[i] - value[i - 1]) / before, next = (value[i + 1] - value[i]) / after;
     if (rise * next <= 0) return 0;
     const double w = 2 * after + before, v = after + 2 * before;
     return (w + v) / (w / rise + v / next);
 }
 
-double ClosedInterpolation::monotone(std::ptrdiff_t left, double angle) const
+double ClosedInterpolation::Neighbours::monotone(double at) const
 {
-    const double width = spacingAt(left), s = (angle - angleAt(left)) / width;
-    const double a = valueAt(left), b = valueAt(left + 1);
-    return (1 + 2 * s) * (1 - s) * (1 - s) * a + s * s * (3 - 2 * s) * b +
-           width * s * (1 - s) * ((1 - s) * slopeAt(left) - s * slopeAt(left + 1));
-}
-
-std::size_t ClosedInterpolation::wrapped(std::ptrdiff_t i) const
-{
-    const auto n = static_cast<std::ptrdiff_t>(angle_.size());
-    while (i < 0) i += n;
-    while (i >= n) i -= n;
-    return static_cast<std::size_t>(i);
-}
-
-double ClosedInterpolation::angleAt(std::ptrdiff_t i) const
-{
-    const auto n = static_cast<std::ptrdiff_t>(angle_.size());
-    const double turns = i < 0 ? -1 : i >= n ? 1 : 0;
-    return angle_[wrapped(i)] + turn * turns;
+    const double width = spacing(1), s = (at - angle[1]) / width;
+    return (1 + 2 * s) * (1 - s) * (1 - s) * value[1] + s * s * (3 - 2 * s) * value[2] +
+           width * s * (1 - s) * ((1 - s) * slope(1) - s * slope(2));
 }
 
 }  // namespace lathelier::signal

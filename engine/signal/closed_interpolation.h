@@ -1,6 +1,8 @@
 // A closed profile between its points.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "engine/signal/angular_sampling.h"
@@ -17,16 +19,20 @@ public:
     ClosedInterpolation(const AngularSampling& sampling, const std::vector<double>& values);
 
     double operator()(double angle_rad) const;
+    /// The same, quicker where angles come one after the other: `place` is where the last of them was, 0 at first.
+    double operator()(double angle_rad, std::size_t& place) const;
 
 private:
-    std::ptrdiff_t firstBeyond(double angle) const;
-    std::size_t wrapped(std::ptrdiff_t i) const;
-    double valueAt(std::ptrdiff_t i) const { return values_[wrapped(i)]; }
-    double angleAt(std::ptrdiff_t i) const;
-    double spacingAt(std::ptrdiff_t left) const { return angleAt(left + 1) - angleAt(left); }
-    double slopeAt(std::ptrdiff_t i) const;  ///< that keeps the cubic monotone
-    double throughFour(std::ptrdiff_t first, double angle) const;
-    double monotone(std::ptrdiff_t left, double angle) const;
+    /// The four points about an angle, their angles ascending.
+    struct Neighbours {
+        std::array<double, 4> angle, value;
+        double spacing(std::size_t left) const { return angle[left + 1] - angle[left]; }
+        double slope(std::size_t i) const;  ///< that keeps the cubic monotone
+        double throughFour(double at) const;
+        double monotone(double at) const;
+    };
+    std::size_t firstBeyond(double angle, std::size_t place) const;
+    Neighbours about(std::size_t right) const;
 
     const std::vector<double>& angle_;
     const std::vector<double>& values_;

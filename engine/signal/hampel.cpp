@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 
 namespace lathelier::signal {
 namespace {
@@ -23,14 +24,21 @@ public:
           half_(std::min<std::ptrdiff_t>(options.half_window, (std::ssize(values) - 1) / 2)),
           place_(static_cast<std::ptrdiff_t>(place))
     {
-        for (std::ptrdiff_t j = place_ - half_; j <= place_ + half_; ++j) enter(j);
+        sorted_.reserve(2 * static_cast<std::size_t>(half_) + 1);
+        for (std::ptrdiff_t j = place_ - half_; j <= place_ + half_; ++j) enter(at(j));
     }
 
     void advance()
     {
-        leave(place_ - half_);
+        const double old = at(place_ - half_);
         ++place_;
-        enter(place_ + half_);
+        const double fresh = at(place_ + half_);
+        if (std::isfinite(old) && std::isfinite(fresh)) {
+            replace(old, fresh);
+        } else {
+            leave(old);
+            enter(fresh);
+        }
     }
 
     double median() const
@@ -64,15 +72,24 @@ private:
         if (!closed_ && (j < 0 || j >= n)) return std::numeric_limits<double>::quiet_NaN();
         return values_[static_cast<std::size_t>(j < 0 ? j + n : j >= n ? j - n : j)];
     }
-    void enter(std::ptrdiff_t j)
+    void enter(double value)
     {
-        const double value = at(j);
         if (std::isfinite(value)) sorted_.insert(std::upper_bound(sorted_.begin(), sorted_.end(), value), value);
     }
-    void leave(std::ptrdiff_t j)
+    void leave(double value)
     {
-        const double value = at(j);
         if (std::isfinite(value)) sorted_.erase(std::lower_bound(sorted_.begin(), sorted_.end(), value));
+    }
+    /// Only the values between the two move.
+    void replace(double old, double fresh)
+    {
+        const std::size_t n = sorted_.size();
+        double* sorted = sorted_.data();
+        std::size_t i = 0;
+        while (sorted[i] < old) ++i;
+        for (; i + 1 < n && sorted[i + 1] < fresh; ++i) sorted[i] = sorted[i + 1];
+        for (; i > 0 && sorted[i - 1] > fresh; --i) sorted[i] = sorted[i - 1];
+        sorted[i] = fresh;
     }
 
     std::span<const double> values_;
@@ -83,18 +100,13 @@ private:
 
 }  // namespace
 
-double median(std::vector<double> values)
-{
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
 double robustSpread(const std::vector<double>& values)
 {
-    const double centre = median(values);
+    return robustSpread(values, median(values));
+}
+
+double robustSpread(const std::vector<double>& values, double centre)
+{
     std::vector<double> distances;
     distances.reserve(values.size());
     for (const double value : values) distances.push_back(std::abs(value - centre));
@@ -106,34 +118,39 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
 {
     std::vector<std::uint8_t> result(values.size(), 0);
     std::vector<double> distance(values.size(), std::numeric_limits<double>::quiet_NaN());
-    std::vector<double> spread(values.size(), 0.0);
-    std::vector<double> finite;
     const bool moving = options.half_window > 0;
     std::vector<double> whole;
     if (!moving)
         std::copy_if(values.begin(), values.end(), std::back_inserter(whole),
                      [](double v) { return std::isfinite(v); });
-    const double centre = moving ? 0 : median(whole);
+    const double centre = moving ? 0 : median(std::move(whole));
     parallelFor(values.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
         std::optional<MovingWindow> window;
         if (moving) window.emplace(values, options, begin);
         for (std::size_t i = begin; i < end; ++i) {
             if (moving && i > begin) window->advance();
-            if (!std::isfinite(values[i])) continue;
-            const double middle = moving ? window->median() : centre;
-            if (moving) spread[i] = normalPerMedian * window->medianDistance(middle);
-            distance[i] = std::abs(values[i] - middle);
+            if (std::isfinite(values[i])) distance[i] = std::abs(values[i] - (moving ? window->median() : centre));
         }
     });
+    std::vector<double> finite;
+    finite.reserve(distance.size());
     for (const double d : distance)
         if (std::isfinite(d)) finite.push_back(d);
     const double overall = std::max(normalPerMedian * median(std::move(finite)), options.least_spread);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double limit = options.threshold * std::max(spread[i], overall);
-        // The last bits of equal values are no outliers.
-        const double rounding = 1e-12 * std::abs(values[i]);
-        result[i] = !(distance[i] <= limit + rounding);
-    }
+    parallelFor(values.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            // The last bits of equal values are no outliers.
+            const double rounding = 1e-12 * std::abs(values[i]);
+            if (distance[i] <= options.threshold * overall + rounding) continue;
+            // Few come this far, so that only these need the spread of their window.
+            double spread = 0;
+            if (moving && std::isfinite(values[i])) {
+                const MovingWindow window(values, options, i);
+                spread = normalPerMedian * window.medianDistance(window.median());
+            }
+            result[i] = !(distance[i] <= options.threshold * std::max(spread, overall) + rounding);
+        }
+    });
     return result;
 }
 

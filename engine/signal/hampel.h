@@ -22,10 +22,9 @@ struct HampelOptions {
 std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options = {},
                                          const Progress& progress = {});
 
-/// Median; the mean of the middle two for an even count. NaN for none.
-double median(std::vector<double> values);
-
 /// 1.4826 × the median of absolute deviations from the median: the standard deviation of normal values.
 double robustSpread(const std::vector<double>& values);
+/// The same of absolute deviations from `centre`.
+double robustSpread(const std::vector<double>& values, double centre);
 
 }  // namespace lathelier::signal

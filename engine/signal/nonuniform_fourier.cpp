@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "engine/core/parallel.h"
@@ -14,6 +15,14 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t grain = 1 << 15;
+
+/// std::floor() without a call, of what an integer holds.
+double wholeBelow(double x)
+{
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+    return whole > x ? whole - 1 : whole;
+}
+
 constexpr int reach = 14;  ///< grid points on each side that a value is spread over: 1e-13
 
 /// The oversampled grid of the paper: every value is spread over 2·reach points by a Gaussian, which the transform
@@ -42,9 +51,9 @@ public:
     void around(double angle, Visit visit) const
     {
         double turns = angle / (2 * pi);
-        turns -= std::floor(turns);
+        turns -= wholeBelow(turns);
         const double position = turns * static_cast<double>(size_);
-        const double base = std::floor(position);
+        const double base = wholeBelow(position);
         const double x = (position - base) * step_;  // from the grid point below
         // exp(-(x - lh)²/4τ) = exp(-x²/4τ) exp(xh/2τ)^l exp(-(lh)²/4τ): two exponentials for all points, from l = 1 -
         // reach
@@ -79,7 +88,7 @@ private:
 /// distance. One transform of each power: (kx)^p/p! of the largest order k and distance x falls to 2e-14 at the last.
 class Expansion {
 public:
-    static constexpr std::size_t powers = 10;
+    static constexpr std::size_t powers = 10;  // even
 
     explicit Expansion(int limit)
         : limit_(limit), size_(quickTransformLength(16 * static_cast<std::size_t>(limit))), transform_(size_)
@@ -101,8 +110,8 @@ public:
     Place placeOf(double angle) const
     {
         double turns = angle / (2 * pi);
-        turns -= std::floor(turns);
-        const double position = turns * static_cast<double>(size_), nearest = std::floor(position + 0.5);
+        turns -= wholeBelow(turns);
+        const double position = turns * static_cast<double>(size_), nearest = wholeBelow(position + 0.5);
         const auto node = static_cast<std::size_t>(nearest);
         return {node < size_ ? node : node - size_, position - nearest};
     }
@@ -164,15 +173,29 @@ std::vector<Complex> expandedSums(std::span<const double> angle_rad, std::span<c
         values.size(), std::max(grain, size), progress, std::vector<double>(size, 0.0),
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> moments(size, 0.0);
+            // Neighbours mostly belong to one node: its sums are added up before they are laid down.
+            std::array<double, powers> sum{};
+            std::size_t node = 0;
+            const auto lay = [&] {
+                for (std::size_t p = 0; p < powers; ++p) moments[node * powers + p] += sum[p];
+            };
             for (std::size_t j = begin; j < end; ++j) {
                 const Expansion::Place place = expansion.placeOf(angle_rad[j]);
-                double* moment = &moments[place.node * powers];
-                double term = values[j];
-                for (std::size_t p = 0; p < powers; ++p) {
-                    moment[p] += term;
-                    term *= place.off;
+                if (place.node != node) {
+                    lay();
+                    sum = {};
+                    node = place.node;
+                }
+                const double squared = place.off * place.off;
+                double even = values[j], odd = even * place.off;
+                for (std::size_t p = 0; p < powers; p += 2) {
+                    sum[p] += even;
+                    sum[p + 1] += odd;
+                    even *= squared;
+                    odd *= squared;
                 }
             }
+            lay();
             return moments;
         },
         added));

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::trajectory {
 namespace {
 
@@ -45,21 +47,6 @@ double at(const Eigen::Vector3d& c, double angle_deg)
 
 }  // namespace
 
-double studentQuantile95(std::int64_t degrees_of_freedom)
-{
-    // Exact for few; then the expansion in 1/ν (Abramowitz and Stegun 26.7.5), right to 3e-4 from ν = 5 on.
-    constexpr std::array<double, 5> exact{nan, 12.706204736, 4.302652730, 3.182446305, 2.776445105};
-    if (degrees_of_freedom < 1) return nan;
-    if (degrees_of_freedom < static_cast<std::int64_t>(exact.size()))
-        return exact[static_cast<std::size_t>(degrees_of_freedom)];
-    constexpr double z = 1.959963984540054;
-    const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z, z9 = z7 * z * z;
-    const double v = 1 / static_cast<double>(degrees_of_freedom);
-    return z + v * ((z3 + z) / 4 + v * ((5 * z5 + 16 * z3 + 3 * z) / 96 +
-                                        v * ((3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / 384 +
-                                             v * (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / 92160)));
-}
-
 ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
 {
     const auto p = static_cast<std::size_t>(probe);
@@ -86,7 +73,7 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
         result.std_um.push_back(deviation);
         result.min_um.push_back(count > 0 ? extent.low : nan);
         result.max_um.push_back(count > 0 ? extent.high : nan);
-        result.confidence_um.push_back(studentQuantile95(count - 1) * deviation /
+        result.confidence_um.push_back(studentQuantile(0.975, count - 1) * deviation /
                                        std::sqrt(static_cast<double>(count)));
     }
     return result;

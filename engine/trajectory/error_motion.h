@@ -8,9 +8,6 @@
 
 namespace lathelier::trajectory {
 
-/// 0.975 quantile of Student's distribution: what a two-sided confidence of 95 % takes.
-double studentQuantile95(std::int64_t degrees_of_freedom);
-
 /// Mean, standard deviation, extremes and confidence of the mean of one probe at each angle; NaN where no value is.
 ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe);
 

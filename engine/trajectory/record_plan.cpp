@@ -66,53 +66,54 @@ void noteAssumed(const std::string& key, double value, Notes& notes)
                               {"source", LT_TEXT("Engine", "the record")}}});
 }
 
-std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
+std::optional<Segmentation> segmentationOf(const ProbeRecord& record, const TrajectoryParameters& parameters,
+                                           Notes& notes)
 {
-    if (parameters.feed_mm_rev) return Cutting{*parameters.feed_mm_rev, parameters.sections};
+    if (parameters.feed_mm_rev) return Segmentation{*parameters.feed_mm_rev, parameters.sections};
     if (!parameters.z_mm.empty()) return std::nullopt;
     const auto feed = headerNumber(record.header, "feed_mm_rev");
     const auto sections = headerNumber(record.header, "sections");
     if (!feed || !sections || !(*feed > 0) || !(*sections >= 2 && *sections <= 10000)) return std::nullopt;
     noteAssumed("feed_mm_rev", *feed, notes);
     noteAssumed("sections", *sections, notes);
-    return Cutting{*feed, static_cast<int>(std::lround(*sections))};
+    return Segmentation{*feed, static_cast<int>(std::lround(*sections))};
 }
 
-Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters)
+RecordSegment wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters)
 {
-    Stretch stretch;
+    RecordSegment segment;
     for (const Revolution& revolution : prepared.revolutions.all) {
         if (!revolution.regular) continue;
-        ++stretch.found;
-        if (stretch.found <= parameters.revolutions) stretch.chosen.push_back(revolution);
+        ++segment.found;
+        if (segment.found <= parameters.revolutions) segment.chosen.push_back(revolution);
     }
-    return stretch;
+    return segment;
 }
 
-std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
-                               const Cutting& cutting)
+std::vector<RecordSegment> segmentRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
+                                         const Segmentation& segmentation)
 {
     const std::vector<Revolution>& all = prepared.revolutions.all;
     const std::int64_t turns = all.back().number + 1;
-    const std::int64_t each = std::min<std::int64_t>(parameters.revolutions, turns / cutting.sections);
+    const std::int64_t each = std::min<std::int64_t>(parameters.revolutions, turns / segmentation.sections);
     if (each < fewestRevolutions)
         throw Error(errors::recordTooShort, {{"path", prepared.path},
                                              {"found", turns},
-                                             {"sections", std::int64_t{cutting.sections}},
-                                             {"minimum", fewestRevolutions * cutting.sections}});
-    std::vector<Stretch> stretches(static_cast<std::size_t>(cutting.sections));
-    for (std::int64_t i = 0; i < cutting.sections; ++i) {
-        Stretch& stretch = stretches[static_cast<std::size_t>(i)];
-        const std::int64_t first = i * turns / cutting.sections;
-        const std::int64_t end = (i + 1) * turns / cutting.sections;
+                                             {"sections", std::int64_t{segmentation.sections}},
+                                             {"minimum", fewestRevolutions * segmentation.sections}});
+    std::vector<RecordSegment> segments(static_cast<std::size_t>(segmentation.sections));
+    for (std::int64_t i = 0; i < segmentation.sections; ++i) {
+        RecordSegment& segment = segments[static_cast<std::size_t>(i)];
+        const std::int64_t first = i * turns / segmentation.sections;
+        const std::int64_t end = (i + 1) * turns / segmentation.sections;
         for (const Revolution& revolution : all) {
             if (!revolution.regular || revolution.number < first || revolution.number >= end) continue;
-            ++stretch.found;
-            if (revolution.number < first + each) stretch.chosen.push_back(revolution);
+            ++segment.found;
+            if (revolution.number < first + each) segment.chosen.push_back(revolution);
         }
-        stretch.z_mm = cutting.feed_mm_rev * (static_cast<double>(first) + static_cast<double>(each) / 2);
+        segment.z_mm = segmentation.feed_mm_rev * (static_cast<double>(first) + static_cast<double>(each) / 2);
     }
-    return stretches;
+    return segments;
 }
 
 }  // namespace lathelier::trajectory

@@ -1,4 +1,5 @@
-// What is known of the records before their sections are evaluated: places of signals, revolutions, cutting along z.
+// What is known of the records before their sections are evaluated: places of signals, revolutions, segmentation along
+// z.
 #pragma once
 
 #include <memory>
@@ -25,26 +26,27 @@ PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const
                        Notes& notes);
 
 /// The revolutions of one section.
-struct Stretch {
+struct RecordSegment {
     std::vector<Revolution> chosen;
-    int found = 0;  ///< regular ones in the stretch
+    int found = 0;  ///< regular ones in the segment
     double z_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// How a record is cut along the workpiece.
-struct Cutting {
+struct Segmentation {
     double feed_mm_rev = 0;
     int sections = 1;
 };
 
-/// The cutting asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).
-std::optional<Cutting> cuttingOf(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
+/// The segmentation asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).
+std::optional<Segmentation> segmentationOf(const ProbeRecord& record, const TrajectoryParameters& parameters,
+                                           Notes& notes);
 
-/// One stretch: the first `revolutions` regular ones of the record.
-Stretch wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters);
+/// One segment: the first `revolutions` regular ones of the record.
+RecordSegment wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters);
 
-/// Stretches of equal length over all turns of the record. Error recordTooShort.
-std::vector<Stretch> cutRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
-                               const Cutting& cutting);
+/// Segments of equal length over all turns of the record. Error recordTooShort.
+std::vector<RecordSegment> segmentRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters,
+                                         const Segmentation& segmentation);
 
 }  // namespace lathelier::trajectory

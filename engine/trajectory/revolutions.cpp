@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/statistics.h"
 #include "engine/signal/hampel.h"
 #include "engine/trajectory/marker.h"
 #include "engine/trajectory/trajectory_codes.h"
@@ -29,7 +30,7 @@ Revolutions judged(const std::vector<double>& marks_s, const FrameClock& clock)
     if (marks_s.size() < 2) throw tooFew(marks_s.empty() ? 0 : marks_s.size() - 1);
     std::vector<double> periods;
     for (std::size_t i = 1; i < marks_s.size(); ++i) periods.push_back(marks_s[i] - marks_s[i - 1]);
-    result.period_s = signal::median(periods);
+    result.period_s = median(periods);
     const double allowed = std::max(periodTolerance * result.period_s, clock.step_s());
     std::int64_t number = 0;
     double pieces_s = 0;  // periods shorter than a turn, from false marks, add up to turns

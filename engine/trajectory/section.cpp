@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/core/statistics.h"
 #include "engine/trajectory/error_motion.h"
 #include "engine/trajectory/surface_image.h"
 #include "engine/trajectory/trajectory_codes.h"
@@ -94,7 +95,7 @@ void judgeForm(TrajectorySection& section, Drift removed)
         drift_um = std::max(drift_um, std::abs(section.drift_um_per_rev[index(probe)]));
     const bool drifts = removed == Drift::None && drift_um > mostDrift * deviation_um;
     section.form_measured = !drowned && !drifts && !(section.roundness.RONt_expanded_uncertainty_um >= deviation_um);
-    if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = form::FormVerdict::Undecided;
+    if (!section.form_measured && section.roundness.verdict) section.roundness.verdict = Verdict::Undecided;
 }
 
 /// Image, run-out and roundness from the mean trajectories.
@@ -132,23 +133,23 @@ void keepRevolutions(TrajectorySection& section, const SectionSignals& signals)
 
 }  // namespace
 
-TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretch,
+TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& segment,
                            const TrajectoryParameters& parameters, double workpiece_diameter_mm,
                            const Progress& progress)
 {
     TrajectorySection section;
-    section.revolutions_found = stretch.found;
-    if (!stretch.chosen.empty() && prepared.clock.isKnown()) {
+    section.revolutions_found = segment.found;
+    if (!segment.chosen.empty() && prepared.clock.isKnown()) {
         double duration_s = 0;
-        for (const Revolution& revolution : stretch.chosen) duration_s += revolution.end_s - revolution.start_s;
-        section.speed_rpm = 60 * static_cast<double>(stretch.chosen.size()) / duration_s;
+        for (const Revolution& revolution : segment.chosen) duration_s += revolution.end_s - revolution.start_s;
+        section.speed_rpm = 60 * static_cast<double>(segment.chosen.size()) / duration_s;
     }
     const auto points = static_cast<std::size_t>(parameters.points);
     for (std::size_t i = 0; i < points; ++i)
         section.angle_deg.push_back(360 * static_cast<double>(i) / static_cast<double>(points));
 
     SectionSignals signals = resample(*prepared.record, prepared.clock, prepared.map, prepared.revolutions,
-                                      stretch.chosen, points, prepared.channel_skew_s);
+                                      segment.chosen, points, prepared.channel_skew_s);
     progress.check();
     section.drift_um_per_rev = driftPerRevolution_um(signals);
     if (parameters.drift == Drift::Section) removeDrift(signals, section.drift_um_per_rev);
@@ -196,7 +197,7 @@ TrajectorySection evaluate(const AveragedSection& averages, int revolutions, con
         statistics.std_um = *deviations[index(probe)];
         if (revolutions > 1)
             for (const double deviation : statistics.std_um)
-                statistics.confidence_um.push_back(studentQuantile95(revolutions - 1) * deviation /
+                statistics.confidence_um.push_back(studentQuantile(0.975, revolutions - 1) * deviation /
                                                    std::sqrt(static_cast<double>(revolutions)));
         section.error_motion[index(probe)] = errorMotionOfMean(statistics.mean_um, section.angle_deg);
     }

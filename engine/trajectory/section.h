@@ -7,7 +7,7 @@
 namespace lathelier::trajectory {
 
 /// Everything of a section but its number, place and names. Errors tooFewRevolutions, those of roundness().
-TrajectorySection evaluate(const PreparedRecord& prepared, const Stretch& stretch,
+TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& segment,
                            const TrajectoryParameters& parameters, double workpiece_diameter_mm,
                            const Progress& progress);
 

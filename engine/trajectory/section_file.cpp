@@ -7,8 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/form/roundness_json.h"
 #include "engine/io/file.h"
+#include "engine/report/quantity_table.h"
+#include "engine/trajectory/trajectory_quantities.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -35,21 +36,23 @@ double at(const std::vector<double>& values, std::size_t i)
 
 void writeSectionTable(const std::string& path, const TrajectoryResult& result)
 {
-    std::string out =
-        "section,z_mm,revolutions_used,diameter_mm,centre_x_um,centre_y_um,RONt_LSCI_um,RONt_MZCI_um,RONt_MICI_um,"
-        "RONt_MCCI_um,two_point_range_um,run_out_um,synchronous_um,asynchronous_um,total_um,tolerance_um,verdict\n";
-    for (const TrajectorySection& s : result.sections) {
-        const form::ReferenceCircles& c = s.roundness.circles;
-        append(out, {static_cast<double>(s.section), s.z_mm, static_cast<double>(s.revolutions_used),
-                     2 * c.LSCI.radius_mm, 1e3 * c.LSCI.centre_mm.x(), 1e3 * c.LSCI.centre_mm.y(), c.LSCI.RONt_um,
-                     c.MZCI.RONt_um, c.MICI.RONt_um, c.MCCI.RONt_um, s.roundness.two_point.range_um, s.run_out_um,
-                     s.spindle.synchronous_um, s.spindle.asynchronous_um, s.spindle.total_um,
-                     result.parameters.form.tolerance_um.value_or(std::numeric_limits<double>::quiet_NaN())});
-        out += ',';
-        if (s.roundness.verdict) out += key(*s.roundness.verdict);
-        out += '\n';
-    }
-    writeFile(path, out);
+    writeFile(path, csvOf<TrajectorySection>(result.sections, {"section",
+                                                               "z_mm",
+                                                               "revolutions_used",
+                                                               "diameter_mm",
+                                                               "centre_x_um",
+                                                               "centre_y_um",
+                                                               "RONt_LSCI_um",
+                                                               "RONt_MZCI_um",
+                                                               "RONt_MICI_um",
+                                                               "RONt_MCCI_um",
+                                                               {"two_point.range_um", "two_point_range_um"},
+                                                               "run_out_um",
+                                                               {"spindle.synchronous_um", "synchronous_um"},
+                                                               {"spindle.asynchronous_um", "asynchronous_um"},
+                                                               {"spindle.total_um", "total_um"},
+                                                               "tolerance_um",
+                                                               "verdict"}));
 }
 
 void writeImages(const std::string& path, const TrajectoryResult& result)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/statistics.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier::trajectory {
@@ -38,7 +39,7 @@ double medianDistance(const SectionSignals& signals, std::size_t probe, std::siz
     std::vector<double> away(signals.points);
     for (std::size_t i = 0; i < signals.points; ++i) away[i] = distance(signals.at(probe, k, i), i);
     keepFinite(away);
-    return signal::median(std::move(away));
+    return median(std::move(away));
 }
 
 /// Medians and robust standard deviations at each angle. Few revolutions make a single MAD small by chance: half of
@@ -49,10 +50,10 @@ std::vector<Spread> spreads(const SectionSignals& signals, std::size_t probe)
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < signals.points; ++i) {
         const std::vector<double> values = column(signals, probe, i);
-        result[i] = {signal::median(values), signal::robustSpread(values)};
+        result[i] = {median(values), signal::robustSpread(values)};
         if (!values.empty()) sigmas.push_back(result[i].sigma);
     }
-    const double typical = signal::median(std::move(sigmas));
+    const double typical = median(std::move(sigmas));
     for (Spread& spread : result) spread.sigma = std::max(spread.sigma, typical / 2);
     return result;
 }
@@ -112,7 +113,7 @@ std::array<double, 4> driftPerRevolution_um(const SectionSignals& signals)
     if (count < 2) return drift;
     for (std::size_t probe = 0; probe < drift.size(); ++probe) {
         std::vector<double> middle(signals.points);
-        for (std::size_t i = 0; i < signals.points; ++i) middle[i] = signal::median(column(signals, probe, i));
+        for (std::size_t i = 0; i < signals.points; ++i) middle[i] = median(column(signals, probe, i));
         double sum_k = 0, sum_y = 0, sum_kk = 0, sum_ky = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const double x = static_cast<double>(signals.numbers[k] - signals.numbers.front());
@@ -157,7 +158,7 @@ Rejected rejectOutliers(SectionSignals& signals, double sigmas)
         for (std::size_t k = 0; k < distance.size(); ++k)
             distance[k] = medianDistance(
                 signals, probe, k, [&](double value, std::size_t i) { return std::abs(value - spread[i].median); });
-        const Spread typical{signal::median(distance), signal::robustSpread(distance)};
+        const Spread typical{median(distance), signal::robustSpread(distance)};
         for (std::size_t k = 0; k < distance.size(); ++k)
             if (distance[k] > typical.median + sigmas * typical.sigma && distance[k] > 2 * typical.median)
                 keep[k] = false;

@@ -22,7 +22,7 @@ using Records = std::vector<const ProbeFile*>;
 /// What has to be evaluated for one section.
 struct Task {
     const PreparedRecord* raw = nullptr;
-    Stretch stretch;
+    RecordSegment segment;
     const AveragedSection* averages = nullptr;
     int averaged_revolutions = 0;
     int number = 0;
@@ -154,7 +154,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
                 static_cast<int>(std::clamp(headerNumber(averaged->header, "n_rev").value_or(0), 0.0, 1e9));
             for (const AveragedSection& section : averaged->sections) {
                 Task task{nullptr, {}, &section, revolutions, section.section, averaged->name, path};
-                task.stretch.z_mm = section.z_mm;
+                task.segment.z_mm = section.z_mm;
                 tasks.push_back(std::move(task));
             }
             notes.push_back({notes::averagesOnly, {{"path", path}}});
@@ -162,21 +162,21 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
         }
         const auto& record = std::get<ProbeRecord>(records[i]->record);
         const PreparedRecord& ready = prepared.emplace_back(prepare(record, path, parameters, notes));
-        std::vector<Stretch> stretches;
-        if (const auto cutting = records.size() == 1 ? cuttingOf(record, parameters, notes) : std::nullopt) {
-            stretches = cutRecord(ready, parameters, *cutting);
+        std::vector<RecordSegment> segments;
+        if (const auto segmentation = records.size() == 1 ? segmentationOf(record, parameters, notes) : std::nullopt) {
+            segments = segmentRecord(ready, parameters, *segmentation);
         } else {
-            stretches.push_back(wholeRecord(ready, parameters));
-            stretches.back().z_mm =
+            segments.push_back(wholeRecord(ready, parameters));
+            segments.back().z_mm =
                 headerNumber(record.header, "z_mm").value_or(std::numeric_limits<double>::quiet_NaN());
         }
         std::size_t fewest = static_cast<std::size_t>(parameters.revolutions);
         std::int64_t found = 0, used = 0;
-        for (Stretch& stretch : stretches) {
-            found += stretch.found;
-            used += static_cast<std::int64_t>(stretch.chosen.size());
-            fewest = std::min(fewest, stretch.chosen.size());
-            tasks.push_back({&ready, std::move(stretch), nullptr, 0, 0, record.name, path});
+        for (RecordSegment& segment : segments) {
+            found += segment.found;
+            used += static_cast<std::int64_t>(segment.chosen.size());
+            fewest = std::min(fewest, segment.chosen.size());
+            tasks.push_back({&ready, std::move(segment), nullptr, 0, 0, record.name, path});
         }
         if (used < found)
             notes.push_back({notes::revolutionsUnused, {{"path", path}, {"found", found}, {"used", used}}});
@@ -194,7 +194,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
                                                  {"sections", static_cast<std::int64_t>(tasks.size())}});
     const bool numbered = std::all_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.averages; });
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        if (!places.empty()) tasks[i].stretch.z_mm = places[i];
+        if (!places.empty()) tasks[i].segment.z_mm = places[i];
         if (!numbered || records.size() > 1) tasks[i].number = static_cast<int>(i + 1);
     }
     return tasks;
@@ -204,14 +204,14 @@ TrajectorySection evaluate(const Task& task, const TrajectoryResult& result, con
 {
     try {
         TrajectorySection section =
-            task.raw ? evaluate(*task.raw, task.stretch, result.parameters, result.workpiece_diameter_mm, progress)
+            task.raw ? evaluate(*task.raw, task.segment, result.parameters, result.workpiece_diameter_mm, progress)
                      : evaluate(*task.averages, task.averaged_revolutions, result.parameters,
                                 result.workpiece_diameter_mm, progress);
         section.section = task.number;
         section.record = task.record;
         section.image.name = task.record + " #" + std::to_string(task.number);
         section.roundness.name = section.image.name;
-        section.z_mm = task.stretch.z_mm;
+        section.z_mm = task.segment.z_mm;
         return section;
     } catch (Error& error) {
         throw error.with("path", task.path).with("section", std::int64_t{task.number});
@@ -226,7 +226,7 @@ void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
         const TrajectorySection& section = result.sections[i];
         samples += section.samples_rejected;
         if (tasks[i].raw)
-            revolutions += static_cast<std::int64_t>(tasks[i].stretch.chosen.size()) - section.revolutions_used;
+            revolutions += static_cast<std::int64_t>(tasks[i].segment.chosen.size()) - section.revolutions_used;
         addOnce(result.notes, section);
     }
     if (samples + revolutions > 0)
@@ -242,16 +242,13 @@ void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
     result.notes.push_back({notes::mandrelFloor, {{"form_um", result.mandrel_form_um}}});
 }
 
-std::optional<form::FormVerdict> worstVerdict(const std::vector<TrajectorySection>& sections)
+std::optional<Verdict> worstVerdict(const std::vector<TrajectorySection>& sections)
 {
-    std::optional<form::FormVerdict> worst;
+    std::optional<Verdict> worst;
     for (const TrajectorySection& section : sections) {
         const auto verdict = section.roundness.verdict;
         if (!verdict) continue;
-        if (!worst || *verdict == form::FormVerdict::Fail ||
-            (*verdict == form::FormVerdict::Undecided && *worst == form::FormVerdict::Pass))
-            worst = verdict;
-        if (*worst == form::FormVerdict::Fail) break;
+        worst = worst ? worse(*worst, *verdict) : *verdict;
     }
     return worst;
 }

@@ -106,8 +106,8 @@ struct TrajectoryResult {
     Values cutting;                    ///< what the records say of themselves: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
-    double mandrel_form_um = 0.2;              ///< floor: two probes cannot tell the mandrel's form from its motion
-    std::optional<form::FormVerdict> verdict;  ///< of the worst section, with form.tolerance_um
+    double mandrel_form_um = 0.2;    ///< floor: two probes cannot tell the mandrel's form from its motion
+    std::optional<Verdict> verdict;  ///< of the worst section, with form.tolerance_um
     Notes notes;
 
     /// Index of the section with the largest deviation by form.circle; none without sections.
@@ -115,8 +115,8 @@ struct TrajectoryResult {
 };
 
 /// Evaluates one or several records, in order. An averaged record brings its own sections. One record with
-/// `feed_mm_rev` is cut into `sections` stretches of equal length from its first mark on, z = 0 at that mark; the first
-/// `revolutions` of each stretch make the section, whose z_mm is the middle of them. The same bits for any number of
+/// `feed_mm_rev` is cut into `sections` segments of equal length from its first mark on, z = 0 at that mark; the first
+/// `revolutions` of each segment make the section, whose z_mm is the middle of them. The same bits for any number of
 /// threads.
 /// Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
 /// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;

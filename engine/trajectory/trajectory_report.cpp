@@ -3,117 +3,82 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/form/form_verification.h"
 #include "engine/form/roundness_report.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/report/quantity_table.h"
 #include "engine/trajectory/channel_map.h"
 #include "engine/trajectory/trajectory_plots.h"
+#include "engine/trajectory/trajectory_quantities.h"
 
 namespace lathelier::trajectory {
 namespace {
 
-const Text um = LT_TEXT("Engine", "µm");
-const Text mm = LT_TEXT("Engine", "mm");
-
 QuantityTable longitudinalTable(const LongitudinalSection& section)
 {
-    return {LT_TEXT("Engine", "Longitudinal section"),
-            {{LT_TEXT("Engine", "Taper on diameter (+ grows from the free end)"), section.taper_diameter_um, um, 2},
-             {LT_TEXT("Engine", "Barrel on radius (+ barrel, - saddle)"), section.barrel_um, um, 2},
-             {LT_TEXT("Engine", "Range of the diameters"), section.diameter_range_um, um, 2},
-             {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), section.half_diameter_range_um, um, 2},
-             {LT_TEXT("Engine", "Straightness of the axis"), section.axis_straightness_um, um, 2},
-             {LT_TEXT("Engine", "Straightness of the profile (residual about its line)"),
-              section.profile_straightness_um, um, 2},
-             {LT_TEXT("Engine", "Cylindricity CYLt(LSCY)"), section.CYLt_LSCY_um, um, 2},
-             {LT_TEXT("Engine", "Cylindricity CYLt(MZCY), locally optimal"), section.CYLt_MZCY_um, um, 2}}};
+    return quantityTable(LT_TEXT("Engine", "Longitudinal section"), section,
+                         {"taper_diameter_um", "barrel_um", "diameter_range_um", "half_diameter_range_um",
+                          "axis_straightness_um", "profile_straightness_um", "CYLt_LSCY_um", "CYLt_MZCY_um"});
 }
 
 QuantityTable worstTable(const TrajectorySection& section, const TrajectoryResult& result)
 {
-    const form::ReferenceCircles& c = section.roundness.circles;
-    QuantityTable table{
-        LT_TEXT("Engine", "The section with the largest deviation"),
-        {{LT_TEXT("Engine", "Section"), std::int64_t{section.section}, {}},
-         {LT_TEXT("Engine", "From the free end"), section.z_mm, mm},
-         {"RONt(MZCI)", c.MZCI.RONt_um, um, 2},
-         {"RONt(LSCI)", c.LSCI.RONt_um, um, 2},
-         {"RONt(MICI)", c.MICI.RONt_um, um, 2},
-         {"RONt(MCCI)", c.MCCI.RONt_um, um, 2},
-         {LT_TEXT("Engine", "Expanded uncertainty (95 %)"), section.roundness.RONt_expanded_uncertainty_um, um, 2},
-         {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), section.run_out_um,
-          um, 2},
-         {LT_TEXT("Engine", "Two-point size range"), section.roundness.two_point.range_um, um, 2},
-         {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), section.roundness.two_point.half_range_um, um, 2}}};
-    std::erase_if(table.rows, [](const Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
+    QuantityTable table =
+        quantityTable(LT_TEXT("Engine", "The section with the largest deviation"), section,
+                      {"section", "z_mm", "RONt_MZCI_um", "RONt_LSCI_um", "RONt_MICI_um", "RONt_MCCI_um",
+                       "RONt_expanded_uncertainty_um", "run_out_um", "two_point.range_um", "two_point.half_range_um"});
     if (result.parameters.form.tolerance_um)
-        table.rows.push_back({LT_TEXT("Engine", "Tolerance"), *result.parameters.form.tolerance_um, um});
-    if (result.verdict) table.rows.push_back({LT_TEXT("Engine", "Verdict"), verdictName(*result.verdict), {}});
+        for (Quantity& row : quantityRows(section, {"tolerance_um"})) table.rows.push_back(std::move(row));
+    if (result.verdict) table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
     return table;
 }
 
-/// For narrow columns.
-Text shortVerdict(form::FormVerdict verdict)
-{
-    switch (verdict) {
-        case form::FormVerdict::Pass: return LT_TEXT("Engine", "✓ within");
-        case form::FormVerdict::Fail: return LT_TEXT("Engine", "✗ above");
-        case form::FormVerdict::Undecided: return LT_TEXT("Engine", "? undecided");
-    }
-    return {};
-}
-
+/// For narrow columns: short headings.
 Table sectionsTable(const TrajectoryResult& result)
 {
-    Table table{LT_TEXT("Engine", "All sections"),
-                {LT_TEXT("Engine", "section"), LT_TEXT("Engine", "z (mm)"), LT_TEXT("Engine", "diameter (mm)"),
-                 "MZCI (µm)", "LSCI (µm)", "MICI (µm)", "MCCI (µm)", LT_TEXT("Engine", "two-point (µm)"),
-                 LT_TEXT("Engine", "run-out (µm)"), LT_TEXT("Engine", "revolutions")},
-                {},
-                {0, 2, 5, 2, 2, 2, 2, 2, 2, 0}};
-    const bool judged = result.parameters.form.tolerance_um.has_value();
-    if (judged) table.columns.push_back(LT_TEXT("Engine", "verdict"));
-    for (const TrajectorySection& s : result.sections) {
-        const form::ReferenceCircles& c = s.roundness.circles;
-        std::vector<Value> row{std::int64_t{s.section},
-                               s.z_mm,
-                               2 * c.LSCI.radius_mm,
-                               c.MZCI.RONt_um,
-                               c.LSCI.RONt_um,
-                               c.MICI.RONt_um,
-                               c.MCCI.RONt_um,
-                               s.roundness.two_point.range_um,
-                               s.run_out_um,
-                               std::int64_t{s.revolutions_used}};
-        if (judged) {
-            Value verdict;
-            if (s.roundness.verdict) verdict = shortVerdict(*s.roundness.verdict);
-            row.push_back(std::move(verdict));
-        }
-        table.rows.push_back(std::move(row));
+    Table table =
+        listTable<TrajectorySection>(LT_TEXT("Engine", "All sections"), result.sections,
+                                     {"section", "z_mm", "diameter_mm", "RONt_MZCI_um", "RONt_LSCI_um", "RONt_MICI_um",
+                                      "RONt_MCCI_um", "two_point.range_um", "run_out_um", "revolutions_used"});
+    table.columns = {LT_TEXT("Engine", "section"),
+                     LT_TEXT("Engine", "z (mm)"),
+                     LT_TEXT("Engine", "diameter (mm)"),
+                     "MZCI (µm)",
+                     "LSCI (µm)",
+                     "MICI (µm)",
+                     "MCCI (µm)",
+                     LT_TEXT("Engine", "two-point (µm)"),
+                     LT_TEXT("Engine", "run-out (µm)"),
+                     LT_TEXT("Engine", "revolutions")};
+    if (!result.parameters.form.tolerance_um) return table;
+    table.columns.emplace_back(LT_TEXT("Engine", "verdict"));
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const auto verdict = result.sections[i].roundness.verdict;
+        table.rows[i].push_back(verdict ? Value(shortName(*verdict)) : Value());
     }
     return table;
 }
 
 Table errorMotionTable(const TrajectorySection& section)
 {
-    Table table{
-        LT_TEXT("Engine", "Error motion (ISO 230-7), without mean and eccentricity"),
-        {LT_TEXT("Engine", "signal"), LT_TEXT("Engine", "synchronous (µm)"), LT_TEXT("Engine", "asynchronous (µm)"),
-         LT_TEXT("Engine", "total (µm)"), LT_TEXT("Engine", "drift (µm/rev)")},
-        {},
-        {0, 2, 2, 2, 4}};
-    for (std::size_t probe = 0; probe < section.error_motion.size(); ++probe) {
-        const ErrorMotion& motion = section.error_motion[probe];
-        const bool known = !section.revolutions_um[probe].empty();  // averages tell of no drift
-        table.rows.push_back({std::string(name(static_cast<Probe>(probe))), motion.synchronous_um,
-                              motion.asynchronous_um, motion.total_um,
-                              known ? section.drift_um_per_rev[probe] : HUGE_VAL});
+    std::vector<ErrorMotion> motions(section.error_motion.begin(), section.error_motion.end());
+    if (section.rotating) motions.push_back(*section.rotating);
+    Table table = listTable<ErrorMotion>(LT_TEXT("Engine", "Error motion (ISO 230-7), without mean and eccentricity"),
+                                         motions, {"synchronous_um", "asynchronous_um", "total_um"});
+    table.columns = {LT_TEXT("Engine", "signal"), LT_TEXT("Engine", "synchronous (µm)"),
+                     LT_TEXT("Engine", "asynchronous (µm)"), LT_TEXT("Engine", "total (µm)"),
+                     LT_TEXT("Engine", "drift (µm/rev)")};
+    table.decimals = {0, 2, 2, 2, 4};
+    for (std::size_t probe = 0; probe < table.rows.size(); ++probe) {
+        std::vector<Value>& row = table.rows[probe];
+        const bool single = probe < section.error_motion.size();
+        const bool known = single && !section.revolutions_um[probe].empty();  // averages tell of no drift
+        row.insert(row.begin(), single ? Value(std::string(name(static_cast<Probe>(probe))))
+                                       : Value(LT_TEXT("Engine", "rotating direction")));
+        row.push_back(known ? Value(section.drift_um_per_rev[probe]) : Value());
     }
-    if (section.rotating)
-        table.rows.push_back({LT_TEXT("Engine", "rotating direction"), section.rotating->synchronous_um,
-                              section.rotating->asynchronous_um, section.rotating->total_um, Value()});
     return table;
 }
 
@@ -185,14 +150,13 @@ Headline headline(const TrajectoryResult& result, const Language& language)
     if (result.verdict) {
         const Values values{{"tolerance", *result.parameters.form.tolerance_um}};
         switch (*result.verdict) {
-            case form::FormVerdict::Pass: add(LT_TEXT("Engine", " · within {tolerance} µm"), values); break;
-            case form::FormVerdict::Fail: add(LT_TEXT("Engine", " · above {tolerance} µm"), values); break;
-            case form::FormVerdict::Undecided:
+            case Verdict::Pass: add(LT_TEXT("Engine", " · within {tolerance} µm"), values); break;
+            case Verdict::Fail: add(LT_TEXT("Engine", " · above {tolerance} µm"), values); break;
+            case Verdict::Undecided:
                 if (!unmeasured) add(LT_TEXT("Engine", " · not decided: too near to {tolerance} µm"), values);
                 break;
         }
-        if (*result.verdict != form::FormVerdict::Undecided)
-            answer.verdict = *result.verdict == form::FormVerdict::Pass;
+        answer.verdict = passed(result.verdict);
     }
     line = keptTogether(line);
     return answer;
@@ -230,6 +194,7 @@ Document trajectoryReport(const TrajectoryResult& result, const std::vector<Inpu
 {
     Document document;
     document.title = LT_TEXT("Engine", "Trajectories and the machined surface");
+    document.verification = {&form::formVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections.push_back(trajectorySummary(result, language));

@@ -48,7 +48,7 @@ private slots:
 
     void filesGoToTheActivePanel()
     {
-        window_->openPaths({makeFile("a.txt")});
+        openFiles({makeFile("a.txt")});
         PanelBase& panel = window_->activeDock()->panel();
         QTRY_VERIFY(panel.isCurrent());
         QVERIFY(session_->isModified());
@@ -61,21 +61,21 @@ private slots:
 
     void filesGoWhereTheyCertainlyBelong()
     {
-        window_->openPaths({makeFile("a.record")});
+        openFiles({makeFile("a.record")});
         QCOMPARE(session_->project().workspace, std::string("roundness"));
         QCOMPARE(window_->activeDock(), dock("records"));
         QTRY_VERIFY(dock("records")->panel().isCurrent());
-        window_->openPaths({makeFile("a.profile")});
+        openFiles({makeFile("a.profile")});
         QCOMPARE(window_->activeDock(), dock("round"));
         QTRY_VERIFY(dock("round")->panel().isCurrent());
         window_->enterWorkspace("inspection");
-        window_->openPaths({makeFile("a.txt")});  // nobody's: to the panel in front
+        openFiles({makeFile("a.txt")});  // nobody's: to the panel in front
         QCOMPARE(session_->project().workspace, std::string("inspection"));
     }
 
     void undoKeyWorksInsideAField()
     {
-        window_->openPaths({makeFile("a.txt")});
+        openFiles({makeFile("a.txt")});
         window_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         auto* field = window_->activeDock()->panel().findChild<QLineEdit*>("factor_mm");

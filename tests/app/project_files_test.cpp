@@ -21,7 +21,7 @@ private slots:
 
     void projectsAreOpenedSavedAndRemembered()
     {
-        window_->openPaths({makeFile("a.txt")});
+        openFiles({makeFile("a.txt")});
         const QString path = folder_.filePath("p.lathelier");
         session_->save(path);
         restart();

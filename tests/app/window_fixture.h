@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <map>
 #include <memory>
 
 #include "app/gui/main_window.h"
@@ -29,12 +30,23 @@ protected:
     std::unique_ptr<Session> session_;
     std::unique_ptr<MainWindow> window_;
 
+    /// Files whose name ends in `suffix`.
+    static const FileKind& kindNamed(const std::string& suffix)
+    {
+        static std::map<std::string, FileKind> kinds;
+        FileKind& kind = kinds[suffix];
+        kind.key = suffix;
+        kind.sniff = [suffix](const std::string& path, std::string_view, const Values&) {
+            return path.ends_with("." + suffix) ? Likeness::Certain : Likeness::No;
+        };
+        return kind;
+    }
     static std::vector<PanelFacts> panels()
     {
         PanelFacts round = FakePanel::factsOf("round", "roundness");
         PanelFacts records = FakePanel::factsOf("records", "roundness");
-        round.recognises = [](const std::string& path) { return path.ends_with(".profile"); };
-        records.recognises = [](const std::string& path) { return path.ends_with(".record"); };
+        round.kinds = {&kindNamed("profile")};
+        records.kinds = {&kindNamed("record")};
         return {FakePanel::factsOf("one"), FakePanel::factsOf("two"), round, records};
     }
     PanelDock* dock(const std::string& id) const
@@ -57,6 +69,11 @@ protected:
         window_ = std::make_unique<MainWindow>(*session_, languages_, panels());
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void openFiles(const QStringList& paths)
+    {
+        window_->openPaths(paths);
+        QTRY_VERIFY(!window_->isOpening());
     }
     void prepareSettings() { useSettingsOf(folder_.path()); }
     void begin()

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/io/io_codes.h"
 #include "engine/registration/compare_json.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -21,8 +20,7 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    inputs.files = {LT_TEXT("Engine", "Point clouds and meshes"),
-                    "*.xyz *.asc *.csv *.txt *.pts *.ply *.pcd *.stl *.obj"};
+    for (InputRole& role : inputs.roles) role.kinds = {&scanFiles()};
     inputs.fields = infos<registration::CompareParameters>();
     inputs.defaults = toValues(registration::CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
@@ -48,7 +46,8 @@ PanelFacts comparePanelFacts()
     facts.id = "compare";
     facts.title = LT_TEXT("Engine", "Compare");
     facts.icon = "compare";
-    facts.workspaces = {"inspection"};
+    facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
+    facts.kinds = {&scanFiles()};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     facts.missing = missingOf(panelInputs().roles);
     facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
@@ -72,11 +71,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
             QString("compare/tolerance/drag%1").arg(drags_));
         drags_ += dropped;
     });
-    connect(views_, &CompareViews::notWritten, this, [this](const QString& path) {
-        const Error error(errors::fileNotWritable,
-                          {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
-        emit messageRaised({error, this->facts().title});
-    });
+    connect(views_, &CompareViews::notWritten, this, &ComparePanel::sayNotWritten);
 }
 
 void ComparePanel::addSwapButton()

@@ -11,6 +11,7 @@
 #include "widgets/core/intervals_edit.h"
 #include "widgets/core/language.h"
 #include "widgets/core/number_edit.h"
+#include "widgets/core/rows_edit.h"
 
 namespace lathelier {
 namespace {
@@ -179,6 +180,31 @@ private:
     IntervalsEdit* edit_;
 };
 
+class TableEditor : public FieldEditor {
+public:
+    TableEditor(const FieldInfo& info, QWidget* parent) : FieldEditor(parent), edit_(new RowsEdit(info))
+    {
+        fill(edit_);
+        connect(edit_, &RowsEdit::rowsChanged, this, [this] {
+            emit changed();
+            emit finished();
+        });
+    }
+    Value value() const override { return edit_->rows(); }
+    void setValue(const Value& value) override
+    {
+        if (const Rows* rows = std::get_if<Rows>(&value))
+            edit_->setRows(*rows);
+        else
+            edit_->setRows({});  // an empty list of a project file
+    }
+    void retranslate(const FieldInfo& info) override { edit_->setNames(screenText(info.label), screenText(info.help)); }
+    QWidget* input() override { return edit_; }
+
+private:
+    RowsEdit* edit_;
+};
+
 }  // namespace
 
 void FieldEditor::fill(QWidget* content)
@@ -192,12 +218,14 @@ void FieldEditor::fill(QWidget* content)
 FieldEditor* makeFieldEditor(const FieldInfo& info, QWidget* parent)
 {
     switch (info.kind) {
-        case FieldInfo::Kind::Flag: return new FlagEditor(parent);
+        case FieldInfo::Kind::Flag:
+        case FieldInfo::Kind::Group: return new FlagEditor(parent);
         case FieldInfo::Kind::Integer:
         case FieldInfo::Kind::Number: return new NumberEditor(info, parent);
         case FieldInfo::Kind::Choice: return new ChoiceEditor(info, parent);
         case FieldInfo::Kind::Word: return new WordEditor(parent);
         case FieldInfo::Kind::Intervals: return new RangesEditor(info, parent);
+        case FieldInfo::Kind::Rows: return new TableEditor(info, parent);
     }
     return nullptr;
 }

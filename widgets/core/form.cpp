@@ -26,8 +26,9 @@ Form::Form(std::vector<FieldInfo> fields, QWidget* parent) : QWidget(parent)
     auto* plain = new QWidget(this);
     QFormLayout* plainLayout = makeLayout(plain);
     layout->addWidget(plain);
+    Text group;
     for (const FieldInfo& info : fields)
-        if (!info.advanced) addRow(info, plainLayout);
+        if (!info.advanced) addRow(info, plainLayout, group);
 
     if (std::any_of(fields.begin(), fields.end(), [](const FieldInfo& info) { return info.advanced; })) {
         fold_ = new QToolButton(this);
@@ -39,26 +40,40 @@ Form::Form(std::vector<FieldInfo> fields, QWidget* parent) : QWidget(parent)
         advanced_ = new QWidget(this);
         QFormLayout* advancedLayout = makeLayout(advanced_);
         layout->addWidget(advanced_);
+        Text folded_group;
         for (const FieldInfo& info : fields)
-            if (info.advanced) addRow(info, advancedLayout);
+            if (info.advanced) addRow(info, advancedLayout, folded_group);
         connect(fold_, &QToolButton::toggled, this, &Form::setUnfolded);
         setUnfolded(false);
     }
     retranslate();
+    enableGroups();
 }
 
 Form::~Form() = default;
 
-void Form::addRow(const FieldInfo& info, QFormLayout* layout)
+/// `group`: of the row before in this layout.
+void Form::addRow(const FieldInfo& info, QFormLayout* layout, Text& group)
 {
+    if (!info.group.empty() && !(info.group == group)) {
+        auto* heading = new QLabel(this);
+        QFont bold = heading->font();
+        bold.setBold(true);
+        heading->setFont(bold);
+        layout->addRow(heading);
+        headings_.emplace_back(info.group, heading);
+    }
+    group = info.group;
     auto* label = new QLabel(this);
     FieldEditor* editor = makeFieldEditor(info, this);
     editor->input()->setObjectName(QString::fromStdString(info.key));
     label->setBuddy(editor->input());
     layout->addRow(label, editor);
     rows_.push_back({info, label, editor});
-    connect(editor, &FieldEditor::changed, this,
-            [this, key = info.key, editor] { emit valueChanged(key, editor->value(), gesture_); });
+    connect(editor, &FieldEditor::changed, this, [this, key = info.key, editor] {
+        enableGroups();
+        emit valueChanged(key, editor->value(), gesture_);
+    });
     connect(editor, &FieldEditor::finished, this, [this] { ++gesture_; });
 }
 
@@ -73,6 +88,19 @@ void Form::setValues(const Values& values)
 {
     for (const Row& row : rows_)
         if (const Value* value = lathelier::find(values, row.info.key)) row.editor->setValue(*value);
+    enableGroups();
+}
+
+void Form::enableGroups()
+{
+    for (const Row& row : rows_) {
+        if (row.info.group_key.empty()) continue;
+        const auto group = std::find_if(rows_.begin(), rows_.end(),
+                                        [&row](const Row& other) { return other.info.key == row.info.group_key; });
+        const bool there = group != rows_.end() && group->editor->value() == Value(true);
+        row.label->setEnabled(there);
+        row.editor->setEnabled(there);
+    }
 }
 
 void Form::setUnfolded(bool unfolded)
@@ -93,6 +121,7 @@ QWidget* Form::editor(const std::string& key) const
 void Form::retranslate()
 {
     if (fold_) fold_->setText(tr("Advanced"));
+    for (const auto& [text, heading] : headings_) heading->setText(screenText(text));
     for (const Row& row : rows_) {
         const QString unit = screenText(row.info.unit);
         const QString label = screenText(row.info.label);

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/core/fields.h"
@@ -16,7 +17,8 @@ namespace lathelier {
 
 class FieldEditor;
 
-/// One editor for each field: label with tooltip, unit behind the editor, advanced fields folded away. Programmatic
+/// One editor for each field: label with tooltip, unit behind the editor, advanced fields folded away; the fields of a
+/// group under its heading, those of a group that is absent disabled. Programmatic
 /// setValues() is never announced. Numbers are shown in the user's locale.
 class Form : public QWidget {
     Q_OBJECT
@@ -45,10 +47,12 @@ private:
         QLabel* label;
         FieldEditor* editor;
     };
-    void addRow(const FieldInfo& info, QFormLayout* layout);
+    void addRow(const FieldInfo& info, QFormLayout* layout, Text& group);
+    void enableGroups();
     void retranslate();
 
     std::vector<Row> rows_;
+    std::vector<std::pair<Text, QLabel*>> headings_;
     QToolButton* fold_ = nullptr;
     QWidget* advanced_ = nullptr;
     int gesture_ = 0;

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLocale>
+#include <QMenu>
 #include <QMimeData>
 #include <QUrl>
 
@@ -23,7 +24,7 @@ bool settledByImport(const ErrorCode& code)
 std::vector<FieldInfo> readingOf(const InputRole& role)
 {
     std::vector<FieldInfo> fields = infos<ImportOptions>();
-    fields.insert(fields.end(), role.reading.begin(), role.reading.end());
+    for (const FileKind* kind : role.kinds) fields.insert(fields.end(), kind->reading.begin(), kind->reading.end());
     return fields;
 }
 
@@ -57,6 +58,7 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
       facts_(new QLabel),
       open_(button("openInput", "open")),
       clear_(button("clearInput", "remove")),
+      item_(button("itemInput", "item")),
       how_(button("howToRead", "import")),
       import_(new Form(readingOf(role)))
 {
@@ -74,11 +76,14 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
     file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     layout->addWidget(title_, 0, 0);
     layout->addWidget(how_, 0, 1);
-    layout->addWidget(open_, 0, 2);
-    layout->addWidget(clear_, 0, 3);
-    layout->addWidget(file_, 1, 0, 1, 4);
-    layout->addWidget(facts_, 2, 0, 1, 4);
-    layout->addWidget(import_, 3, 0, 1, 4);
+    layout->addWidget(item_, 0, 2);
+    layout->addWidget(open_, 0, 3);
+    layout->addWidget(clear_, 0, 4);
+    layout->addWidget(file_, 1, 0, 1, 5);
+    layout->addWidget(facts_, 2, 0, 1, 5);
+    layout->addWidget(import_, 3, 0, 1, 5);
+    item_->setPopupMode(QToolButton::InstantPopup);
+    item_->setMenu(new QMenu(item_));
     layout->setColumnStretch(0, 1);
     how_->setCheckable(true);
     import_->hide();
@@ -93,10 +98,20 @@ void InputBox::setSources(const std::vector<Source>& sources)
 {
     sources_ = sources;
     Values values = toValues(ImportOptions{});
-    for (const auto& [name, value] : role_.readingDefaults) lathelier::set(values, name, value);
+    for (const FileKind* kind : role_.kinds)
+        for (const auto& [name, value] : kind->reading_defaults) lathelier::set(values, name, value);
     if (!sources.empty())
         for (const auto& [name, value] : sources.front().import) lathelier::set(values, name, value);
     import_->setValues(values);
+    refresh();
+}
+
+void InputBox::setItems(const std::vector<ItemOffer>& items)
+{
+    items_ = items;
+    item_->menu()->clear();
+    for (const ItemOffer& item : items_)
+        item_->menu()->addAction(item.name, this, [this, name = item.name] { emit itemWanted(name); });
     refresh();
 }
 
@@ -133,11 +148,13 @@ void InputBox::refresh()
     const bool there = !sources_.empty();
     QStringList names, paths;
     for (const Source& source : sources_) {
-        paths << QString::fromStdString(source.path);
-        names << screenFileName(paths.back());
+        const QString item = QString::fromStdString(source.item);
+        paths << (item.isEmpty() ? QString::fromStdString(source.path) : tr("“%1” of this project").arg(item));
+        names << (item.isEmpty() ? screenFileName(paths.back()) : paths.back());
     }
+    item_->setVisible(!items_.empty());
     clear_->setVisible(there);
-    how_->setVisible(there);
+    how_->setVisible(there && sources_.front().item.empty());
     if (!there) how_->setChecked(false);
     QString name = there ? names.front() : QString();
     if (names.size() > 1) name = tr("%1 and %n more", nullptr, static_cast<int>(names.size() - 1)).arg(name);
@@ -152,6 +169,12 @@ void InputBox::refresh()
         facts << tr("⚠ This file could not be read.");
     else if (!understood_.isEmpty())
         facts << understood_;
+    for (const ItemOffer& item : items_) {
+        if (!there || item.name.toStdString() != sources_.front().item) continue;
+        if (!item.origin.isEmpty()) facts << tr("Made in %1").arg(item.origin);
+        if (item.outdated)
+            facts << tr("⚠ %1 has another state by now: keep it there again to use it.").arg(item.origin);
+    }
     if (there && sources_.front().synthetic) facts << tr("Synthetic data");
     facts_->setText(facts.join('\n'));
     facts_->setMinimumHeight(facts.isEmpty() ? 0 : facts_->heightForWidth(std::max(width(), 40)));  // no line is cut
@@ -167,6 +190,8 @@ void InputBox::retranslate()
     open_->setAccessibleName(open_->toolTip());
     clear_->setToolTip(tr("Take “%1” away").arg(label));
     clear_->setAccessibleName(clear_->toolTip());
+    item_->setToolTip(tr("Use what another panel made as “%1”").arg(label));
+    item_->setAccessibleName(item_->toolTip());
     how_->setToolTip(tr("How to read this file: unit, decimal mark, columns"));
     how_->setAccessibleName(how_->toolTip());
     refresh();

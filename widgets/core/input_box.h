@@ -20,12 +20,21 @@ public:
     explicit InputBox(const InputRole& role, QWidget* parent = nullptr);
 
     void setSources(const std::vector<Source>& sources);
+    /// The items of the project that may be taken, and which of them have an origin that changed.
+    struct ItemOffer {
+        QString name;
+        QString origin;  ///< title or id of the panel that made it; empty: none
+        bool outdated = false;
+    };
+    void setItems(const std::vector<ItemOffer>& items);
+
     void setUnderstood(const QString& text);  ///< empty: not read (yet)
     void setProblem(const Error* error);      ///< of this file; unfolds the reading options when they settle it
 
 signals:
     void openWanted();
     void clearWanted();
+    void itemWanted(const QString& name);
     void filesDropped(const QStringList& paths);
     void importChanged(const lathelier::Values& import);
 
@@ -41,6 +50,7 @@ private:
 
     InputRole role_;
     std::vector<Source> sources_;
+    std::vector<ItemOffer> items_;
     QString understood_;
     bool problem_ = false;
     QLabel* title_;
@@ -48,6 +58,7 @@ private:
     QLabel* facts_;
     QToolButton* open_;
     QToolButton* clear_;
+    QToolButton* item_;
     QToolButton* how_;
     Form* import_;
 };

@@ -55,6 +55,11 @@ InputBox* InputColumn::makeBox(const InputRole& role)
     boxes_[role.role] = box;
     connect(box, &InputBox::openWanted, this, [this, role] { ask(role); });
     connect(box, &InputBox::filesDropped, this, [this, role](const QStringList& paths) { choose(role, paths); });
+    connect(box, &InputBox::itemWanted, this, [this, role](const QString& name) {
+        Source source;
+        source.item = name.toStdString();
+        emit sourcesChosen(role, {source}, tr("Use “%1”").arg(name));
+    });
     connect(box, &InputBox::clearWanted, this,
             [this, role] { emit sourcesChosen(role, {}, tr("Take away: %1").arg(screenText(role.label))); });
     connect(box, &InputBox::importChanged, this, [this, role](const Values& import) {
@@ -75,7 +80,7 @@ void InputColumn::insertBefore(const std::string& role, QWidget* control)
 void InputColumn::ask(const InputRole& role)
 {
     const QString title = tr("Open: %1").arg(screenText(role.label));
-    const QString filter = fileFilter(role.kind.value_or(inputs_.files));
+    const QString filter = fileFilter(role.kinds);
     QStringList paths;
     if (role.several)
         paths = QFileDialog::getOpenFileNames(this, title, {}, filter);
@@ -99,6 +104,19 @@ void InputColumn::showState(const PanelState& state)
     for (const InputRole& role : inputs_.roles) boxes_.at(role.role)->setSources(sourcesOf(state, role));
 }
 
+void InputColumn::showItems(const Project& project)
+{
+    for (const InputRole& role : inputs_.roles) {
+        if (role.item_kind.empty()) continue;
+        std::vector<InputBox::ItemOffer> offers;
+        for (const auto& [name, item] : project.items)
+            if (item.kind == role.item_kind)
+                offers.push_back({QString::fromStdString(name), QString::fromStdString(item.origin.panel),
+                                  isOutdated(project, item)});
+        boxes_.at(role.role)->setItems(offers);
+    }
+}
+
 void InputColumn::showFacts(const Understood& understood, const std::optional<Error>& error)
 {
     const Value* path = error ? lathelier::find(error->values(), "path") : nullptr;
@@ -119,9 +137,18 @@ Source newSource(const QString& path)
     return source;
 }
 
-QString fileFilter(const FileKind& kind)
+QString fileFilter(const FileKinds& kinds)
 {
-    return InputColumn::tr("%1 (%2);;All files (*)").arg(screenText(kind.name), kind.patterns);
+    QStringList filters, names, patterns;
+    for (const FileKind* kind : kinds) {
+        names << screenText(kind->name);
+        patterns << QString::fromStdString(kind->patterns).split(' ');
+        filters << QStringLiteral("%1 (%2)").arg(names.back(), QString::fromStdString(kind->patterns));
+    }
+    patterns.removeDuplicates();
+    if (kinds.size() > 1) filters.prepend(QStringLiteral("%1 (%2)").arg(names.join(", "), patterns.join(' ')));
+    filters << InputColumn::tr("All files (*)");
+    return filters.join(";;");
 }
 
 QStringList counted(QStringList paths)

@@ -21,6 +21,9 @@ public:
 
     void showState(const PanelState& state);
 
+    /// What the project has for roles that take items.
+    void showItems(const Project& project);
+
     /// What was understood of the files so far, and which of them `error` is about.
     using Understood = std::function<QString(const InputRole&, const Source&)>;
     void showFacts(const Understood& understood, const std::optional<Error>& error);
@@ -52,8 +55,8 @@ private:
 /// A source as it is when a file has just been chosen.
 Source newSource(const QString& path);
 
-/// "Point clouds and meshes (*.xyz *.ply);;All files (*)"
-QString fileFilter(const FileKind& kind);
+/// "Point clouds and meshes (*.xyz *.ply);;All files (*)"; of several kinds, first all of them.
+QString fileFilter(const FileKinds& kinds);
 
 /// In the order a person counts them: "section2" before "section10".
 QStringList counted(QStringList paths);

@@ -101,13 +101,14 @@ void PanelBase::setViews(QWidget* views)
 
 void PanelBase::readProject()
 {
-    PanelState state = session_.panel(facts_.stateKey());
+    PanelState state = resolved(session_.project(), facts_.stateKey());
     Values parameters = inputs_.defaults;
     for (const auto& [name, value] : state.parameters) lathelier::set(parameters, name, value);
     state.parameters = parameters;
     for (auto& [role, source] : state.inputs) source.sha256.clear();
     const auto& report = session_.project().report;
     progress_->setInReport(std::find(report.begin(), report.end(), facts_.id) != report.end());
+    column_->showItems(session_.project());
     if (asked_ && state == state_) return;
     asked_ = true;
     state_ = state;

@@ -7,8 +7,10 @@
 #include <functional>
 #include <optional>
 
+#include "widgets/core/kind_store.h"
 #include "widgets/core/message.h"
 #include "widgets/core/panel_facts.h"
+#include "widgets/core/task.h"
 #include "widgets/core/worker.h"
 
 class QSplitter;
@@ -33,12 +35,13 @@ public:
     ~PanelBase() override;
 
     const PanelFacts& facts() const { return facts_; }
-    bool isBusy() const { return poll_.isActive(); }
+    bool isBusy() const { return poll_.isActive() || opening_.isBusy(); }
     bool hasResult() const { return result_ != nullptr; }
     bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }  ///< it answers what is asked
     const std::optional<Error>& error() const { return error_; }
 
-    /// Gives `paths` to the inputs: empty ones first, in their order. One undo step.
+    /// Gives `paths` to the inputs: empty ones first, in their order. One undo step. Where the panel works on several
+    /// kinds of file, their heads are looked at first, in the background.
     void openFiles(const QStringList& paths);
     void askForFiles();  ///< openFiles() with a file dialog
     void cancel();
@@ -47,8 +50,8 @@ public:
     /// The panel's part of a report, of the result on screen; nullopt without a result.
     std::optional<Document> reportDocument() const;
 
-    /// What the Export menu offers for the result on screen.
-    virtual std::vector<PanelExport> exports() const { return {}; }
+    /// What the Export menu offers for the result on screen: the panel's own exports, and all numbers as JSON.
+    std::vector<PanelExport> offeredExports() const;
 
     /// For the last row of a room: the window enlarges the application's font, which type and lines of all views
     /// follow; a panel leaves out what only takes room. Overriders call this one too.
@@ -70,6 +73,13 @@ protected:
     /// Changes the panel's state in the project: one undo step.
     void editState(const QString& step, const std::function<void(PanelState&)>& change, const QString& mergeKey = {});
 
+    /// "Use this shaft": puts what the panel made into the project as the item `name`, in place of an earlier one. One
+    /// undo step.
+    void keepItem(const std::string& name, const std::string& kind, const Values& values);
+
+    /// The system refused to write a picture or the data of a plot.
+    void sayNotWritten(const QString& path);
+
     void setViews(QWidget* views);
 
     virtual Worker::Job makeJob(const PanelState& state) const = 0;
@@ -82,11 +92,14 @@ protected:
     /// Everything the panel says in its own views, again, in the language of the screen.
     virtual void retranslate() {}
 
+    /// Ways to write the result to a file, besides its numbers as JSON.
+    virtual std::vector<PanelExport> exports() const { return {}; }
+
     std::vector<Text> missingInputs(const PanelState& state) const;
     bool isComplete(const PanelState& state) const;  ///< there is enough to compute
 
     /// Gives files of any kind to the inputs of `state`; by default empty ones first, in their order.
-    virtual void assignFiles(PanelState& state, const QStringList& paths) const;
+    virtual void assignFiles(PanelState& state, const std::vector<FoundFile>& files) const;
 
     /// Reads what is there of an incomplete state, so that its facts can be shown before the other inputs come.
     virtual Worker::Job makeReadingJob(const PanelState& state) const;
@@ -112,6 +125,7 @@ private:
     void layOutAgain();
     void updateStack();
     void showFacts();
+    void assign(const std::vector<FoundFile>& files);
     bool hasInputs() const;
     bool isLate() const;
     void takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step);
@@ -139,6 +153,7 @@ private:
     QWidget* viewsPage_ = nullptr;
     Shade* shade_ = nullptr;
     ProgressRow* progress_ = nullptr;
+    Task opening_;
     QTimer poll_;
     QElapsedTimer asking_;  ///< since the newest request
     Worker worker_;         ///< last: stopped before anything else goes

@@ -10,6 +10,9 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/report/result_json.h"
 #include "widgets/core/answer_parts.h"
 #include "widgets/core/input_box.h"
 #include "widgets/core/input_column.h"
@@ -63,6 +66,13 @@ void PanelBase::editState(const QString& step, const std::function<void(PanelSta
         step, [&](Project& project) { change(project.panels[facts_.stateKey()]); }, mergeKey);
 }
 
+void PanelBase::keepItem(const std::string& name, const std::string& kind, const Values& values)
+{
+    session_.edit(tr("Keep “%1” in the project").arg(QString::fromStdString(name)), [&](Project& project) {
+        project.items[name] = {kind, values, originOf(project, facts_.stateKey(), LATHELIER_VERSION)};
+    });
+}
+
 void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step)
 {
     editState(step, [&](PanelState& state) { setSources(state, role, sources); });
@@ -71,25 +81,54 @@ void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& so
 void PanelBase::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty()) return;
-    editState(tr("Open %1").arg(screenFileName(paths.front())), [&](PanelState& state) { assignFiles(state, paths); });
+    const auto store = session_.stores().of<KindStore>();
+    const FileKinds kinds = kindsOf(inputs_.roles);
+    std::vector<FoundFile> files;
+    bool known = true;
+    for (const QString& path : paths) {
+        const std::string name = path.toStdString();
+        const auto found = kinds.size() > 1 ? store->known(name) : FoundFile{name};
+        known = known && found;
+        files.push_back(found.value_or(FoundFile{name}));
+    }
+    if (known) return assign(files);
+    opening_.compute<std::vector<FoundFile>>(
+        [files, kinds, store](const Progress& progress) {
+            std::vector<FoundFile> found;
+            for (const FoundFile& file : files) {
+                progress.check();
+                found.push_back(store->find(kinds, file.path));
+            }
+            return found;
+        },
+        [this](const std::vector<FoundFile>& found) { assign(found); },
+        [this](const Error& error) {
+            emit messageRaised({error, facts_.title});
+        });
 }
 
-void PanelBase::assignFiles(PanelState& state, const QStringList& paths) const
+void PanelBase::assign(const std::vector<FoundFile>& files)
+{
+    editState(tr("Open %1").arg(screenFileName(QString::fromStdString(files.front().path))),
+              [&](PanelState& state) { assignFiles(state, files); });
+}
+
+void PanelBase::assignFiles(PanelState& state, const std::vector<FoundFile>& files) const
 {
     std::vector<std::string> free;
     for (const InputRole& role : inputs_.roles)
         if (!state.inputs.count(role.role)) free.push_back(role.role);
-    if (static_cast<qsizetype>(free.size()) < paths.size()) {  // more files than free places: start anew
+    if (free.size() < files.size()) {  // more files than free places: start anew
         free.clear();
         for (const InputRole& role : inputs_.roles) free.push_back(role.role);
     }
-    for (std::size_t i = 0; i < free.size() && static_cast<qsizetype>(i) < paths.size(); ++i)
-        state.inputs[free[i]] = newSource(paths[static_cast<int>(i)]);
+    for (std::size_t i = 0; i < free.size() && i < files.size(); ++i)
+        state.inputs[free[i]] = newSource(QString::fromStdString(files[i].path));
 }
 
 void PanelBase::askForFiles()
 {
-    openFiles(QFileDialog::getOpenFileNames(this, tr("Open"), {}, fileFilter(inputs_.files)));
+    openFiles(QFileDialog::getOpenFileNames(this, tr("Open"), {}, fileFilter(kindsOf(inputs_.roles))));
 }
 
 void PanelBase::editParameter(const std::string& key, const Value& value, int gesture, const QString& step)
@@ -99,11 +138,30 @@ void PanelBase::editParameter(const std::string& key, const Value& value, int ge
         QString("%1/%2/%3").arg(QString::fromStdString(facts_.id), QString::fromStdString(key)).arg(gesture));
 }
 
+std::vector<PanelExport> PanelBase::offeredExports() const
+{
+    std::vector<PanelExport> all = exports();
+    if (result_)
+        all.push_back({tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json", [this](const QString& path) {
+                           const auto part = reportDocument();
+                           writeFile(path.toStdString(), part ? joinedResults(part->results) : std::string());
+                       }});
+    return all;
+}
+
+void PanelBase::sayNotWritten(const QString& path)
+{
+    const Error error(errors::fileNotWritable,
+                      {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
+    emit messageRaised({error, facts_.title});
+}
+
 void PanelBase::fillExportMenu()
 {
     QMenu* menu = progress_->exportMenu();
     menu->clear();
-    for (const PanelExport& item : exports()) menu->addAction(item.label, this, [this, item] { runExport(item); });
+    for (const PanelExport& item : offeredExports())
+        menu->addAction(item.label, this, [this, item] { runExport(item); });
 }
 
 void PanelBase::runExport(const PanelExport& item)

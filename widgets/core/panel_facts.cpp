@@ -15,6 +15,13 @@ bool hasWork(const PanelFacts& facts, const PanelState& state)
     return facts.hasWork ? facts.hasWork(state) : !state.inputs.empty();
 }
 
+FileKinds kindsOf(const std::vector<InputRole>& roles)
+{
+    FileKinds kinds;
+    for (const InputRole& role : roles) unite(kinds, role.kinds);
+    return kinds;
+}
+
 std::function<std::vector<Text>(const PanelState&)> missingOf(const std::vector<InputRole>& roles)
 {
     return [roles](const PanelState& state) {

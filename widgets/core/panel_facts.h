@@ -10,6 +10,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
 #include "engine/core/texts.h"
+#include "engine/io/file_kind.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
 
@@ -19,18 +20,20 @@ class PanelBase;
 class Session;
 class Stores;
 
-/// A kind of file, as file dialogs name it.
-struct FileKind {
-    Text name;         ///< "Point clouds and meshes"
-    QString patterns;  ///< "*.xyz *.ply"
+/// An arrangement of panels for one kind of work; its panels stand together.
+struct Workspace {
+    std::string id;  ///< key in the project and the settings
+    Text title;
+    QString icon;   ///< name in resources/icons
+    int order = 0;  ///< of the bar, ascending
 };
 
 /// One line of the panel table (app/gui/panels.cpp); menu, dock, layouts and reports follow from it.
 struct PanelFacts {
     std::string id;  ///< key in the report, the layouts and the settings: "compare"
     Text title;
-    QString icon;                         ///< name in resources/icons
-    std::vector<std::string> workspaces;  ///< ids: "inspection"
+    QString icon;                       ///< name in resources/icons
+    std::vector<Workspace> workspaces;  ///< that it is in, its own first
     std::function<PanelBase*(Session&)> make;
 
     /// The panel's part of a report without any widget or display; blocks. Throws what the engine throws.
@@ -39,8 +42,8 @@ struct PanelFacts {
     /// Key of the panel's state in the project; empty: the id. Panels with the same one work on one state together.
     std::string state = {};
 
-    /// Whether the file at this path is certainly meant for this panel (a probe record); none: never certain.
-    std::function<bool(const std::string& path)> recognises = {};
+    /// The kinds of file that it works on: such a file opens this panel, and its workspace with it.
+    FileKinds kinds = {};
 
     /// The inputs that are not there and without which nothing can be computed; none: as missingOf() its roles.
     std::function<std::vector<Text>(const PanelState&)> missing = {};
@@ -59,11 +62,13 @@ struct InputRole {
     Text label;
     Text hint;  ///< what belongs here, for tooltip and empty state
     bool required = true;
-    bool several = false;                 ///< more files follow under the keys "role.2", "role.3"…
-    std::vector<FieldInfo> reading = {};  ///< what a file may leave open besides ImportOptions
-    Values readingDefaults = {};          ///< of these fields
-    std::optional<FileKind> kind = {};    ///< for its file dialog; none: that of the panel
+    bool several = false;        ///< more files follow under the keys "role.2", "role.3"…
+    FileKinds kinds = {};        ///< for its file dialog, and what a file may leave open besides ImportOptions
+    std::string item_kind = {};  ///< of items of the project that may stand in place of a file; empty: files only
 };
+
+/// The kinds of all roles, each once.
+FileKinds kindsOf(const std::vector<InputRole>& roles);
 
 /// The files of a role, in order.
 std::vector<Source> sourcesOf(const PanelState& state, const InputRole& role);
@@ -77,7 +82,6 @@ std::function<std::vector<Text>(const PanelState&)> missingOf(const std::vector<
 /// The left column of a panel.
 struct PanelInputs {
     std::vector<InputRole> roles;
-    FileKind files;
     std::vector<FieldInfo> fields;
     Values defaults;  ///< of the fields
     Text invitation;  ///< the one sentence of the empty state

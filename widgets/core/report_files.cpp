@@ -5,10 +5,10 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "engine/form/verify_report.h"
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
+#include "engine/verify/verify_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report_pdf.h"
 
@@ -17,7 +17,7 @@ namespace lathelier {
 void writeReport(const QString& path, Document document)
 {
     if (document.created.empty()) document.created = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
-    form::quoteVerification(document, form::verify(), screenLanguage());
+    quoteVerification(document, {}, screenLanguage());
     const bool pdf = QFileInfo(path).suffix().compare("pdf", Qt::CaseInsensitive) == 0;
     writeFile(path.toStdString(), pdf ? toPdf(document, screenLanguage()) : toHtml(document, screenLanguage()));
     const std::string results = joinedResults(document.results);
@@ -54,6 +54,10 @@ Document joined(const std::vector<Document>& parts, const std::string& title)
     result.title = title;
     for (const Document& part : parts) {
         result.synthetic = result.synthetic || part.synthetic;
+        for (const VerifyPart* verification : part.verification)
+            if (std::find(result.verification.begin(), result.verification.end(), verification) ==
+                result.verification.end())
+                result.verification.push_back(verification);
         result.created = std::max(result.created, part.created);
         result.sections.insert(result.sections.end(), part.sections.begin(), part.sections.end());
         result.results.insert(result.results.end(), part.results.begin(), part.results.end());

@@ -1,7 +1,6 @@
 #include "widgets/longitudinal/longitudinal_panel.h"
 
 #include "engine/form/roundness_dfq.h"
-#include "engine/io/file.h"
 #include "engine/trajectory/section_file.h"
 #include "engine/trajectory/trajectory_report.h"
 #include "widgets/core/language.h"
@@ -73,8 +72,6 @@ std::vector<PanelExport> LongitudinalPanel::exports() const
     return {
         {tr("Table of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
          [picture](const QString& path) { writeSectionTable(path.toStdString(), *picture->trajectory); }},
-        {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
-         [picture](const QString& path) { writeFile(path.toStdString(), trajectoryJson(*picture)); }},
         {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [picture](const QString& path) {
              std::vector<form::RoundnessResult> results;
              for (const trajectory::TrajectorySection& section : picture->trajectory->sections)

@@ -44,12 +44,8 @@ void SectionTable::setResult(const trajectory::TrajectoryResult& result)
         setItem(row, 0, tableCell(QString::number(section.section), true));
         number(1, section.z_mm, 2);
         number(2, headlineDeviation_um(section.roundness), 2);
-        QString verdict = QStringLiteral("–");
-        if (section.roundness.verdict) switch (*section.roundness.verdict) {
-                case form::FormVerdict::Pass: verdict = tr("✓ within"); break;
-                case form::FormVerdict::Fail: verdict = tr("✗ out"); break;
-                case form::FormVerdict::Undecided: verdict = tr("? not decided"); break;
-            }
+        const QString verdict =
+            section.roundness.verdict ? screenText(shortName(*section.roundness.verdict)) : QStringLiteral("–");
         setItem(row, 3, tableCell(verdict, false));
         number(4, 2 * place.radius_mm, 4);
         number(5, place.centre_mm.x() * 1000, 2);

@@ -79,8 +79,6 @@ std::vector<PanelExport> RoundnessPanel::exports() const
     return {
         {tr("Profile and circles as drawn (CSV)…"), tr("Table (*.csv)"), "csv",
          [picture](const QString& path) { writeFile(path.toStdString(), toCsv(picture->polar->plot).toStdString()); }},
-        {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
-         [picture](const QString& path) { writeFile(path.toStdString(), roundnessJson(*picture)); }},
         {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq",
          [picture](const QString& path) { writeDfq(path.toStdString(), form::qdasFile({*picture->roundness()})); }}};
 }

@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "engine/io/file.h"
+#include "engine/form/form_verification.h"
 #include "engine/io/io_codes.h"
+#include "engine/report/quantity_table.h"
 #include "engine/trajectory/section_file.h"
 #include "engine/trajectory/trajectory_plots.h"
+#include "engine/trajectory/trajectory_quantities.h"
 #include "engine/trajectory/trajectory_report.h"
 #include "widgets/core/language.h"
 #include "widgets/trajectory/trajectory_charts.h"
@@ -38,12 +40,8 @@ Headline motionHeadline(const trajectory::TrajectorySection& section)
 
 QuantityTable motionTable(const trajectory::TrajectorySection& section, std::size_t probe)
 {
-    const Text um = LT_TEXT("Engine", "µm");
-    const trajectory::ErrorMotion& motion = section.error_motion[probe];
-    return {std::string(probeNames[probe]),
-            {{LT_TEXT("Engine", "Synchronous error motion"), motion.synchronous_um, um, 2},
-             {LT_TEXT("Engine", "Asynchronous error motion"), motion.asynchronous_um, um, 2},
-             {LT_TEXT("Engine", "Total error motion"), motion.total_um, um, 2}}};
+    return quantityTable(std::string(probeNames[probe]), section.error_motion[probe],
+                         {"synchronous_um", "asynchronous_um", "total_um"});
 }
 
 /// The motion in the chosen section. The workpiece's form is the report of the other panels.
@@ -53,6 +51,7 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
     const trajectory::TrajectorySection& section = *picture.chosenSection();
     Document document;
     document.title = LT_TEXT("Engine", "Motion of spindle and tool");
+    document.verification = {&form::formVerification()};
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
     Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {motionHeadline(section)}};
@@ -116,9 +115,7 @@ std::vector<PanelExport> TrajectoryPanel::exports() const
     const auto picture = result();
     if (!picture || !picture->trajectory) return {};
     return {{tr("Trajectories and images of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) { writeImages(path.toStdString(), *picture->trajectory); }},
-            {tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json",
-             [picture](const QString& path) { writeFile(path.toStdString(), trajectoryJson(*picture)); }}};
+             [picture](const QString& path) { writeImages(path.toStdString(), *picture->trajectory); }}};
 }
 
 void TrajectoryPanel::retranslate()

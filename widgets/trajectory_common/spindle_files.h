@@ -29,7 +29,4 @@ protected:
     ProfileFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
 };
 
-/// Of a list of paths, each L-Graph pair once, by its .par where both were given.
-std::vector<std::string> withoutPartners(const std::vector<std::string>& paths);
-
 }  // namespace lathelier

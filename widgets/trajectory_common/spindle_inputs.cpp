@@ -1,25 +1,10 @@
 #include "widgets/trajectory_common/spindle_inputs.h"
 
-#include "engine/io/probe_reader.h"
-#include "engine/io/profile_reader.h"
+#include <map>
+
 #include "widgets/core/input_column.h"
-#include "widgets/trajectory_common/spindle_files.h"
 
 namespace lathelier {
-namespace {
-
-FileKind recordFiles()
-{
-    return {LT_TEXT("Engine", "Probe records"), "*.csv *.txt *.tsv *.dat *.par *.DAT *.PAR"};
-}
-
-FileKind profileFiles()
-{
-    return {LT_TEXT("Engine", "Profiles"), "*.csv *.txt *.tsv *.xy *.asc *.dat"};
-}
-
-}  // namespace
-
 const InputRole& recordRole()
 {
     static const InputRole role = [] {
@@ -29,9 +14,7 @@ const InputRole& recordRole()
         result.hint = LT_TEXT("Engine", "One record of all sections, or one for each: CSV or L-Graph");
         result.required = false;
         result.several = true;
-        result.reading = infos<RecorderOptions>();
-        result.readingDefaults = toValues(RecorderOptions{});
-        result.kind = recordFiles();
+        result.kinds = {&probeRecordFiles()};
         return result;
     }();
     return role;
@@ -45,9 +28,7 @@ const InputRole& profileRole()
         result.label = LT_TEXT("Engine", "Measured profile");
         result.hint = LT_TEXT("Engine", "x and y, or angle and radius, of one section; goes before the record");
         result.required = false;
-        result.reading = infos<ProfileOptions>();
-        result.readingDefaults = toValues(ProfileOptions{});
-        result.kind = profileFiles();
+        result.kinds = {&profileFiles()};
         return result;
     }();
     return role;
@@ -65,11 +46,6 @@ const InputRole& traceRole()
     return role;
 }
 
-FileKind spindleFiles()
-{
-    return {LT_TEXT("Engine", "Probe records and profiles"), "*.csv *.txt *.tsv *.xy *.asc *.dat *.par *.DAT *.PAR"};
-}
-
 bool hasRecord(const PanelState& state)
 {
     return state.inputs.count(recordRole().role) > 0;
@@ -80,14 +56,20 @@ bool hasProfile(const PanelState& state)
     return state.inputs.count(profileRole().role) > 0;
 }
 
-void assignSpindleFiles(PanelState& state, const QStringList& paths, bool profiles)
+void assignSpindleFiles(PanelState& state, const std::vector<FoundFile>& files, bool profiles)
 {
-    std::vector<std::string> given;
-    for (const QString& path : counted(paths)) given.push_back(path.toStdString());
+    QStringList given;
+    std::map<QString, const FileKind*> kinds;
+    for (const FoundFile& file : files) {
+        given << QString::fromStdString(file.path);
+        kinds[given.back()] = file.kind;
+    }
+    std::vector<std::string> paths;
+    for (const QString& path : counted(given)) paths.push_back(path.toStdString());
     std::vector<Source> records, others;
-    for (const std::string& path : withoutPartners(given)) {
-        const Source source = newSource(QString::fromStdString(path));
-        (!profiles || isProbeRecord(source.path) ? records : others).push_back(source);
+    for (const std::string& path : probeRecordFiles().counted_once(paths)) {
+        const QString name = QString::fromStdString(path);
+        (!profiles || kinds[name] == &probeRecordFiles() ? records : others).push_back(newSource(name));
     }
     if (!records.empty()) {
         setSources(state, recordRole(), records);

@@ -1,8 +1,9 @@
 // The inputs that the panels of workspace Roundness share, and where a dropped file belongs.
 #pragma once
 
-#include <QStringList>
+#include <vector>
 
+#include "widgets/core/kind_store.h"
 #include "widgets/core/panel_facts.h"
 
 namespace lathelier {
@@ -11,13 +12,11 @@ const InputRole& recordRole();   ///< probe records, one or one for each section
 const InputRole& profileRole();  ///< a measured profile
 const InputRole& traceRole();    ///< a second one, to be laid over
 
-FileKind spindleFiles();  ///< all of them, for file dialogs
-
 bool hasRecord(const PanelState& state);
 bool hasProfile(const PanelState& state);
 
 /// Records go to the record; other files are profiles: the first one is the profile, a second one the trace. Profiles
 /// go nowhere when `profiles` is false: then they are records, whose reader says what is wrong with them.
-void assignSpindleFiles(PanelState& state, const QStringList& paths, bool profiles);
+void assignSpindleFiles(PanelState& state, const std::vector<FoundFile>& files, bool profiles);
 
 }  // namespace lathelier

@@ -1,9 +1,9 @@
 // Results of the workspace as JSON.
 #include <nlohmann/json.hpp>
 
-#include "engine/form/roundness_json.h"
+#include "engine/form/roundness_quantities.h"
 #include "engine/report/result_json.h"
-#include "engine/trajectory/trajectory_json.h"
+#include "engine/trajectory/trajectory_quantities.h"
 #include "widgets/trajectory_common/spindle_picture.h"
 
 namespace lathelier {

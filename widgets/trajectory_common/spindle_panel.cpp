@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"
 #include "engine/io/profile_reader.h"
 #include "widgets/core/input_box.h"
@@ -45,12 +44,11 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.id = id;
     facts.title = title;
     facts.icon = icon;
-    facts.workspaces = {"roundness"};
+    facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
     facts.state = spindleState;
     const bool roundness = want == SpindleWant::Roundness;
-    facts.recognises = [roundness](const std::string& path) {
-        return isProbeRecord(path) || (roundness && isProfile(path));
-    };
+    facts.kinds = {&probeRecordFiles()};
+    if (roundness) facts.kinds.push_back(&profileFiles());
     facts.hasWork = [roundness](const PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };
@@ -68,7 +66,6 @@ PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std:
 {
     PanelInputs inputs;
     for (const InputRole* role : roles) inputs.roles.push_back(*role);
-    inputs.files = spindleFiles();
     inputs.invitation = invitation;
     inputs.defaults = toValues(form::RoundnessParameters{});
     for (const auto& [name, value] : toValues(trajectory::TrajectoryParameters{}))
@@ -105,9 +102,9 @@ SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
     };
 }
 
-void SpindlePanel::assignFiles(PanelState& state, const QStringList& paths) const
+void SpindlePanel::assignFiles(PanelState& state, const std::vector<FoundFile>& files) const
 {
-    assignSpindleFiles(state, paths, want_ == SpindleWant::Roundness);
+    assignSpindleFiles(state, files, want_ == SpindleWant::Roundness);
 }
 
 Worker::Job SpindlePanel::makeReadingJob(const PanelState& state) const
@@ -160,13 +157,6 @@ void SpindlePanel::setParameter(const std::string& key, const Value& value, cons
 {
     editState(
         step, [&](PanelState& state) { lathelier::set(state.parameters, key, value); }, mergeKey);
-}
-
-void SpindlePanel::sayNotWritten(const QString& path)
-{
-    const Error error(errors::fileNotWritable,
-                      {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
-    emit messageRaised({error, facts().title});
 }
 
 }  // namespace lathelier

@@ -53,12 +53,10 @@ protected:
     Compute compute(const PanelState& state) const override;
     Notes notes(const SpindlePicture& picture) const override { return picture.notes; }
     std::optional<Error> problem(const SpindlePicture& picture) const override { return picture.problem; }
-    void assignFiles(PanelState& state, const QStringList& paths) const override;
+    void assignFiles(PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const PanelState& state) const override;
     QString understood(const InputRole& role, const Source& source) const override;
 
-    /// A file that a plot could not write.
-    void sayNotWritten(const QString& path);
 
     /// Changes one shared parameter: one undo step, or one with its neighbours of the same `mergeKey`.
     void setParameter(const std::string& key, const Value& value, const QString& step, const QString& mergeKey = {});

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "engine/core/json.h"
 #include "engine/form/roundness_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel_facts.h"
-#include "widgets/trajectory_common/memo.h"
+#include "widgets/core/memo.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier {
@@ -24,35 +25,9 @@ struct SpindleAnswers {
 };
 
 /// A text that tells apart all values, to the last bit.
-std::string keyOf(const Value& value)
-{
-    struct Visitor {
-        std::string operator()(std::monostate) const { return "-"; }
-        std::string operator()(bool v) const { return v ? "t" : "f"; }
-        std::string operator()(std::int64_t v) const { return std::to_string(v); }
-        std::string operator()(double v) const
-        {
-            char text[40];
-            std::snprintf(text, sizeof text, "%a", v);
-            return text;
-        }
-        std::string operator()(const std::string& v) const { return v; }
-        std::string operator()(const std::vector<Interval>& v) const
-        {
-            std::string text;
-            for (const Interval& interval : v) text += (*this)(interval.from) + ":" + (*this)(interval.to) + ",";
-            return text;
-        }
-        std::string operator()(const Text& v) const { return std::string(v.english); }
-    };
-    return std::visit(Visitor(), value);
-}
-
 std::string keyOf(const Values& values)
 {
-    std::string key;
-    for (const auto& [name, value] : values) key += name + "=" + keyOf(value) + "\n";
-    return key;
+    return toJson(values).dump();
 }
 
 /// Content, not path: the same bytes read in the same way.

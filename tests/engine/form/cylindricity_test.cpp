@@ -171,21 +171,21 @@ TEST(Cylindricity, JudgesWithAndWithoutUncertainty)
     CylindricityParameters parameters;
     EXPECT_FALSE(cylindricity(points).verdict);
     parameters.tolerance_um = 7.9;
-    EXPECT_EQ(cylindricity(points, parameters).verdict, FormVerdict::Fail);
+    EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Fail);
     parameters.tolerance_um = 8.1;
-    EXPECT_EQ(cylindricity(points, parameters).verdict, FormVerdict::Pass);
+    EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Pass);
     parameters.decision = DecisionRule::Guarded;
     EXPECT_THROW(cylindricity(points, parameters), Error);
     parameters.probe_uncertainty_um = 0.3;
     const CylindricityResult open = cylindricity(points, parameters);
-    EXPECT_EQ(open.verdict, FormVerdict::Undecided);
+    EXPECT_EQ(open.verdict, Verdict::Undecided);
     EXPECT_GT(open.CYLt_expanded_uncertainty_um, 0.3);
     // Noise of 0.3 µm on 1320 points: its extremes alone add up to 3.5 standard deviations on each side.
     EXPECT_LT(open.CYLt_expanded_uncertainty_um, 2.1);
     parameters.tolerance_um = 10.2;
-    EXPECT_EQ(cylindricity(points, parameters).verdict, FormVerdict::Pass);
+    EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Pass);
     parameters.tolerance_um = 5.8;
-    EXPECT_EQ(cylindricity(points, parameters).verdict, FormVerdict::Fail);
+    EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Fail);
 }
 
 TEST(Cylindricity, TheStatedUncertaintyHoldsTheTruth)

@@ -282,12 +282,12 @@ TEST(Roundness, DecidesByTheRule)
         parameters.decision = rule;
         return *roundness(profile, parameters).verdict;
     };
-    EXPECT_EQ(verdict(value * 1.0001, DecisionRule::Simple), FormVerdict::Pass);
-    EXPECT_EQ(verdict(value * .9999, DecisionRule::Simple), FormVerdict::Fail);
-    EXPECT_EQ(verdict(value + .9 * u, DecisionRule::Guarded), FormVerdict::Undecided);
-    EXPECT_EQ(verdict(value - .9 * u, DecisionRule::Guarded), FormVerdict::Undecided);
-    EXPECT_EQ(verdict(value + 1.1 * u, DecisionRule::Guarded), FormVerdict::Pass);
-    EXPECT_EQ(verdict(value - 1.1 * u, DecisionRule::Guarded), FormVerdict::Fail);
+    EXPECT_EQ(verdict(value * 1.0001, DecisionRule::Simple), Verdict::Pass);
+    EXPECT_EQ(verdict(value * .9999, DecisionRule::Simple), Verdict::Fail);
+    EXPECT_EQ(verdict(value + .9 * u, DecisionRule::Guarded), Verdict::Undecided);
+    EXPECT_EQ(verdict(value - .9 * u, DecisionRule::Guarded), Verdict::Undecided);
+    EXPECT_EQ(verdict(value + 1.1 * u, DecisionRule::Guarded), Verdict::Pass);
+    EXPECT_EQ(verdict(value - 1.1 * u, DecisionRule::Guarded), Verdict::Fail);
 }
 
 TEST(Roundness, RefusesWhatHasNoAnswer)

@@ -66,7 +66,7 @@ TEST_F(ProjectFiles, PathsAreRelativeOnDiskAndFollowTheFolder)
     const std::string path = (folder / "shaft.lathelier").string();
     writeProject(path, sampleProject(folder));
     const Json json = Json::parse(std::ifstream(path));
-    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["version"], projectVersion);
     const Json& inputs = json["panels"]["compare"]["inputs"];
     EXPECT_EQ(inputs["reference"]["path"], "data/original.ply");
     EXPECT_EQ(inputs["copy"]["path"], "../elsewhere/copy.ply");
@@ -176,11 +176,11 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
 {
     try {
-        parseProject(R"({"format": "lathelier-project", "version": 2, "unheard_of": 1})", "/");
+        parseProject(R"({"format": "lathelier-project", "version": 3, "unheard_of": 1})", "/");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::versionTooNew);
-        EXPECT_STREQ(error.what(), "The project has format version 2; this program reads up to version 1.");
+        EXPECT_STREQ(error.what(), "The project has format version 3; this program reads up to version 2.");
     }
 }
 

@@ -1,4 +1,5 @@
 #include "engine/trajectory/error_motion.h"
+#include "engine/core/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +27,9 @@ TEST(Student, QuantilesAreThoseOfTheTables)
         double quantile;
     } cases[] = {{1, 12.7062}, {2, 4.3027},  {3, 3.1824},  {4, 2.7764},  {5, 2.5706},
                  {7, 2.3646},  {10, 2.2281}, {19, 2.0930}, {39, 2.0227}, {1000, 1.9623}};
-    for (const auto& [degrees, quantile] : cases) EXPECT_NEAR(studentQuantile95(degrees), quantile, 4e-4) << degrees;
-    EXPECT_TRUE(std::isnan(studentQuantile95(0)));
+    for (const auto& [degrees, quantile] : cases)
+        EXPECT_NEAR(studentQuantile(0.975, degrees), quantile, 6e-5) << degrees;
+    EXPECT_TRUE(std::isnan(studentQuantile(0.975, 0)));
 }
 
 TEST(ErrorMotion, SettingAndEccentricityAreNoErrorMotion)

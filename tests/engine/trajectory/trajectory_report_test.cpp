@@ -12,8 +12,8 @@
 #include "engine/report/plain_text.h"
 #include "engine/sample/sample_record.h"
 #include "engine/trajectory/section_file.h"
-#include "engine/trajectory/trajectory_json.h"
 #include "engine/trajectory/trajectory_plots.h"
+#include "engine/trajectory/trajectory_quantities.h"
 
 namespace lathelier::trajectory {
 namespace {

@@ -331,18 +331,18 @@ TEST(Trajectory, NoiseDriftAndHumAreNotJudgedAsForm)
         return result.verdict;
     };
     EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
-              form::FormVerdict::Undecided);
-    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), form::FormVerdict::Undecided);
+              Verdict::Undecided);
+    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), Verdict::Undecided);
     EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 10 * std::sin(2 * kPi * 50 * t); }),
-              form::FormVerdict::Undecided);
+              Verdict::Undecided);
     // The same noise under a form of 20 µm is judged.
     EXPECT_EQ(verdict([](double t, std::size_t i, std::size_t c) {
                   return randomNormal(3, c, i) + (c == 1 ? 10 * std::cos(2 * 2 * kPi * 975 / 60 * t) : 0);
               }),
-              form::FormVerdict::Pass);
+              Verdict::Pass);
     parameters.form.tolerance_um = .5;  // and noise is not "out of tolerance" either
     EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
-              form::FormVerdict::Undecided);
+              Verdict::Undecided);
 }
 
 }  // namespace

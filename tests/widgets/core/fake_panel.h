@@ -51,7 +51,8 @@ public:
         return {id,
                 Text{"Fake"},
                 "compare",
-                {workspace},
+                {workspace == "inspection" ? Workspace{workspace, Text{"Inspection"}, "inspection", 10}
+                                           : Workspace{workspace, Text{"Roundness"}, "roundness", 20}},
                 [id](Session& owner) { return new FakePanel(owner, id); },
                 [](const PanelState&, Stores&, const Language&, const Progress&) { return Document{}; }};
     }
@@ -105,8 +106,7 @@ private:
     }
     static PanelInputs inputs()
     {
-        return {{{"file", Text{"File"}, Text{"Any file"}}},
-                {Text{"Files"}, "*.txt"},
+        return {{{"file", Text{"File"}, Text{"Any file"}, true, false, {&scanFiles()}}},
                 infos<FakeParameters>(),
                 toValues(FakeParameters()),
                 Text{"Drop a file."}};

@@ -317,7 +317,7 @@ private slots:
             QCOMPARE(document->inputs.size(), std::size_t{1});
             QCOMPARE(document->inputs.front().sha256.size(), std::size_t{64});
             QCOMPARE(document->results.size(), std::size_t{1});
-            for (const PanelExport& one : panel->exports()) {
+            for (const PanelExport& one : panel->offeredExports()) {
                 const QString path = folder_.filePath(panel->facts().id.c_str() + QString("_out.") + one.suffix);
                 one.write(path);
                 QVERIFY2(QFileInfo(path).size() > 100, qPrintable(one.label));

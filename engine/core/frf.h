@@ -1,0 +1,26 @@
+// A frequency response function, measured or computed.
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lathelier {
+
+/// What a response is per force: displacement, velocity, acceleration.
+enum class FrfQuantity { Receptance, Mobility, Accelerance };
+
+/// Complex values follow e^(+iωt), so that a driving-point receptance has Im ≤ 0. Both directions are positive the same
+/// way. Lines ascend and need not be even.
+struct Frf {
+    std::string name;
+    FrfQuantity quantity = FrfQuantity::Receptance;
+    std::vector<double> frequency_hz;
+    std::vector<std::complex<double>> value;  ///< mm/N, mm/s/N or mm/s²/N by `quantity`
+    std::vector<double> coherence;            ///< γ² for each line; empty: not known
+};
+
+using FrfPtr = std::shared_ptr<const Frf>;
+
+}  // namespace lathelier

@@ -1,0 +1,22 @@
+#include "engine/core/statistics.h"
+
+#include <boost/math/distributions/students_t.hpp>
+
+namespace lathelier {
+
+double median(std::vector<double> values)
+{
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double studentQuantile(double probability, std::int64_t degrees_of_freedom)
+{
+    if (degrees_of_freedom < 1) return std::numeric_limits<double>::quiet_NaN();
+    return quantile(boost::math::students_t(static_cast<double>(degrees_of_freedom)), probability);
+}
+
+}  // namespace lathelier

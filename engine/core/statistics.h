@@ -1,0 +1,38 @@
+// Order statistics and quantiles that several rooms need.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace lathelier {
+
+/// Standard deviation of a normal distribution by its median absolute deviation: 1 / Φ⁻¹(3/4).
+inline constexpr double sigmaPerMedianDeviation = 1.4826022185056018;
+
+/// The value at rank floor(share · n) of `values`, share in 0…1, which are put into another order. NaN for no values.
+template <class T>
+T quantileInPlace(std::vector<T>& values, double share)
+{
+    if (values.empty()) return std::numeric_limits<T>::quiet_NaN();
+    const auto rank = std::min(static_cast<std::size_t>(share * static_cast<double>(values.size())), values.size() - 1);
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+/// The upper of the two middle values: no mean is formed, so that a median of places is one of them.
+template <class T>
+T upperMedianInPlace(std::vector<T>& values)
+{
+    return quantileInPlace(values, 0.5);
+}
+
+/// The median, the mean of the two middle values for an even count. NaN for no values.
+double median(std::vector<double> values);
+
+/// Quantile of Student's distribution at `probability` (0.975: two-sided 95 %). NaN without degrees of freedom.
+double studentQuantile(double probability, std::int64_t degrees_of_freedom);
+
+}  // namespace lathelier

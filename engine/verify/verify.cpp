@@ -1,0 +1,39 @@
+#include "engine/verify/verify.h"
+
+#include <algorithm>
+
+#include "engine/form/form_verification.h"
+#include "engine/registration/registration_verification.h"
+
+namespace lathelier {
+
+const std::vector<const VerifyPart*>& verifyParts()
+{
+    static const std::vector<const VerifyPart*> all{&form::formVerification(),
+                                                    &registration::registrationVerification()};
+    return all;
+}
+
+VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::string& reference_data,
+                    const Progress& progress)
+{
+    VerifyResult result;
+    result.reference_data = reference_data;
+    std::size_t total = 1;
+    for (const VerifyPart* part : parts) total += part->checks.size();
+    const auto share = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(total); };
+    for (const VerifyPart* part : parts)
+        for (const auto& check : part->checks) {
+            const std::size_t done = result.kinds.size();
+            progress.report(share(done));
+            result.kinds.push_back(check(progress.part(share(done), share(done + 1))));
+        }
+    if (!reference_data.empty())
+        for (const VerifyPart* part : parts)
+            if (part->of_directory) result.kinds.push_back(part->of_directory(reference_data, progress));
+    result.pass = std::all_of(result.kinds.begin(), result.kinds.end(), [](const VerifyKind& k) { return k.pass; });
+    progress.report(1);
+    return result;
+}
+
+}  // namespace lathelier

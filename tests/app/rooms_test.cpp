@@ -1,0 +1,90 @@
+// The real panel table and verb table together: what a new room has to bring is there, and nothing collides.
+#include <QFile>
+#include <QSet>
+#include <QTest>
+
+#include "app/cli/verb.h"
+#include "app/gui/panels.h"
+#include "app/gui/workspaces.h"
+#include "widgets/core/resources.h"
+
+namespace lathelier {
+
+class RoomsTest : public QObject {
+    Q_OBJECT
+
+    static bool isNew(QSet<QString>& seen, const std::string& name)
+    {
+        const QString word = QString::fromStdString(name);
+        if (seen.contains(word)) return false;
+        seen.insert(word);
+        return true;
+    }
+
+private slots:
+    void initTestCase() { useResources(); }
+
+    void panelsAreToldApart()
+    {
+        QSet<QString> ids, titles;
+        for (const PanelFacts& panel : panelTable()) {
+            QVERIFY2(isNew(ids, panel.id), panel.id.c_str());
+            QVERIFY2(isNew(titles, panel.title.english), panel.title.english);
+            QVERIFY(panel.make && panel.report);
+            QVERIFY2(!panel.kinds.empty(), panel.id.c_str());
+        }
+    }
+
+    void everyPanelHasIconAndWorkspace()
+    {
+        const auto hasIcon = [](const QString& name) { return QFile::exists(":/icons/" + name + ".svg"); };
+        for (const PanelFacts& panel : panelTable()) {
+            QVERIFY2(hasIcon(panel.icon), qPrintable(panel.icon));
+            QVERIFY(!panel.workspaces.empty());
+            for (const Workspace& workspace : panel.workspaces) QVERIFY2(hasIcon(workspace.icon), workspace.id.c_str());
+        }
+        // Two panels that name one workspace mean the same one.
+        for (const Workspace& one : workspacesOf(panelTable()))
+            for (const PanelFacts& panel : panelTable())
+                for (const Workspace& other : panel.workspaces)
+                    if (one.id == other.id) {
+                        QCOMPARE(one.title, other.title);
+                        QCOMPARE(one.icon, other.icon);
+                        QCOMPARE(one.order, other.order);
+                    }
+    }
+
+    void verbsAndTheirOptionsAreToldApart()
+    {
+        QSet<QString> names;
+        for (const cli::Verb& verb : cli::verbs()) {
+            QVERIFY2(isNew(names, verb.name), verb.name.c_str());
+            QVERIFY(verb.run && !verb.summary.empty() && !verb.operands.empty() == (verb.name != "verify"));
+            QSet<QString> options;
+            for (const cli::Option& option : verb.parameters)
+                QVERIFY2(isNew(options, option.info.key), option.info.key.c_str());
+            for (const cli::Option& option : cli::readingOptions(verb))
+                QVERIFY2(isNew(options, option.info.key), option.info.key.c_str());
+        }
+    }
+
+    void kindsOfFileAreToldApart()
+    {
+        FileKinds kinds;
+        for (const PanelFacts& panel : panelTable()) unite(kinds, panel.kinds);
+        for (const cli::Verb& verb : cli::verbs()) unite(kinds, verb.kinds);
+        QSet<QString> keys, names;
+        for (const FileKind* kind : kinds) {
+            QVERIFY2(isNew(keys, kind->key), kind->key.c_str());
+            QVERIFY2(isNew(names, kind->name.english), kind->key.c_str());
+            QVERIFY(kind->sniff && kind->facts && !kind->patterns.empty());
+            for (const FieldInfo& info : kind->reading) QVERIFY(find(kind->reading_defaults, info.key));
+        }
+        QVERIFY(keys.size() >= 4);
+    }
+};
+
+}  // namespace lathelier
+
+QTEST_GUILESS_MAIN(lathelier::RoomsTest)
+#include "rooms_test.moc"

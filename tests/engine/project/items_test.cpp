@@ -1,0 +1,62 @@
+// Items of a project, and a project file of every format version.
+#include <gtest/gtest.h>
+
+#include "engine/core/shaft.h"
+#include "engine/project/migration.h"
+#include "engine/project/project.h"
+#include "engine/project/project_json.h"
+
+namespace lathelier {
+namespace {
+
+std::string keptProject(int version)
+{
+    return LATHELIER_SOURCE_DIR "/tests/data/projects/version_" + std::to_string(version) + ".lathelier";
+}
+
+TEST(ProjectVersions, EachHasAFileThatIsRead)
+{
+    for (int version = 1; version <= projectVersion; ++version) {
+        SCOPED_TRACE(version);
+        const Project project = readProject(keptProject(version)).project;
+        EXPECT_EQ(project.title, "Journal 40 h6");
+        EXPECT_EQ(*find(project.panels.at("compare").parameters, "tolerance_mm"), Value(0.05));
+        EXPECT_TRUE(project.panels.at("compare").inputs.at("copy").synthetic);
+        EXPECT_EQ(project.report, std::vector<std::string>{"compare"});
+        EXPECT_EQ(parseProject(toJsonText(project, "/work"), "/work"), project);
+    }
+}
+
+TEST(ProjectItems, AreReadByTheirDescription)
+{
+    const Project project = readProject(keptProject(2)).project;
+    ASSERT_EQ(project.items.count("drawn shaft"), 1U);
+    const Item& item = project.items.at("drawn shaft");
+    EXPECT_EQ(item.kind, "shaft");
+    EXPECT_EQ(item.origin.panel, "shaft");
+    const Shaft shaft = fromValues<Shaft>(item.values);
+    ASSERT_EQ(shaft.segments.size(), 2U);
+    EXPECT_EQ(shaft.segments[1].role, "collar");
+    EXPECT_FALSE(shaft.material);
+    EXPECT_EQ(project.panels.at("compare").inputs.at("reference").item, "drawn shaft");
+}
+
+TEST(ProjectItems, KnowWhetherTheirOriginChanged)
+{
+    Project project;
+    PanelState& panel = project.panels["shaft"];
+    panel.parameters = {{"bore_mm", 5.0}};
+    panel.inputs["scan"] = {.path = "/work/a.ply", .import = {}, .sha256 = "ab", .synthetic = false};
+    Item item{"shaft", toValues(Shaft{}), originOf(project, "shaft", "0.1.0")};
+    EXPECT_EQ(item.origin.inputs, std::vector<std::string>{"ab"});
+    EXPECT_FALSE(isOutdated(project, item));
+    project.panels["shaft"].inputs["scan"].path = "/elsewhere/a.ply";  // the same content
+    EXPECT_FALSE(isOutdated(project, item));
+    project.panels["shaft"].parameters = {{"bore_mm", 6.0}};
+    EXPECT_TRUE(isOutdated(project, item));
+    item.origin.panel.clear();  // made by no panel
+    EXPECT_FALSE(isOutdated(project, item));
+}
+
+}  // namespace
+}  // namespace lathelier

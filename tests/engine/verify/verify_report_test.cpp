@@ -1,0 +1,48 @@
+// What "Verify installation" says, by itself and quoted.
+#include "engine/verify/verify_report.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/report/plain_text.h"
+
+namespace lathelier {
+namespace {
+
+VerifyResult made(bool pass)
+{
+    VerifyResult result;
+    result.kinds.push_back({"least_squares_circle", Text{"Least-squares circle"}, 19, 6.8e-13, Text{"mm"}, 2e-9, true});
+    result.kinds.push_back({"harmonics", Text{"Harmonics"}, 15, 3e-11, Text{}, 1e-12, pass});
+    result.pass = pass;
+    return result;
+}
+
+TEST(VerifyReport, CountsWhatMisses)
+{
+    EXPECT_EQ(headline(made(true)).text, "2 kinds of reference data refitted: all answers agree");
+    EXPECT_EQ(headline(made(false)).text, "1 of 2 kinds of reference data miss their answers");
+    EXPECT_NE(toPlainText(verifySummary(made(false))).find("3.0e-11"), std::string::npos);
+}
+
+TEST(VerifyReport, IsQuotedOnceAsTheLastSection)
+{
+    const VerifyPart part{"made", {[](const Progress&) { return made(true).kinds.front(); }}};
+    Document document;
+    document.sections.push_back({Text{"Result"}, {}});
+    quoteVerification(document);
+    EXPECT_EQ(document.sections.size(), 1U);  // nothing of it can be verified
+    document.verification = {&part};
+    quoteVerification(document);
+    quoteVerification(document);
+    ASSERT_EQ(document.sections.size(), 2U);
+    const std::string said = toPlainText(document.sections.back());
+    EXPECT_NE(said.find(made(true).kinds.front().name.english), std::string::npos);
+    Document itself = verifyReport(made(true));
+    itself.verification = {&part};
+    const std::size_t sections = itself.sections.size();
+    quoteVerification(itself);
+    EXPECT_EQ(itself.sections.size(), sections);
+}
+
+}  // namespace
+}  // namespace lathelier

@@ -824,20 +824,8 @@
         <translation>poza tolerancją</translation>
     </message>
     <message>
-        <source>Along the axis, from the first data (mm)</source>
-        <translation>Wzdłuż osi, od początku danych (mm)</translation>
-    </message>
-    <message>
         <source>tolerance</source>
         <translation>tolerancja</translation>
-    </message>
-    <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
-    </message>
-    <message>
-        <source>Angle about the axis (°)</source>
-        <translation>Kąt wokół osi (°)</translation>
     </message>
     <message>
         <source>Deviation along the axis</source>
@@ -856,16 +844,8 @@
         <translation>Zarys osiowy</translation>
     </message>
     <message>
-        <source>Radius (mm)</source>
-        <translation>Promień (mm)</translation>
-    </message>
-    <message>
         <source>original</source>
         <translation>oryginał</translation>
-    </message>
-    <message>
-        <source>copy, deviation × {factor}</source>
-        <translation>kopia, odchyłka × {factor}</translation>
     </message>
     <message>
         <source>Histogram of the deviations</source>
@@ -2040,18 +2020,6 @@
         <translation>Harmoniczne profilu niefiltrowanego</translation>
     </message>
     <message>
-        <source>Undulations per revolution (UPR)</source>
-        <translation>Liczba fal na obrót (UPR)</translation>
-    </message>
-    <message>
-        <source>Amplitude (µm)</source>
-        <translation>Amplituda (µm)</translation>
-    </message>
-    <message>
-        <source>cut-off</source>
-        <translation>granica</translation>
-    </message>
-    <message>
         <source>RONt by method: how much of the value is the method?</source>
         <translation>RONt według metody: ile wartości to metoda?</translation>
     </message>
@@ -2308,14 +2276,6 @@
         <translation>Oba profile</translation>
     </message>
     <message>
-        <source>Angle (°)</source>
-        <translation>Kąt (°)</translation>
-    </message>
-    <message>
-        <source>Deviation (µm)</source>
-        <translation>Odchyłka (µm)</translation>
-    </message>
-    <message>
         <source>first</source>
         <translation>pierwszy</translation>
     </message>
@@ -2448,24 +2408,12 @@
         <translation>{path}: średnie z obrotów; ruch asynchroniczny i pojedyncze obroty są nieznane.</translation>
     </message>
     <message>
-        <source>Along the workpiece, from the free end (mm)</source>
-        <translation>Wzdłuż przedmiotu, od wolnego końca (mm)</translation>
-    </message>
-    <message>
         <source>Longitudinal section</source>
         <translation>Przekrój podłużny</translation>
     </message>
     <message>
-        <source>Diameter, deviation from its mean (µm)</source>
-        <translation>Średnica, odchyłka od średniej (µm)</translation>
-    </message>
-    <message>
         <source>sections</source>
         <translation>przekroje</translation>
-    </message>
-    <message>
-        <source>taper and barrel</source>
-        <translation>stożkowość i baryłkowość</translation>
     </message>
     <message>
         <source>Roundness of the sections</source>
@@ -2492,24 +2440,12 @@
         <translation>Promień względem osi wrzeciona</translation>
     </message>
     <message>
-        <source>Deviation from the mean radius (µm)</source>
-        <translation>Odchyłka od średniego promienia (µm)</translation>
-    </message>
-    <message>
         <source>single revolutions: from the smallest to the largest</source>
         <translation>pojedyncze obroty: od najmniejszego do największego</translation>
     </message>
     <message>
-        <source>Error motion of the spindle, sensitive direction X</source>
-        <translation>Bicie wrzeciona, kierunek czuły X</translation>
-    </message>
-    <message>
         <source>single revolutions</source>
         <translation>pojedyncze obroty</translation>
-    </message>
-    <message>
-        <source>synchronous (their mean)</source>
-        <translation>synchroniczne (ich średnia)</translation>
     </message>
     <message>
         <source>Taper on diameter (+ grows from the free end)</source>
@@ -3014,10 +2950,6 @@
     <message>
         <source>Error motion of all revolutions</source>
         <translation>Bicie wszystkich obrotów</translation>
-    </message>
-    <message>
-        <source>synchronous</source>
-        <translation>synchroniczne</translation>
     </message>
     <message>
         <source>Drop a probe record here: a table, or a pair .dat and .par of L-Graph.</source>
@@ -3711,6 +3643,134 @@
         <source>Diameter (LSCI)</source>
         <translation>Średnica (LSCI)</translation>
     </message>
+    <message>
+        <source>Undulations per revolution</source>
+        <translation>Liczba fal na obrót</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplituda</translation>
+    </message>
+    <message>
+        <source>cut-off {upr} UPR</source>
+        <translation>granica {upr} UPR</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Kąt</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>Along the axis, from the first data</source>
+        <translation>Wzdłuż osi, od początku danych</translation>
+    </message>
+    <message>
+        <source>Angle about the axis</source>
+        <translation>Kąt wokół osi</translation>
+    </message>
+    <message>
+        <source>error drawn × {factor}</source>
+        <translation>błąd powiększony × {factor}</translation>
+    </message>
+    <message>
+        <source>excess</source>
+        <translation>naddatek</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>copy</source>
+        <translation>kopia</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>poniżej</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>w tolerancji</translation>
+    </message>
+    <message>
+        <source>too large</source>
+        <translation>powyżej</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>rozkład normalny</translation>
+    </message>
+    <message>
+        <source>Along the workpiece, from the free end</source>
+        <translation>Wzdłuż przedmiotu, od wolnego końca</translation>
+    </message>
+    <message>
+        <source>section {section}</source>
+        <translation>przekrój {section}</translation>
+    </message>
+    <message>
+        <source>Radius, deviation from its mean</source>
+        <translation>Promień, odchyłka od średniej</translation>
+    </message>
+    <message>
+        <source>barrel {value} µm on radius</source>
+        <translation>baryłkowość {value} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>saddle {value} µm on radius</source>
+        <translation>siodłowość {value} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>taper {value} µm on diameter</source>
+        <translation>stożkowość {value} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>kąt</translation>
+    </message>
+    <message>
+        <source>Coordinates over the angle</source>
+        <translation>Współrzędne według kąta</translation>
+    </message>
+    <message>
+        <source>Angle as recorded</source>
+        <translation>Kąt jak w zapisie</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Przemieszczenie</translation>
+    </message>
+    <message>
+        <source>R − mean</source>
+        <translation>R − średnia</translation>
+    </message>
+    <message>
+        <source>Deviation from the mean radius</source>
+        <translation>Odchyłka od średniego promienia</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>{count} revolution marks</source>
+        <translation>znaczniki obrotów: {count}</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>znaczniki</translation>
+    </message>
+    <message>
+        <source>synchronous motion of {probe}</source>
+        <translation>ruch synchroniczny {probe}</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AngleBar</name>
@@ -3783,6 +3843,13 @@
     </message>
 </context>
 <context>
+    <name>lathelier::ChartView</name>
+    <message>
+        <source>radius vector %1 %2</source>
+        <translation>promień wodzący %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::CommandPalette</name>
     <message>
         <source>Commands</source>
@@ -3791,89 +3858,6 @@
     <message>
         <source>Type what you want to do</source>
         <translation>Wpisz, co chcesz zrobić</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::CompareCharts</name>
-    <message>
-        <source>Along the axis</source>
-        <translation>Wzdłuż osi</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Kąt</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Odchyłka</translation>
-    </message>
-    <message>
-        <source>Meridian</source>
-        <translation>Zarys osiowy</translation>
-    </message>
-    <message>
-        <source>error drawn × %1</source>
-        <translation>błąd powiększony × %1</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Promień</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>oryginał</translation>
-    </message>
-    <message>
-        <source>copy</source>
-        <translation>kopia</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>pominięte</translation>
-    </message>
-    <message>
-        <source>Distribution of the deviations</source>
-        <translation>Rozkład odchyłek</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkty</translation>
-    </message>
-    <message>
-        <source>within</source>
-        <translation>w tolerancji</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>punkty</translation>
-    </message>
-    <message>
-        <source>normal distribution</source>
-        <translation>rozkład normalny</translation>
-    </message>
-    <message>
-        <source>Unrolled surface, local means</source>
-        <translation>Rozwinięcie powierzchni, średnie lokalne</translation>
-    </message>
-    <message>
-        <source>excess</source>
-        <translation>naddatek</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>brak</translation>
-    </message>
-    <message>
-        <source>± %1 mm</source>
-        <translation>± %1 mm</translation>
-    </message>
-    <message>
-        <source>too small</source>
-        <translation>poniżej</translation>
-    </message>
-    <message>
-        <source>too large</source>
-        <translation>powyżej</translation>
     </message>
 </context>
 <context>
@@ -4006,8 +3990,8 @@
         <translation>Te skany obliczono, nie zmierzono.</translation>
     </message>
     <message>
-        <source>Deviation [mm]</source>
-        <translation>Odchyłka [mm]</translation>
+        <source>Deviation (mm)</source>
+        <translation>Odchyłka (mm)</translation>
     </message>
 </context>
 <context>
@@ -4245,37 +4229,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
-    <name>lathelier::LongitudinalCharts</name>
-    <message>
-        <source>Longitudinal profile</source>
-        <translation>Profil podłużny</translation>
-    </message>
-    <message>
-        <source>Along the workpiece, z</source>
-        <translation>Wzdłuż przedmiotu, z</translation>
-    </message>
-    <message>
-        <source>Radius − mean</source>
-        <translation>Promień − średnia</translation>
-    </message>
-    <message>
-        <source>sections</source>
-        <translation>przekroje</translation>
-    </message>
-    <message>
-        <source>taper %1 µm on diameter</source>
-        <translation>stożkowość %1 µm na średnicy</translation>
-    </message>
-    <message>
-        <source>barrel %1 µm</source>
-        <translation>baryłkowość %1 µm</translation>
-    </message>
-    <message>
-        <source>saddle %1 µm</source>
-        <translation>siodłowość %1 µm</translation>
-    </message>
-</context>
-<context>
     <name>lathelier::LongitudinalPanel</name>
     <message>
         <source>Table of all sections (CSV)…</source>
@@ -4327,8 +4280,8 @@ odchyłka %3 µm</translation>
         <translation>Dane syntetyczne</translation>
     </message>
     <message>
-        <source>Deviation [µm]</source>
-        <translation>Odchyłka [µm]</translation>
+        <source>Deviation (µm)</source>
+        <translation>Odchyłka (µm)</translation>
     </message>
 </context>
 <context>
@@ -4801,29 +4754,6 @@ odchyłka %3 µm</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::RoundnessCharts</name>
-    <message>
-        <source>Spectrum</source>
-        <translation>Widmo</translation>
-    </message>
-    <message>
-        <source>before the filter</source>
-        <translation>przed filtrem</translation>
-    </message>
-    <message>
-        <source>Undulations per revolution</source>
-        <translation>Liczba fal na obrót</translation>
-    </message>
-    <message>
-        <source>Amplitude</source>
-        <translation>Amplituda</translation>
-    </message>
-    <message>
-        <source>%1 UPR</source>
-        <translation>%1 UPR</translation>
-    </message>
-</context>
-<context>
     <name>lathelier::RoundnessPanel</name>
     <message>
         <source>Profile and circles as drawn (CSV)…</source>
@@ -5181,60 +5111,12 @@ Wszystkie inne widoki działają.</translation>
 <context>
     <name>lathelier::TrajectoryCharts</name>
     <message>
-        <source>Trajectories</source>
-        <translation>Trajektorie</translation>
-    </message>
-    <message>
-        <source>angle</source>
-        <translation>kąt</translation>
-    </message>
-    <message>
-        <source>section %1</source>
-        <translation>przekrój %1</translation>
-    </message>
-    <message>
         <source>workpiece axis</source>
         <translation>oś przedmiotu</translation>
     </message>
     <message>
         <source>tool</source>
         <translation>narzędzie</translation>
-    </message>
-    <message>
-        <source>Coordinates over the angle</source>
-        <translation>Współrzędne według kąta</translation>
-    </message>
-    <message>
-        <source>Angle as recorded</source>
-        <translation>Kąt jak w zapisie</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Przemieszczenie</translation>
-    </message>
-    <message>
-        <source>Signals</source>
-        <translation>Sygnały</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Czas</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wartość</translation>
-    </message>
-    <message>
-        <source>%1 revolution marks</source>
-        <translation>znaczniki obrotów: %1</translation>
-    </message>
-    <message>
-        <source>marks</source>
-        <translation>znaczniki</translation>
-    </message>
-    <message>
-        <source>R − mean</source>
-        <translation>R − średnia</translation>
     </message>
     <message>
         <source>synchronous %1</source>
@@ -5376,13 +5258,6 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Reference data with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
         <translation>Na tym komputerze oblicza się dane odniesienia o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::XyView</name>
-    <message>
-        <source>radius vector %1 %2</source>
-        <translation>promień wodzący %1 %2</translation>
     </message>
 </context>
 <context>

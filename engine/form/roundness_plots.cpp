@@ -13,7 +13,7 @@ constexpr double um_per_mm = 1000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int leastOrders = 50;  ///< shown of a spectrum
 
-/// Numbers of the colours (polarColour()).
+/// Numbers of the series' colours.
 constexpr int profileColour = 0, leastSquaresColour = 2, zoneColour = 1, inscribedColour = 4, circumscribedColour = 3;
 
 double degrees(double angle_rad)
@@ -114,35 +114,38 @@ PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& lang
     return plot;
 }
 
-Plot spectrumPlot(const RoundnessResult& result)
+Plot spectrumPlot(const RoundnessResult& result, const Language& language)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Harmonics of the unfiltered profile");
-    plot.x_title = LT_TEXT("Engine", "Undulations per revolution (UPR)");
-    plot.y_title = LT_TEXT("Engine", "Amplitude (µm)");
-    double largest = 0;
-    for (const signal::Harmonic& h : result.harmonics) largest = std::max(largest, h.amplitude);
-    int shown = leastOrders;
-    for (const signal::Harmonic& h : result.harmonics)
-        if (h.amplitude > 0.05 * largest) shown = std::max(shown, h.upr + 5);
-    const signal::ProfileBand band = bandOf(result.parameters);
-    for (const std::optional<double>& mark : {band.low_upr, band.high_upr})
-        if (mark && *mark < static_cast<double>(result.harmonics.size())) {
-            plot.x_marks.push_back(*mark);
-            shown = std::max(shown, static_cast<int>(1.2 * *mark));
-        }
-    plot.marks_name = LT_TEXT("Engine", "cut-off");
-    shown = std::min(shown, static_cast<int>(result.harmonics.size()));
+    plot.x = {LT_TEXT("Engine", "Undulations per revolution"), LT_TEXT("Engine", "UPR")};
+    plot.y = {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "µm")};
     Curve bars;
     bars.style = Curve::Style::Bars;
-    for (int i = 0; i < shown; ++i) {
-        const signal::Harmonic& h = result.harmonics[static_cast<std::size_t>(i)];
+    double largest = 0;
+    for (const signal::Harmonic& h : result.harmonics) {
+        if (h.upr < 2) continue;  // 1 is the place, not the form
         bars.x.push_back(h.upr - 0.5);
         bars.y.push_back(h.amplitude);
+        bars.words.push_back(reasonOf(result, h.upr));
+        largest = std::max(largest, h.amplitude);
     }
-    bars.x.push_back(shown + 0.5);
-    plot.curves = {bars};
-    plot.x_range = Interval{0, static_cast<double>(std::max(shown, 2)) + 1};
+    if (bars.y.empty()) return plot;
+    const double last = bars.x.back() + 0.5;
+    bars.x.push_back(last + 0.5);
+    double shown = leastOrders;
+    for (std::size_t i = 0; i < bars.y.size(); ++i)
+        if (bars.y[i] > 0.05 * largest) shown = std::max(shown, bars.x[i] + 5);
+    const signal::ProfileBand band = bandOf(result.parameters);
+    for (const std::optional<double>& mark : {band.low_upr, band.high_upr})
+        if (mark && *mark <= last) {
+            plot.limits.push_back({Limit::Direction::Vertical, *mark,
+                                   fill(text(LT_TEXT("Engine", "cut-off {upr} UPR"), language),
+                                        {{"upr", fixed(*mark, 0, language)}}, language)});
+            shown = std::max(shown, 1.2 * *mark);
+        }
+    plot.curves = {std::move(bars)};
+    plot.x.range = Interval{1.5, std::min(shown, last) + 0.5};
     return plot;
 }
 

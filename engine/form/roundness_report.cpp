@@ -114,7 +114,7 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
     document.sections.push_back({LT_TEXT("Engine", "Roundness plot"), {roundnessPolarPlot(result, language)}});
     Section spectrum{LT_TEXT("Engine", "Harmonic content"), {}};
     if (!result.harmonics.empty()) {
-        spectrum.blocks.push_back(spectrumPlot(result));
+        spectrum.blocks.push_back(spectrumPlot(result, language));
         spectrum.blocks.push_back(harmonicsTable(result));
     }
     spectrum.blocks.push_back(paperTable(result));

@@ -33,7 +33,10 @@ Section superimposeSection(const SuperimposeResult& result, const Language& lang
 /// Blocks that other reports share.
 Table harmonicsTable(const RoundnessResult& result);
 PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& language = {});
-Plot spectrumPlot(const RoundnessResult& result);
+
+/// Amplitudes from 2 undulations a turn on, with what they usually mean and the cut-offs; all of them, although only
+/// the range with the strong ones is shown at first.
+Plot spectrumPlot(const RoundnessResult& result, const Language& language = {});
 Table methodTable(const RoundnessResult& result, const Language& language = {});
 
 /// "no filter", "G 1-50 UPR", "G 15-500 UPR": the filter as part of a result's name.

@@ -12,11 +12,11 @@ Section superimposeSection(const SuperimposeResult& result, const Language& lang
                        "rotation_deg", "mirrored", "shift_x_mm", "shift_y_mm", "radius_difference_mm"});
     Plot plot;
     plot.title = LT_TEXT("Engine", "Both profiles");
-    plot.x_title = LT_TEXT("Engine", "Angle (°)");
-    plot.y_title = LT_TEXT("Engine", "Deviation (µm)");
+    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
+    plot.y = {LT_TEXT("Engine", "Deviation"), um};
     plot.curves = {{LT_TEXT("Engine", "first"), result.angle_deg, result.first_um, Curve::Style::Line, {}, 0},
                    {LT_TEXT("Engine", "second"), result.angle_deg, result.second_um, Curve::Style::Line, {}, 1}};
-    plot.x_range = Interval{0, 360};
+    plot.x.range = Interval{0, 360};
     Headline answer;
     answer.text = fill(text(LT_TEXT("Engine", "largest difference {largest} µm · mean {mean} µm"), language),
                        {{"largest", fixed(result.largest_difference_um, 2, language)},

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/report/colours.h"
 
 namespace lathelier::registration {
 namespace {
 
-const Text zTitle = LT_TEXT("Engine", "Along the axis, from the first data (mm)");
-const Text toleranceName = LT_TEXT("Engine", "tolerance");
-const Text deviationTitle = LT_TEXT("Engine", "Deviation (mm)");
+const Text mm = LT_TEXT("Engine", "mm");
+const lathelier::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), mm};
+const lathelier::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), mm};
 
 /// The share of the largest values that may run over the edge of a plot: single bins at shoulders.
 constexpr double ordinaryShare = 0.98;
@@ -36,11 +37,10 @@ std::optional<Interval> axisRange(const CompareResult& result)
     return Interval{map.z_start_mm, map.z_start_mm + map.z_step_mm * map.z_count};
 }
 
-/// Tolerance limits as lines, when there is a tolerance.
-std::vector<double> toleranceMarks(const CompareResult& result)
+/// "+0.05": a limit by its value.
+std::string signedNumber(double value, const Language& language)
 {
-    const auto& tolerance_mm = result.parameters.tolerance_mm;
-    return tolerance_mm ? std::vector<double>{-*tolerance_mm, *tolerance_mm} : std::vector<double>{};
+    return (value < 0 ? "−" : "+") + text(Value(std::abs(value)), language);
 }
 
 }  // namespace
@@ -61,9 +61,9 @@ ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
     ColourMap map;
     map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
                                : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
-    map.x_title = zTitle;
-    map.y_title = LT_TEXT("Engine", "Angle about the axis (°)");
-    map.value_title = deviationTitle;
+    map.x = zAxis;
+    map.y = {LT_TEXT("Engine", "Angle about the axis"), LT_TEXT("Engine", "°")};
+    map.value = deviationAxis;
     map.x_from = source.z_start_mm;
     map.x_to = source.z_start_mm + source.z_step_mm * source.z_count;
     map.y_to = 360;
@@ -80,27 +80,31 @@ ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
     return map;
 }
 
-Plot deviationAlongAxis(const CompareResult& result)
+Plot deviationAlongAxis(const CompareResult& result, const Language& language)
 {
     const Meridian& meridian = *result.meridian;
     Plot plot;
     plot.title = LT_TEXT("Engine", "Deviation along the axis");
-    plot.x_title = zTitle;
-    plot.y_title = deviationTitle;
-    Curve band{LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, Curve::Style::Band, {}, 1};
+    plot.x = zAxis;
+    plot.x.range = axisRange(result);
+    plot.y = deviationAxis;
+    Curve band{LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, Curve::Style::Band};
+    Curve mean{LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm};
+    band.colour = mean.colour = ColourRole::Copy;
     std::vector<double> ends;
     for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
         band.y.push_back(meridian.deviation_mm[i] + meridian.std_mm[i]);
         band.y_low.push_back(meridian.deviation_mm[i] - meridian.std_mm[i]);
         ends.push_back(std::abs(meridian.deviation_mm[i]) + meridian.std_mm[i]);
     }
+    plot.curves = {std::move(band), std::move(mean)};
     double edge = quantileOfSize(ends, ordinaryShare);
-    plot.curves = {band, {LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm, Curve::Style::Line, {}, 1}};
-    plot.x_range = axisRange(result);
-    plot.y_marks = toleranceMarks(result);
-    plot.marks_name = toleranceName;
-    for (const double mark : plot.y_marks) edge = std::max(edge, std::abs(mark));
-    if (edge > 0) plot.y_range = Interval{-1.15 * edge, 1.15 * edge};
+    if (const auto& tolerance_mm = result.parameters.tolerance_mm) {
+        edge = std::max(edge, *tolerance_mm);
+        for (const double limit_mm : {-*tolerance_mm, *tolerance_mm})
+            plot.limits.push_back({Limit::Direction::Horizontal, limit_mm, signedNumber(limit_mm, language)});
+    }
+    if (edge > 0) plot.y.range = Interval{-1.15 * edge, 1.15 * edge};
     return plot;
 }
 
@@ -126,49 +130,101 @@ double magnification(const CompareResult& result)
     return power;
 }
 
-Plot magnifiedMeridian(const CompareResult& result, const Language& language)
+Plot magnifiedMeridian(const CompareResult& result, const Language& language, std::optional<double> wanted_factor)
 {
     const Meridian& meridian = *result.meridian;
-    const double factor = magnification(result);
-    const double ordinary_mm = quantileOfSize(meridian.deviation_mm, ordinaryShare);
+    const double factor = wanted_factor.value_or(magnification(result));
+    const auto& tolerance_mm = result.parameters.tolerance_mm;
+    const std::vector<double>& radius_mm = meridian.reference_radius_mm;
     Plot plot;
     plot.title = LT_TEXT("Engine", "Meridian");
-    plot.x_title = zTitle;
-    plot.y_title = LT_TEXT("Engine", "Radius (mm)");
-    plot.x_range = axisRange(result);
-    Curve original{
-        LT_TEXT("Engine", "original"), meridian.z_mm, meridian.reference_radius_mm, Curve::Style::Line, {}, 0};
-    const std::string name =
-        fill(text(LT_TEXT("Engine", "copy, deviation × {factor}"), language), {{"factor", factor}}, language);
-    Curve copy{name, meridian.z_mm, {}, Curve::Style::Line, {}, 1};
+    plot.remark = fill(text(LT_TEXT("Engine", "error drawn × {factor}"), language), {{"factor", factor}}, language);
+    plot.x = zAxis;
+    plot.x.range = axisRange(result);
+    plot.y = {LT_TEXT("Engine", "Radius"), mm};
+    /// The original's radius with something of each place, magnified, on it.
+    const auto curve = [&](const Caption& name, Curve::Style style, ChartColour colour, const auto& added_mm) {
+        Curve drawn{name, meridian.z_mm, radius_mm, style, {}, colour};
+        for (std::size_t i = 0; i < radius_mm.size(); ++i) drawn.y[i] += factor * added_mm(i);
+        if (style == Curve::Style::Band) drawn.y_low = radius_mm;
+        drawn.spoken = style == Curve::Style::Line;
+        return drawn;
+    };
+    const auto deviation = [&](std::size_t i) { return meridian.deviation_mm[i]; };
+    plot.curves = {
+        curve(LT_TEXT("Engine", "excess"), Curve::Style::Band, ColourRole::Excess,
+              [&](std::size_t i) { return std::max(0.0, deviation(i)); }),
+        curve(LT_TEXT("Engine", "missing"), Curve::Style::Band, ColourRole::Missing,
+              [&](std::size_t i) { return std::min(0.0, deviation(i)); }),
+        curve(LT_TEXT("Engine", "original"), Curve::Style::Line, ColourRole::Original, [](std::size_t) { return 0; }),
+        curve(LT_TEXT("Engine", "copy"), Curve::Style::Line, ColourRole::Copy, deviation)};
+    plot.curves.back().said = meridian.deviation_mm;
+    plot.curves.back().said_unit = mm;
+    if (tolerance_mm)
+        for (const double sign : {1.0, -1.0})
+            plot.curves.push_back(curve(sign > 0 ? "± " + text(Value(*tolerance_mm), language) + " mm" : std::string(),
+                                        Curve::Style::Dashed, ColourRole::Neutral,
+                                        [&](std::size_t) { return sign * *tolerance_mm; }));
+    for (const Interval& zone : result.parameters.exclude_z_mm)
+        plot.regions.push_back(
+            stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone, ColourRole::Neutral));
+
+    // Single bins at shoulders may run over the edge: they would press everything else flat.
+    double ordinary_mm = 1.3 * quantileOfSize(meridian.deviation_mm, ordinaryShare);
+    if (tolerance_mm)  // the band is seen, unless it dwarfs the error
+        ordinary_mm = std::max(ordinary_mm, std::min(1.1 * *tolerance_mm, 4 * ordinary_mm));
     Interval shown{HUGE_VAL, -HUGE_VAL};
-    for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
-        const double radius_mm = meridian.reference_radius_mm[i];
-        copy.y.push_back(radius_mm + factor * meridian.deviation_mm[i]);
-        if (!std::isfinite(radius_mm)) continue;
-        shown.from = std::min(shown.from, radius_mm);
-        shown.to = std::max(shown.to, radius_mm);
-    }
-    // Single bins at shoulders may run over the edge.
-    const double air_mm = 1.5 * factor * ordinary_mm + 0.05 * (shown.to - shown.from);
-    if (shown.from <= shown.to) plot.y_range = Interval{shown.from - air_mm, shown.to + air_mm};
-    plot.curves = {original, copy};
+    for (const double radius : radius_mm)
+        if (std::isfinite(radius)) shown = {std::min(shown.from, radius), std::max(shown.to, radius)};
+    const double air_mm = factor * ordinary_mm + 0.05 * (shown.to - shown.from);
+    if (shown.from <= shown.to) plot.y.range = Interval{shown.from - air_mm, shown.to + air_mm};
     return plot;
 }
 
-Plot histogramPlot(const CompareResult& result)
+Plot histogramPlot(const CompareResult& result, const Language& language, std::optional<double> limit_mm)
 {
+    const Histogram& histogram = result.histogram;
     Plot plot;
     plot.title = LT_TEXT("Engine", "Histogram of the deviations");
-    plot.x_title = deviationTitle;
-    plot.y_title = LT_TEXT("Engine", "Points");
-    Curve bars;
-    bars.x = result.histogram.edges_mm;
-    bars.y.assign(result.histogram.counts.begin(), result.histogram.counts.end());
-    bars.style = Curve::Style::Bars;
-    plot.curves = {bars};
-    plot.x_marks = toleranceMarks(result);
-    plot.marks_name = toleranceName;
+    plot.x = deviationAxis;
+    plot.y.title = LT_TEXT("Engine", "Points");
+    if (histogram.counts.empty()) return plot;
+    const auto& tolerance_mm = result.parameters.tolerance_mm;
+    const auto bars = [&](const Caption& name, ChartColour colour, const auto& belongs) {
+        Curve curve{name, histogram.edges_mm, {}, Curve::Style::Bars, {}, colour};
+        for (std::size_t i = 0; i < histogram.counts.size(); ++i)
+            curve.y.push_back(belongs((histogram.edges_mm[i] + histogram.edges_mm[i + 1]) / 2)
+                                  ? static_cast<double>(histogram.counts[i])
+                                  : std::nan(""));
+        plot.curves.push_back(std::move(curve));
+    };
+    const DeviationStatistics& s = result.statistics;
+    double reach = std::max(limit_mm.value_or(colourLimit_mm(result)), std::abs(s.mean_mm) + 4 * s.std_mm);
+    if (tolerance_mm) {
+        const double t = *tolerance_mm;
+        bars(LT_TEXT("Engine", "too small"), ColourRole::Missing, [t](double v) { return v < -t; });
+        bars(LT_TEXT("Engine", "within"), ColourRole::Within, [t](double v) { return std::abs(v) <= t; });
+        bars(LT_TEXT("Engine", "too large"), ColourRole::Excess, [t](double v) { return v > t; });
+        for (const double place : {-t, t})
+            plot.handles.push_back(
+                {place < 0 ? "lower" : "upper", Handle::Kind::Vertical, place, 0, signedNumber(place, language)});
+        reach = std::max(reach, 1.3 * t);
+    } else {
+        bars(LT_TEXT("Engine", "points"), ColourRole::Neutral, [](double) { return true; });
+    }
+    if (result.has_sign && s.std_mm > 0) {
+        Curve normal{LT_TEXT("Engine", "normal distribution")};
+        normal.colour = ColourRole::Neutral;
+        const double width = histogram.edges_mm[1] - histogram.edges_mm[0];
+        const double peak = static_cast<double>(s.points_used) * width / (s.std_mm * std::sqrt(2 * std::numbers::pi));
+        for (int i = -200; i <= 200; ++i) {
+            const double u = i / 50.0;
+            normal.x.push_back(s.mean_mm + u * s.std_mm);
+            normal.y.push_back(peak * std::exp(-u * u / 2));
+        }
+        plot.curves.push_back(std::move(normal));
+    }
+    if (reach > 0) plot.x.range = Interval{result.has_sign ? -reach : 0.0, reach};
     return plot;
 }
 

@@ -166,10 +166,10 @@ Section whereSection(const CompareResult& result, const Language& language, std:
     if (result.unrolled && result.parameters.tolerance_mm) section.blocks.push_back(unrolledMap(result, true));
     if (result.unrolled) section.blocks.push_back(unrolledMap(result, false));
     if (result.meridian) {
-        section.blocks.push_back(deviationAlongAxis(result));
+        section.blocks.push_back(deviationAlongAxis(result, language));
         section.blocks.push_back(magnifiedMeridian(result, language));
     }
-    section.blocks.push_back(histogramPlot(result));
+    section.blocks.push_back(histogramPlot(result, language));
     if (!result.zones.empty()) section.blocks.push_back(zonesTable(result));
     return section;
 }

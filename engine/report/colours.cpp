@@ -1,6 +1,7 @@
 #include "engine/report/colours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lathelier {
@@ -39,7 +40,43 @@ Rgb toRgb(const Oklab& c)
             encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
+constexpr std::array<Rgb, 7> series{{{0x00, 0x72, 0xb2},
+                                     {0xd5, 0x5e, 0x00},
+                                     {0x00, 0x9e, 0x73},
+                                     {0xcc, 0x79, 0xa7},
+                                     {0x56, 0xb4, 0xe9},
+                                     {0xe6, 0x9f, 0x00},
+                                     {0x78, 0x78, 0x78}}};
+
+/// Seen on a dark ground.
+Rgb lightened(const Rgb& c)
+{
+    const auto part = [](int value) { return static_cast<std::uint8_t>(std::lround(value + 0.3 * (255 - value))); };
+    return {part(c.red), part(c.green), part(c.blue)};
+}
+
 }  // namespace
+
+Rgb colourOf(const ChartColour& colour, std::size_t position, Ground ground)
+{
+    const bool dark = ground == Ground::Dark;
+    const auto shown = [&](const Rgb& onLight) { return dark ? lightened(onLight) : onLight; };
+    switch (colour.role) {
+        case ColourRole::Series: break;
+        case ColourRole::Original: return shown({31, 119, 180});
+        case ColourRole::Copy: return shown({214, 39, 40});
+        case ColourRole::Excess: return divergingColour(0.9);
+        case ColourRole::Missing: return divergingColour(-0.9);
+        case ColourRole::Within: return insideColour(0);
+        case ColourRole::Stable: return shown(series[2]);
+        case ColourRole::Unstable: return shown(series[1]);
+        case ColourRole::Neutral: return {128, 128, 128};
+        case ColourRole::Limit: return dark ? Rgb{255, 176, 64} : Rgb{176, 88, 0};
+        case ColourRole::Mark: return dark ? Rgb{255, 105, 180} : Rgb{170, 0, 110};
+    }
+    const std::size_t number = colour.number >= 0 ? static_cast<std::size_t>(colour.number) : position;
+    return shown(series[number % series.size()]);
+}
 
 Rgb divergingColour(double share)
 {

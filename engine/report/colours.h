@@ -1,9 +1,11 @@
-// The colours of signed deviations: one rule for the 3-D view, the unrolled map and the report.
-// Blue - light grey - red, evenly spaced in Oklab (B. Ottosson, "A perceptual color space for image processing", 2020),
-// so that equal steps of the value look equally large, also to most colour-blind people. Inside a tolerance band the
-// colours are light greens that are told from blue and red by lightness as well as by hue.
+// One palette for the screen and for paper: what a colour says, and the colours of signed deviations.
+// Deviations: one rule for the 3-D view, the unrolled map and the report. Blue - light grey - red, evenly spaced in
+// Oklab (B. Ottosson, "A perceptual color space for image processing", 2020), so that equal steps of the value look
+// equally large, also to most colour-blind people. Inside a tolerance band the colours are light greens that are told
+// from blue and red by lightness as well as by hue.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -15,6 +17,34 @@ struct Rgb {
     std::uint8_t blue = 0;
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
+
+/// What a line or an area of a chart stands for.
+enum class ColourRole : std::uint8_t {
+    Series,    ///< one of several: a row that colour-blind eyes can tell apart (Okabe and Ito), by number
+    Original,  ///< compared parts
+    Copy,
+    Excess,  ///< deviations: material in excess, missing, within the tolerance
+    Missing,
+    Within,
+    Stable,  ///< regions
+    Unstable,
+    Neutral,
+    Limit,  ///< tolerances and other limits, and the handles that move them
+    Mark,   ///< a place that was picked
+};
+
+struct ChartColour {
+    ColourRole role = ColourRole::Series;
+    int number = -1;  ///< of a series; -1: by its position in the chart
+
+    ChartColour() = default;
+    ChartColour(ColourRole meaning) : role(meaning) {}
+    ChartColour(int series) : number(series) {}
+};
+
+enum class Ground : std::uint8_t { Light, Dark };  ///< that is drawn on; paper is light
+
+Rgb colourOf(const ChartColour& colour, std::size_t position = 0, Ground ground = Ground::Light);
 
 /// The plain diverging scale: -1 is blue (material missing), 0 light grey, +1 red (material in excess). Values beyond
 /// are drawn as the ends. NaN is not drawn by callers; here it gives the colour of 0.

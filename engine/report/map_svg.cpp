@@ -120,10 +120,9 @@ std::string toSvg(const ColourMap& map, const Language& language)
     frame.y = isDrawable(map) ? Interval{map.y_from, map.y_to} : Interval{0, 1};
     if (isDrawable(map)) {
         svg.png(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, encodePng(imageOf(map)));
-        drawScale(svg, frame, map, captionText(map.value_title, language), language);
+        drawScale(svg, frame, map, axisLabel(map.value, language), language);
     }
-    drawFrame(svg, frame, title, captionText(map.x_title, language), captionText(map.y_title, language), language,
-              false);
+    drawFrame(svg, frame, {title, {}, axisLabel(map.x, language), axisLabel(map.y, language)}, language, false);
     drawOutline(svg, frame);
     return svg.finish();
 }

@@ -1,9 +1,10 @@
 // What every drawn plot has: a frame with axes, ticks, titles, and the way from values to the sheet.
 #pragma once
 
+#include <cmath>
 #include <string>
 
-#include "engine/report/document.h"
+#include "engine/report/chart.h"
 #include "engine/report/svg.h"
 #include "engine/report/ticks.h"
 
@@ -25,35 +26,30 @@ struct PlotFrame {
     double bottom = 0;
     Interval x;
     Interval y;
+    Axis::Scale x_scale = Axis::Scale::Linear;
+    Axis::Scale y_scale = Axis::Scale::Linear;
 
-    double toX(double value) const { return left + (value - x.from) / (x.to - x.from) * (right - left); }
-    double toY(double value) const { return bottom - (value - y.from) / (y.to - y.from) * (bottom - top); }
+    double toX(double value) const { return left + share(x_scale, x, value) * (right - left); }
+    double toY(double value) const { return bottom - share(y_scale, y, value) * (bottom - top); }
+
+    /// Where a value lies between the ends; on a logarithmic axis what is not above zero lies infinitely far below.
+    static double share(Axis::Scale scale, const Interval& range, double value)
+    {
+        if (scale == Axis::Scale::Linear) return (value - range.from) / (range.to - range.from);
+        return value > 0 ? std::log(value / range.from) / std::log(range.to / range.from) : -HUGE_VAL;
+    }
 };
 
-/// The colours of curves by number: original blue, copy red, then colours that stay apart for colour-blind
-/// eyes (Okabe and Ito); after six from the start.
-std::string_view plotColour(std::size_t number);
-
-/// A number with a place on a sheet: finite, and not so large that differences overflow.
-bool isDrawable(double value);
-
-/// The range of drawable values seen so far.
-class Extent {
-public:
-    void add(double value);
-    bool empty() const { return !(from_ <= to_); }
-
-    /// Never empty and never of no width: what is not there becomes 0…1.
-    Interval interval() const;
-
-private:
-    double from_ = 1;
-    double to_ = 0;
+/// What stands in and at the frame.
+struct FrameWords {
+    std::string title;
+    std::string remark;  ///< beside the title
+    std::string x;
+    std::string y;
 };
 
 /// Grid, ticks, axis titles and the plot's title.
-void drawFrame(Svg& svg, const PlotFrame& frame, const std::string& title, const std::string& x_title,
-               const std::string& y_title, const Language& language, bool grid);
+void drawFrame(Svg& svg, const PlotFrame& frame, const FrameWords& words, const Language& language, bool grid);
 
 /// The outline, drawn after the data.
 void drawOutline(Svg& svg, const PlotFrame& frame);

@@ -1,159 +1,101 @@
 #include "engine/report/plot_svg.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "engine/report/plot_frame.h"
+#include "engine/report/plot_paths.h"
 
 namespace lathelier {
 namespace {
 
 constexpr double plotHeight = 330;
 constexpr double bottomRoom = 52;
-constexpr std::string_view markColour = "#52606d";
-constexpr std::string_view markDashes = "6 4";
-constexpr double bandOpacity = 0.18;
-constexpr double barOpacity = 0.8;
+constexpr std::string_view limitDashes = "6 4";
+constexpr std::string_view curveDashes = "7 4";
+constexpr double bandOpacity = 0.3;
+constexpr double barOpacity = 0.6;
+constexpr double regionOpacity = 0.14;
+constexpr double pointRadius = 2.5;
+constexpr double handleRadius = 6;
 
-std::string_view colourOf(const Curve& curve, std::size_t position)
+std::string limitColour()
 {
-    return plotColour(curve.colour >= 0 ? static_cast<std::size_t>(curve.colour) : position);
-}
-
-/// The points a curve can be drawn from.
-std::size_t length(const Curve& curve)
-{
-    if (curve.style == Curve::Style::Bars) return std::min(curve.y.size(), curve.x.empty() ? 0 : curve.x.size() - 1);
-    std::size_t count = std::min(curve.x.size(), curve.y.size());
-    if (curve.style == Curve::Style::Band) count = std::min(count, curve.y_low.size());
-    return count;
+    return hex(colourOf(ColourRole::Limit));
 }
 
 PlotFrame frameOf(const Plot& plot)
 {
-    Extent x;
-    Extent y;
-    for (const Curve& curve : plot.curves) {
-        const std::size_t count = length(curve);
-        const bool bars = curve.style == Curve::Style::Bars;
-        for (std::size_t i = 0; i < count + (bars && count > 0 ? 1 : 0); ++i) x.add(curve.x[i]);
-        for (std::size_t i = 0; i < count; ++i) y.add(curve.y[i]);
-        if (curve.style == Curve::Style::Band)
-            for (std::size_t i = 0; i < count; ++i) y.add(curve.y_low[i]);
-        if (bars) y.add(0);
-    }
-    for (const double mark : plot.y_marks) y.add(mark);
-    for (const double mark : plot.x_marks) x.add(mark);
     PlotFrame frame;
     frame.bottom = plotHeight - bottomRoom;
-    frame.x = x.interval();
-    if (plot.x_range && plot.x_range->from < plot.x_range->to) frame.x = *plot.x_range;
-    const Interval all = y.interval();
-    const double air = 0.05 * (all.to - all.from);
-    frame.y = {all.from == 0 ? 0 : all.from - air, all.to + air};
-    if (plot.y_range && plot.y_range->from < plot.y_range->to) frame.y = *plot.y_range;
+    frame.x = shownX(plot);
+    frame.y = shownY(plot);
+    frame.x_scale = plot.x.scale;
+    frame.y_scale = plot.y.scale;
+    if (!plot.equal_scales) return frame;
+    // The axis with room to spare shows more.
+    const auto widen = [](Interval& range, double length) {
+        const double middle = (range.from + range.to) / 2;
+        range = {middle - length / 2, middle + length / 2};
+    };
+    const double width = frame.x.to - frame.x.from, height = frame.y.to - frame.y.from;
+    const double ratio = (frame.right - frame.left) / (frame.bottom - frame.top);
+    if (width < ratio * height)
+        widen(frame.x, ratio * height);
+    else
+        widen(frame.y, width / ratio);
     return frame;
 }
 
-struct SheetPoint {
-    double x;
-    double y;
-};
-
-/// One unbroken stretch of a curve.
-using Stretch = std::vector<SheetPoint>;
-
-std::vector<Stretch> stretches(const PlotFrame& frame, const std::vector<double>& x, const std::vector<double>& y)
+void drawCurve(Svg& svg, const PlotFrame& frame, const Curve& curve, const std::string& colour)
 {
-    std::vector<Stretch> result;
-    bool open = false;
-    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-        if (!isDrawable(x[i]) || !isDrawable(y[i])) {
-            open = false;
-            continue;
-        }
-        if (!open) result.emplace_back();
-        open = true;
-        result.back().push_back({frame.toX(x[i]), std::clamp(frame.toY(y[i]), frame.top, frame.bottom)});
+    const auto draw = [&](const std::string& data, std::string_view stroke, double width, std::string_view fill,
+                          double opacity, std::string_view dashes = {}) {
+        if (!data.empty()) svg.path(data, stroke, width, fill, opacity, dashes);
+    };
+    const double width = curve.thin ? 0.5 : 1.6;
+    switch (curve.style) {
+        case Curve::Style::Line: draw(linePath(frame, curve), colour, width, "none", 1); break;
+        case Curve::Style::Dashed: draw(linePath(frame, curve), colour, width, "none", 1, curveDashes); break;
+        case Curve::Style::Points: draw(pointsPath(frame, curve, pointRadius), "none", 0, colour, 1); break;
+        case Curve::Style::Band: draw(bandPath(frame, curve), "none", 0, colour, bandOpacity); break;
+        case Curve::Style::Bars: draw(barsPath(frame, curve), "#ffffff", 0.5, colour, barOpacity); break;
     }
-    return result;
 }
 
-/// Keeps the first, lowest, highest and last of the points that follow each other in one column of pixels.
-Stretch thinned(const Stretch& points)
+/// A name at its place, on the side of it where there is room.
+void drawName(Svg& svg, const PlotFrame& frame, double x, double y, const std::string& name)
 {
-    Stretch result;
-    for (std::size_t begin = 0; begin < points.size();) {
-        const double column = std::floor(points[begin].x);
-        std::size_t low = begin;
-        std::size_t high = begin;
-        std::size_t end = begin;
-        for (; end < points.size() && std::floor(points[end].x) == column; ++end) {
-            if (points[end].y < points[low].y) low = end;
-            if (points[end].y > points[high].y) high = end;
-        }
-        std::array<std::size_t, 4> kept{begin, std::min(low, high), std::max(low, high), end - 1};
-        for (std::size_t k = 0; k < kept.size(); ++k)
-            if (k == 0 || kept[k] != kept[k - 1]) result.push_back(points[kept[k]]);
-        begin = end;
-    }
-    return result;
+    if (name.empty()) return;
+    const bool fits = x + 5 + textWidth(name, tickSize) <= frame.right;
+    svg.text(fits ? x + 5 : x - 5, std::max(y, frame.top + tickSize), fits ? Svg::Anchor::Start : Svg::Anchor::End,
+             tickSize, name);
 }
 
-std::string moves(const Stretch& points, char first = 'M')
+void drawUpright(Svg& svg, const PlotFrame& frame, double place, const std::string& name, std::string_view dashes)
 {
-    std::string data;
-    for (const SheetPoint& point : points) {
-        data += data.empty() ? first : 'L';
-        data += coordinate(point.x) + " " + coordinate(point.y);
-    }
-    return data;
+    const double x = frame.toX(place);
+    if (!(x >= frame.left && x <= frame.right)) return;
+    svg.line(x, frame.top, x, frame.bottom, limitColour(), 1.2, dashes);
+    drawName(svg, frame, x, frame.top + tickSize + 1, name);
 }
 
-void drawLine(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_view colour)
+void drawLevel(Svg& svg, const PlotFrame& frame, double place, const std::string& name, std::string_view dashes)
 {
-    std::string data;
-    for (const Stretch& stretch : stretches(frame, curve.x, curve.y)) {
-        data += moves(thinned(stretch));
-        if (stretch.size() == 1) data += "h0.01";  // a lone point shows as a dot
-    }
-    if (!data.empty()) svg.path(data, colour, 1.6);
+    const double y = frame.toY(place);
+    if (!(y >= frame.top && y <= frame.bottom)) return;
+    svg.line(frame.left, y, frame.right, y, limitColour(), 1.2, dashes);
+    if (!name.empty()) svg.text(frame.right - 4, y - 4, Svg::Anchor::End, tickSize, name);
 }
 
-void drawBand(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_view colour)
+void drawHandle(Svg& svg, const PlotFrame& frame, const Handle& handle, const std::string& name)
 {
-    // Both edges break together, so that they pair up again after a gap.
-    std::vector<double> high = curve.y;
-    std::vector<double> low = curve.y_low;
-    for (std::size_t i = 0; i < std::min(high.size(), low.size()); ++i)
-        if (!isDrawable(high[i]) || !isDrawable(low[i])) high[i] = low[i] = NAN;
-    const std::vector<Stretch> above = stretches(frame, curve.x, high);
-    const std::vector<Stretch> below = stretches(frame, curve.x, low);
-    std::string data;
-    for (std::size_t i = 0; i < std::min(above.size(), below.size()); ++i) {
-        Stretch back = thinned(below[i]);
-        std::reverse(back.begin(), back.end());
-        data += moves(thinned(above[i])) + moves(back, 'L') + "Z";
-    }
-    if (!data.empty()) svg.path(data, "none", 0, colour, bandOpacity);
-}
-
-void drawBars(Svg& svg, const PlotFrame& frame, const Curve& curve, std::string_view colour)
-{
-    std::string data;
-    const double base = std::clamp(frame.toY(0), frame.top, frame.bottom);
-    for (std::size_t i = 0; i < length(curve); ++i) {
-        if (!isDrawable(curve.x[i]) || !isDrawable(curve.x[i + 1]) || !isDrawable(curve.y[i]) || curve.y[i] == 0)
-            continue;
-        const double left = frame.toX(curve.x[i]);
-        const double right = frame.toX(curve.x[i + 1]);
-        const double top = std::clamp(frame.toY(curve.y[i]), frame.top, frame.bottom);
-        data += fmt::format("M{} {}V{}H{}V{}Z", coordinate(left), coordinate(base), coordinate(top), coordinate(right),
-                            coordinate(base));
-    }
-    if (!data.empty()) svg.path(data, "#ffffff", 0.5, colour, barOpacity);
+    if (handle.kind == Handle::Kind::Vertical) return drawUpright(svg, frame, handle.x, name, limitDashes);
+    if (handle.kind == Handle::Kind::Horizontal) return drawLevel(svg, frame, handle.y, name, limitDashes);
+    const double x = frame.toX(handle.x), y = frame.toY(handle.y);
+    if (!(x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom)) return;
+    svg.path(discPath(x, y, handleRadius), limitColour(), 2, "#ffffff", 0.6);
+    svg.path(discPath(x, y, 1.5), "none", 0, limitColour());
+    drawName(svg, frame, x + handleRadius - 2, y - handleRadius, name);
 }
 
 /// One row at the right of the title, from right to left.
@@ -176,10 +118,15 @@ public:
         svg_.line(start, y_, start + sampleWidth, y_, colour, width, dashes);
     }
 
+    void addPoint(const std::string& name, std::string_view colour)
+    {
+        svg_.path(discPath(place(name) + sampleWidth / 2, y_, pointRadius), "none", 0, colour);
+    }
+
     void addArea(const std::string& name, std::string_view colour, double opacity)
     {
-        const double start = place(name);
-        svg_.path(fmt::format("M{} {}h24v10h-24Z", coordinate(start), coordinate(y_ - 5)), "none", 0, colour, opacity);
+        const std::string start = coordinate(place(name));
+        svg_.path("M" + start + " " + coordinate(y_ - 5) + "h24v10h-24Z", "none", 0, colour, opacity);
     }
 
 private:
@@ -192,15 +139,18 @@ private:
 void drawLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language)
 {
     Legend legend(svg, frame);
-    const std::string marks = captionText(plot.marks_name, language);
-    if (!marks.empty() && !(plot.x_marks.empty() && plot.y_marks.empty()))
-        legend.addLine(marks, markColour, 1.2, markDashes);
+    for (std::size_t i = plot.regions.size(); i-- > 0;) {
+        const std::string name = captionText(plot.regions[i].name, language);
+        if (!name.empty()) legend.addArea(name, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);
+    }
     for (std::size_t i = plot.curves.size(); i-- > 0;) {
         const std::string name = captionText(plot.curves[i].name, language);
         if (name.empty()) continue;
-        const std::string_view colour = colourOf(plot.curves[i], i);
+        const std::string colour = hex(colourOf(plot.curves[i].colour, i));
         switch (plot.curves[i].style) {
             case Curve::Style::Line: legend.addLine(name, colour, 2.5); break;
+            case Curve::Style::Dashed: legend.addLine(name, colour, 2.5, curveDashes); break;
+            case Curve::Style::Points: legend.addPoint(name, colour); break;
             case Curve::Style::Band: legend.addArea(name, colour, bandOpacity); break;
             case Curve::Style::Bars: legend.addArea(name, colour, barOpacity); break;
         }
@@ -211,25 +161,29 @@ void drawLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Langua
 
 std::string toSvg(const Plot& plot, const Language& language)
 {
-    const std::string title = captionText(plot.title, language);
-    Svg svg(sheetWidth, plotHeight, title);
+    const auto words = [&](const Caption& caption) { return captionText(caption, language); };
+    const FrameWords titles{words(plot.title), words(plot.remark), axisLabel(plot.x, language),
+                            axisLabel(plot.y, language)};
+    Svg svg(sheetWidth, plotHeight, titles.title);
     const PlotFrame frame = frameOf(plot);
-    drawFrame(svg, frame, title, captionText(plot.x_title, language), captionText(plot.y_title, language), language,
-              true);
-    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-        const Curve& curve = plot.curves[i];
-        switch (curve.style) {
-            case Curve::Style::Line: drawLine(svg, frame, curve, colourOf(curve, i)); break;
-            case Curve::Style::Band: drawBand(svg, frame, curve, colourOf(curve, i)); break;
-            case Curve::Style::Bars: drawBars(svg, frame, curve, colourOf(curve, i)); break;
-        }
+    for (std::size_t i = 0; i < plot.regions.size(); ++i) {
+        const std::string data = regionPath(frame, plot.regions[i]);
+        if (!data.empty()) svg.path(data, "none", 0, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);
     }
-    for (const double mark : plot.y_marks)
-        if (const double y = frame.toY(mark); y >= frame.top && y <= frame.bottom)
-            svg.line(frame.left, y, frame.right, y, markColour, 1.2, markDashes);
-    for (const double mark : plot.x_marks)
-        if (const double x = frame.toX(mark); x >= frame.left && x <= frame.right)
-            svg.line(x, frame.top, x, frame.bottom, markColour, 1.2, markDashes);
+    drawFrame(svg, frame, titles, language, true);
+    for (std::size_t i = 0; i < plot.curves.size(); ++i)
+        drawCurve(svg, frame, plot.curves[i], hex(colourOf(plot.curves[i].colour, i)));
+    for (const Limit& limit : plot.limits) {
+        const auto draw = limit.direction == Limit::Direction::Vertical ? drawUpright : drawLevel;
+        draw(svg, frame, limit.place, words(limit.name), limitDashes);
+    }
+    for (const Mark& mark : plot.marks) {
+        const double x = frame.toX(mark.x), y = frame.toY(mark.y);
+        if (!(x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom)) continue;
+        svg.path(discPath(x, y, 3.5), "#ffffff", 1, hex(colourOf(ColourRole::Mark)));
+        drawName(svg, frame, x, y - 6, words(mark.name));
+    }
+    for (const Handle& handle : plot.handles) drawHandle(svg, frame, handle, words(handle.name));
     drawOutline(svg, frame);
     drawLegend(svg, frame, plot, language);
     return svg.finish();

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/report/document.h"
+#include "engine/report/chart.h"
 
 namespace lathelier {
 

@@ -27,9 +27,9 @@ constexpr std::string_view baseColour = "#9aa5b1";
 constexpr std::string_view markColour = "#1f2933";
 constexpr std::string_view dashes = "7 4";
 
-std::string_view colourOf(int colour, std::size_t position)
+std::string strokeOf(const ChartColour& colour, std::size_t position)
 {
-    return polarColour(colour >= 0 ? static_cast<std::size_t>(colour) : position);
+    return hex(colourOf(colour, position));
 }
 
 /// Where a reference line lies, seen from the base circle's centre.
@@ -249,12 +249,12 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
     Legend legend(svg);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         const std::string name = captionText(plot.traces[i].name, language);
-        if (!name.empty()) legend.line(name, colourOf(plot.traces[i].colour, i), plot.traces[i].thin ? 1 : 2.2);
+        if (!name.empty()) legend.line(name, strokeOf(plot.traces[i].colour, i), plot.traces[i].thin ? 1 : 2.2);
     }
     for (std::size_t i = 0; i < plot.circles.size(); ++i) {
         const PolarPlot::ReferenceLine& circle = plot.circles[i];
         const std::string name = captionText(circle.name, language);
-        if (!name.empty()) legend.line(name, colourOf(circle.colour, i + 1), 1.6, circle.dashed ? dashes : "");
+        if (!name.empty()) legend.line(name, strokeOf(circle.colour, i + 1), 1.6, circle.dashed ? dashes : "");
     }
     for (const bool outer : {true, false})
         if (std::any_of(plot.contacts.begin(), plot.contacts.end(),
@@ -334,13 +334,6 @@ double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>&
 
 }  // namespace
 
-std::string_view polarColour(std::size_t number)
-{
-    static constexpr std::array<std::string_view, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                             "#56b4e9", "#e69f00", "#787878"};
-    return colours[number % colours.size()];
-}
-
 void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double rim_px)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -384,10 +377,10 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     drawScale(svg, polar, plot, divisions, language);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         const std::string data = tracePath(polar, plot.traces[i]);
-        if (!data.empty()) svg.path(data, colourOf(plot.traces[i].colour, i), plot.traces[i].thin ? 0.5 : 1.6);
+        if (!data.empty()) svg.path(data, strokeOf(plot.traces[i].colour, i), plot.traces[i].thin ? 0.5 : 1.6);
     }
     for (std::size_t i = 0; i < plot.circles.size(); ++i)
-        svg.path(referencePath(polar, plot.circles[i]), colourOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
+        svg.path(referencePath(polar, plot.circles[i]), strokeOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
                  plot.circles[i].dashed ? dashes : "");
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))

@@ -3,10 +3,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "engine/report/document.h"
+#include "engine/report/chart.h"
 
 namespace lathelier {
 
@@ -14,10 +13,6 @@ namespace lathelier {
 /// is, are stated beside it with the legend. Long traces are thinned to the smallest and largest value in each quarter
 /// degree.
 std::string toSvg(const PolarPlot& plot, const Language& language = {});
-
-/// The colours of the plots by number, on the screen and of polar plots on paper: they stay apart for colour-blind eyes
-/// (Okabe and Ito). After seven from the start.
-std::string_view polarColour(std::size_t number);
 
 /// A place in the drawing, seen from the plot's centre: x to the right, y upward.
 struct PolarPlace {

@@ -16,9 +16,11 @@ Ticks niceTicks(double from, double to, int wanted)
     const double rough = (to - from) / wanted;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     double step = 10 * power;
+    int parts = 5;  ///< of a step, so that minor ticks lie at readable places too
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= rough * (1 - 1e-9)) {
             step = factor * power;
+            parts = factor == 2.0 ? 4 : 5;
             break;
         }
     Ticks ticks;
@@ -28,12 +30,46 @@ Ticks niceTicks(double from, double to, int wanted)
     // Counted, not stepped until the end: a step may be too small to change a large number.
     const int count = static_cast<int>(std::clamp(last - first + 1, 0.0, 4.0 * wanted));
     for (int i = 0; i < count; ++i) ticks.values.push_back((first + i) * step);
+    for (int i = -1; i < count; ++i)
+        for (int part = 1; part < parts; ++part) {
+            const double value = (first + i + static_cast<double>(part) / parts) * step;
+            if (value >= from && value <= to) ticks.minor.push_back(value);
+        }
     return ticks;
+}
+
+Ticks logTicks(double from, double to, int wanted)
+{
+    const double decades = std::log10(to / from);
+    if (decades < 0.5) return niceTicks(from, to, wanted);
+    const int first = static_cast<int>(std::floor(std::log10(from)));
+    const int last = static_cast<int>(std::floor(std::log10(to) + 1e-9));
+    const bool between = 3 * decades <= wanted + 1 || decades < 1.5;
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
+    Ticks ticks;
+    ticks.decimals = -1;
+    for (int power = first; power <= last; ++power)
+        for (int digit = 1; digit < 10; ++digit) {
+            const double value = digit * std::pow(10.0, power);
+            if (value < from * (1 - 1e-9) || value > to * (1 + 1e-9)) continue;
+            if (digit == 1 ? power % every == 0 : between && (digit == 2 || digit == 5))
+                ticks.values.push_back(value);
+            else if (every == 1 || digit == 1)
+                ticks.minor.push_back(value);
+        }
+    return ticks;
+}
+
+Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted)
+{
+    return scale == Axis::Scale::Logarithmic && range.from > 0 ? logTicks(range.from, range.to, wanted)
+                                                               : niceTicks(range.from, range.to, wanted);
 }
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language)
 {
-    if (std::abs(value) >= longestFixed || ticks.decimals > mostDecimals) return text(Value(value), language);
+    if (std::abs(value) >= longestFixed || ticks.decimals < 0 || ticks.decimals > mostDecimals)
+        return text(Value(value), language);
     return fixed(value, ticks.decimals, language);
 }
 

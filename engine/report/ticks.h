@@ -5,17 +5,25 @@
 #include <vector>
 
 #include "engine/core/texts.h"
+#include "engine/report/chart.h"
 
 namespace lathelier {
 
-/// Ticks at multiples of 1, 2 or 5 × 10^n inside [from, to], about `wanted` of them.
 struct Ticks {
     std::vector<double> values;
-    int decimals = 0;  ///< enough to tell neighbours apart
+    std::vector<double> minor;  ///< between them, without numbers
+    int decimals = 0;           ///< enough to tell neighbours apart; -1: each as short as it can be written
 };
 
-/// from < to, both finite, wanted >= 1.
+/// Ticks at multiples of 1, 2 or 5 × 10^n inside [from, to], about `wanted` of them. from < to, both finite, wanted
+/// >= 1.
 Ticks niceTicks(double from, double to, int wanted);
+
+/// Ticks of a logarithmic axis at 1, 2 and 5 × 10^n where there is room, else at powers of ten, with minor ticks
+/// between; over less than half a decade as niceTicks(). 0 < from < to.
+Ticks logTicks(double from, double to, int wanted);
+
+Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted);
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language);
 

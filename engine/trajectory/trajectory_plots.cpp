@@ -1,6 +1,7 @@
 #include "engine/trajectory/trajectory_plots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -8,9 +9,25 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr int measuredColour = 0, fittedColour = 1, toolColour = 1, meanColour = 1, singleColour = 0;
+/// Numbers of the series' colours.
+constexpr int workpieceColour = 0, toolColour = 1, meanColour = 1, singleColour = 4;
 
-const Text alongAxis = LT_TEXT("Engine", "Along the workpiece, from the free end (mm)");
+constexpr std::size_t mostMarks = 60;  ///< more revolution marks hide the signals
+constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
+
+const Text um = LT_TEXT("Engine", "µm");
+const Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), LT_TEXT("Engine", "mm")};
+
+const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
+{
+    return section.probes[static_cast<std::size_t>(probe)].mean_um;
+}
+
+std::string sectionName(const TrajectorySection& section, const Language& language)
+{
+    return fill(text(LT_TEXT("Engine", "section {section}"), language), {{"section", std::int64_t{section.section}}},
+                language);
+}
 
 /// Closes a curve over the turn.
 std::vector<double> closed(std::vector<double> values, double addend = 0)
@@ -19,40 +36,24 @@ std::vector<double> closed(std::vector<double> values, double addend = 0)
     return values;
 }
 
-/// A micrometre is as long along x as along y: an orbit shows its shape.
-void makeScalesEqual(Plot& plot)
-{
-    constexpr double widthToHeight = 3.26;  // of the frame
-    constexpr double air = 1.1;
-    Interval x{HUGE_VAL, -HUGE_VAL}, y = x;
-    const auto extend = [](Interval& range, const std::vector<double>& values) {
-        for (const double value : values) {
-            range.from = std::fmin(range.from, value);
-            range.to = std::fmax(range.to, value);
-        }
-    };
-    for (const Curve& curve : plot.curves) {
-        extend(x, curve.x);
-        extend(y, curve.y);
-    }
-    const double height = air * std::max(y.to - y.from, (x.to - x.from) / widthToHeight);
-    if (!std::isfinite(height) || height <= 0) return;
-    const auto about = [](const Interval& range, double length) {
-        const double middle = (range.from + range.to) / 2;
-        return Interval{middle - length / 2, middle + length / 2};
-    };
-    plot.x_range = about(x, widthToHeight * height);
-    plot.y_range = about(y, height);
-}
-
 }  // namespace
 
-Plot diameterAlongAxis(const LongitudinalSection& section)
+std::vector<double> partAngles_deg(const TrajectorySection& section)
+{
+    std::vector<double> angles = section.body_angle_deg.empty() ? section.angle_deg : section.body_angle_deg;
+    for (double& angle : angles) {
+        angle = std::fmod(angle, 360);
+        if (angle < 0) angle += 360;
+    }
+    return angles;
+}
+
+Plot longitudinalPlot(const LongitudinalSection& section, const Language& language)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Longitudinal section");
-    plot.x_title = alongAxis;
-    plot.y_title = LT_TEXT("Engine", "Diameter, deviation from its mean (µm)");
+    plot.x = zAxis;
+    plot.y = {LT_TEXT("Engine", "Radius, deviation from its mean"), um};
     const auto count = static_cast<double>(section.radius_mm.size());
     const double mean_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0) / count;
     const auto [from, to] = std::minmax_element(section.z_mm.begin(), section.z_mm.end());
@@ -61,19 +62,32 @@ Plot diameterAlongAxis(const LongitudinalSection& section)
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return section.z_mm[a] < section.z_mm[b]; });
-    Curve measured{LT_TEXT("Engine", "sections"), {}, {}, Curve::Style::Line, {}, measuredColour};
+    const auto named = [&](Text pattern, double value_um) {
+        return fill(text(pattern, language), {{"value", fixed(value_um, 1, language)}}, language);
+    };
+    Curve parabola{named(section.barrel_um >= 0 ? LT_TEXT("Engine", "barrel {value} µm on radius")
+                                                : LT_TEXT("Engine", "saddle {value} µm on radius"),
+                         std::abs(section.barrel_um))};
+    Curve line{named(LT_TEXT("Engine", "taper {value} µm on diameter"), section.taper_diameter_um)};
+    line.style = Curve::Style::Dashed;
+    line.spoken = false;
+    Curve measured{LT_TEXT("Engine", "sections")};
+    measured.style = Curve::Style::Points;
     for (const std::size_t i : order) {
         measured.x.push_back(section.z_mm[i]);
-        measured.y.push_back(2e3 * (section.radius_mm[i] - mean_mm));
+        measured.y.push_back(1e3 * (section.radius_mm[i] - mean_mm));
     }
-    Curve fitted{LT_TEXT("Engine", "taper and barrel"), {}, {}, Curve::Style::Line, {}, fittedColour};
-    constexpr int steps = 60;
-    for (int i = 0; i <= steps; ++i) {
+    constexpr int steps = 100;
+    const auto& [c0, c1, c2] = section.fit_mm;
+    for (int i = 0; i <= steps && *to > *from; ++i) {
         const double u = 2.0 * i / steps - 1;
-        fitted.x.push_back(*from + (*to - *from) * i / steps);
-        fitted.y.push_back(2e3 * (section.fit_mm[0] - mean_mm + u * (section.fit_mm[1] + u * section.fit_mm[2])));
+        parabola.x.push_back(*from + (*to - *from) * i / steps);
+        parabola.y.push_back(1e3 * (c0 + u * (c1 + u * c2) - mean_mm));
+        // The line that leaves the parabola's own bow out of the taper: its mean height.
+        line.y.push_back(1e3 * (c0 + c1 * u + c2 / 3 - mean_mm));
     }
-    plot.curves = {measured, fitted};
+    line.x = parabola.x;
+    plot.curves = {std::move(parabola), std::move(line), std::move(measured)};
     return plot;
 }
 
@@ -82,44 +96,66 @@ Plot roundnessAlongAxis(const TrajectoryResult& result)
     Plot plot;
     plot.title = LT_TEXT("Engine", "Roundness of the sections");
     const bool places = result.longitudinal.has_value();
-    plot.x_title = places ? alongAxis : LT_TEXT("Engine", "Section");
-    plot.y_title = "RONt (µm)";
-    plot.y_range = Interval{0, 0};
+    plot.x = places ? zAxis : Axis{LT_TEXT("Engine", "Section")};
+    plot.y = {"RONt", um};
+    plot.y.range = Interval{0, 0};
     for (const form::ReferenceCircle circle : {form::ReferenceCircle::MZCI, form::ReferenceCircle::LSCI}) {
         Curve curve;
         curve.name = std::string(name(circle));
         for (const TrajectorySection& section : result.sections) {
             curve.x.push_back(places ? section.z_mm : section.section);
             curve.y.push_back(section.roundness.circles.of(circle).RONt_um);
-            plot.y_range->to = std::max(plot.y_range->to, 1.15 * curve.y.back());
+            plot.y.range->to = std::max(plot.y.range->to, 1.15 * curve.y.back());
         }
         plot.curves.push_back(std::move(curve));
     }
     if (const auto& tolerance = result.parameters.form.tolerance_um) {
-        plot.y_marks = {*tolerance};
-        plot.marks_name = LT_TEXT("Engine", "tolerance");
-        plot.y_range->to = std::max(plot.y_range->to, 1.15 * *tolerance);
+        plot.limits.push_back({Limit::Direction::Horizontal, *tolerance, LT_TEXT("Engine", "tolerance")});
+        plot.y.range->to = std::max(plot.y.range->to, 1.15 * *tolerance);
     }
     return plot;
 }
 
-Plot trajectoryPlot(const TrajectorySection& section)
+Plot trajectoryPlot(const TrajectorySection& section, const Language& language,
+                    const std::vector<TrajectorySection>& others)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Trajectories over one turn");
-    plot.x_title = "X (µm)";
-    plot.y_title = "Y (µm)";
-    const auto curve = [&](Text title, Probe x, Probe y, int colour) {
-        return Curve{title,
-                     closed(section.probes[static_cast<std::size_t>(x)].mean_um),
-                     closed(section.probes[static_cast<std::size_t>(y)].mean_um),
-                     Curve::Style::Line,
-                     {},
-                     colour};
+    plot.remark = sectionName(section, language);
+    plot.x = {"X", um};
+    plot.y = {"Y", um};
+    plot.along = {LT_TEXT("Engine", "angle"), LT_TEXT("Engine", "°")};
+    plot.equal_scales = true;
+    const auto add = [&](const Caption& name, const TrajectorySection& of, Probe x, Probe y, int colour) {
+        Curve curve{name, closed(mean(of, x)), closed(mean(of, y)), Curve::Style::Line, {}, colour};
+        curve.along = closed(partAngles_deg(of));
+        curve.thin = &of != &section;
+        plot.curves.push_back(std::move(curve));
     };
-    plot.curves = {curve(LT_TEXT("Engine", "axis of the workpiece (X3, Y3)"), Probe::X3, Probe::Y3, measuredColour),
-                   curve(LT_TEXT("Engine", "tool (Xp, Yp)"), Probe::Xp, Probe::Yp, toolColour)};
-    makeScalesEqual(plot);
+    for (const TrajectorySection& other : others) {
+        if (other.section == section.section) continue;
+        add({}, other, Probe::X3, Probe::Y3, workpieceColour);
+        add({}, other, Probe::Xp, Probe::Yp, toolColour);
+    }
+    add(LT_TEXT("Engine", "axis of the workpiece (X3, Y3)"), section, Probe::X3, Probe::Y3, workpieceColour);
+    add(LT_TEXT("Engine", "tool (Xp, Yp)"), section, Probe::Xp, Probe::Yp, toolColour);
+    return plot;
+}
+
+Plot coordinatesPlot(const TrajectorySection& section, const Language& language)
+{
+    Plot plot;
+    plot.title = LT_TEXT("Engine", "Coordinates over the angle");
+    plot.remark = sectionName(section, language);
+    plot.x = {LT_TEXT("Engine", "Angle as recorded"), LT_TEXT("Engine", "°")};
+    plot.y = {LT_TEXT("Engine", "Displacement"), um};
+    for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
+        plot.curves.push_back({probeNames[probe], section.angle_deg, section.probes[probe].mean_um});
+    const double sum_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0);
+    Curve radius{LT_TEXT("Engine", "R − mean"), section.angle_deg};
+    for (const double radius_mm : section.radius_mm)
+        radius.y.push_back(1e3 * (radius_mm - sum_mm / static_cast<double>(section.radius_mm.size())));
+    plot.curves.push_back(std::move(radius));
     return plot;
 }
 
@@ -127,8 +163,8 @@ Plot envelopePlot(const TrajectorySection& section)
 {
     Plot plot;
     plot.title = LT_TEXT("Engine", "Radius about the spindle axis");
-    plot.x_title = LT_TEXT("Engine", "Angle (°)");
-    plot.y_title = LT_TEXT("Engine", "Deviation from the mean radius (µm)");
+    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
+    plot.y = {LT_TEXT("Engine", "Deviation from the mean radius"), um};
     const double mean_mm = section.roundness.circles.LSCI.radius_mm;
     const auto deviations = [&](const std::vector<double>& radius_mm) {
         std::vector<double> values;
@@ -146,30 +182,64 @@ Plot envelopePlot(const TrajectorySection& section)
     return plot;
 }
 
-PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm)
+Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language)
 {
+    Plot plot;
+    plot.title = LT_TEXT("Engine", "Signals");
+    plot.x = {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s")};
+    const auto displaces = [](const TimeSignal& signal) {
+        return !signal.signal.empty() && signal.signal != "marker" && signal.signal != "angle";
+    };
+    // Without a usable map everything is shown as it was recorded: the plot is to tell which channel is which.
+    const bool mapped = std::any_of(recorded.begin(), recorded.end(), displaces);
+    plot.y = mapped ? Axis{LT_TEXT("Engine", "Displacement"), um} : Axis{LT_TEXT("Engine", "Value")};
+    const std::vector<double>* starts = nullptr;
+    for (const TimeSignal& signal : recorded) {
+        if (!starts && !signal.revolution_starts_s.empty()) starts = &signal.revolution_starts_s;
+        if (!mapped || displaces(signal))
+            plot.curves.push_back({mapped ? signal.signal : signal.channel, signal.time_s, signal.value});
+    }
+    if (!starts) return plot;
+    plot.remark = fill(text(LT_TEXT("Engine", "{count} revolution marks"), language),
+                       {{"count", static_cast<std::int64_t>(starts->size())}}, language);
+    plot.limits.resize(std::min(starts->size(), mostMarks));
+    for (std::size_t i = 0; i < plot.limits.size(); ++i) {
+        plot.limits[i].direction = Limit::Direction::Vertical;
+        plot.limits[i].place = (*starts)[i];
+    }
+    plot.limits.front().name = LT_TEXT("Engine", "marks");
+    // Single turns are seen, the rest comes with the wheel.
+    if (starts->size() > 6) plot.x.range = Interval{(*starts)[0], (*starts)[5]};
+    return plot;
+}
+
+PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm, Probe probe,
+                          const Language& language)
+{
+    const auto p = static_cast<std::size_t>(probe);
     PolarPlot plot;
-    plot.title = LT_TEXT("Engine", "Error motion of the spindle, sensitive direction X");
+    plot.title = LT_TEXT("Engine", "Error motion of all revolutions");
     plot.base_radius_mm = workpiece_diameter_mm / 2;
-    const std::vector<double>& synchronous = section.spindle.synchronous_curve_um;
-    const std::vector<double>& mean = section.probes[static_cast<std::size_t>(Probe::X3)].mean_um;
-    const std::vector<double> angle_deg = closed(section.angle_deg, 360);
-    const auto& revolutions = section.revolutions_um[static_cast<std::size_t>(Probe::X3)];
+    const std::vector<double>& synchronous = section.error_motion[p].synchronous_curve_um;
+    const std::vector<double>& average = section.probes[p].mean_um;
+    const std::vector<double> angle_deg = closed(partAngles_deg(section));
+    const auto& revolutions = section.revolutions_um[p];
     for (std::size_t k = 0; k < revolutions.size(); ++k) {
         PolarPlot::Trace trace;
         if (k == 0) trace.name = LT_TEXT("Engine", "single revolutions");
         trace.angle_deg = angle_deg;
         for (std::size_t i = 0; i < revolutions[k].size(); ++i)
-            trace.deviation_um.push_back(static_cast<double>(revolutions[k][i]) - mean[i] + synchronous[i]);
-        if (k + 1 < revolutions.size() && !mean.empty())  // runs on into the next one
-            trace.deviation_um.push_back(static_cast<double>(revolutions[k + 1].front()) - mean[0] + synchronous[0]);
+            trace.deviation_um.push_back(static_cast<double>(revolutions[k][i]) - average[i] + synchronous[i]);
+        if (k + 1 < revolutions.size() && !average.empty())  // runs on into the next one
+            trace.deviation_um.push_back(static_cast<double>(revolutions[k + 1].front()) - average[0] + synchronous[0]);
         trace.angle_deg.resize(trace.deviation_um.size());
         trace.colour = singleColour;
         trace.thin = true;
         plot.traces.push_back(std::move(trace));
     }
     PolarPlot::Trace trace;
-    trace.name = LT_TEXT("Engine", "synchronous (their mean)");
+    trace.name = fill(text(LT_TEXT("Engine", "synchronous motion of {probe}"), language),
+                      {{"probe", std::string(probeNames[p])}}, language);
     trace.angle_deg = angle_deg;
     trace.deviation_um = closed(synchronous);
     trace.colour = meanColour;

@@ -89,10 +89,10 @@ QuantityTable cuttingTable(const TrajectoryResult& result, const Language& langu
     return table;
 }
 
-Section alongSection(const TrajectoryResult& result)
+Section alongSection(const TrajectoryResult& result, const Language& language)
 {
     Section section{LT_TEXT("Engine", "Along the workpiece"), {}};
-    if (result.longitudinal) section.blocks.push_back(diameterAlongAxis(*result.longitudinal));
+    if (result.longitudinal) section.blocks.push_back(longitudinalPlot(*result.longitudinal, language));
     if (result.sections.size() > 1) section.blocks.push_back(roundnessAlongAxis(result));
     section.blocks.push_back(sectionsTable(result));
     return section;
@@ -101,8 +101,8 @@ Section alongSection(const TrajectoryResult& result)
 Section motionSection(const TrajectorySection& worst, double workpiece_diameter_mm, const Language& language)
 {
     Section section{LT_TEXT("Engine", "Motion of spindle and tool in that section"),
-                    {trajectoryPlot(worst), envelopePlot(worst), errorMotionPlot(worst, workpiece_diameter_mm),
-                     errorMotionTable(worst)}};
+                    {trajectoryPlot(worst, language), envelopePlot(worst),
+                     errorMotionPlot(worst, workpiece_diameter_mm, Probe::X3, language), errorMotionTable(worst)}};
     if (!worst.revolution_RONt_um.empty()) {
         double least = HUGE_VAL, most = 0;
         for (const double value : worst.revolution_RONt_um) {
@@ -200,10 +200,10 @@ Document trajectoryReport(const TrajectoryResult& result, const std::vector<Inpu
     document.sections.push_back(trajectorySummary(result, language));
     if (const auto worst = result.worstSection()) {
         const TrajectorySection& section = result.sections[*worst];
-        document.sections.push_back(alongSection(result));
+        document.sections.push_back(alongSection(result, language));
         document.sections.push_back(
             {LT_TEXT("Engine", "Image of the surface in the section with the largest deviation"),
-             {roundnessPolarPlot(section.roundness, language), spectrumPlot(section.roundness),
+             {roundnessPolarPlot(section.roundness, language), spectrumPlot(section.roundness, language),
               harmonicsTable(section.roundness), methodTable(section.roundness, language)}});
         document.sections.push_back(motionSection(section, result.workpiece_diameter_mm, language));
     }

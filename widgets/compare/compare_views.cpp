@@ -6,16 +6,13 @@
 #include <cmath>
 
 #include "engine/registration/compare_plots.h"
-#include "widgets/compare/compare_charts.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {
 namespace {
 
-// The paper's Figure 19 shows the original blue and the copy red.
-const QColor originalBlue(31, 119, 180);
-const QColor copyRed(214, 39, 40);
+constexpr double leastTolerance_mm = 1e-4;  // that can be dragged to
 
 std::string pngOf(const QImage& image)
 {
@@ -33,8 +30,8 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     Parts& p = *parts_;
     p.scene = new SceneView;
     p.map = new MapView;
-    p.meridian = new PlotView;
-    p.histogram = new PlotView;
+    p.meridian = new ChartView;
+    p.histogram = new ChartView;
     p.zones = new ZoneTable;
     p.numbers = new StatisticsTable;
     p.tabs = new QTabWidget;
@@ -83,14 +80,11 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     connect(p.zones, &ZoneTable::zonePicked, this, pickZ);
     connect(p.scene, &SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
     connect(p.map, &MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
-    connect(p.histogram, &PlotView::limitMoved, this, [this](int, double value) {
-        parts_->draggedTolerance = std::max(std::abs(value), 1e-4);
-        parts_->histogram->setLimitValues({-*parts_->draggedTolerance, *parts_->draggedTolerance});
-        emit toleranceDragged(*parts_->draggedTolerance, false);
-    });
-    connect(p.histogram, &PlotView::limitDropped, this, [this](int, double value) {
-        parts_->draggedTolerance.reset();
-        emit toleranceDragged(std::max(std::abs(value), 1e-4), true);
+    connect(p.histogram, &ChartView::handleMoved, this, [this](const QString&, double value, double, bool dropped) {
+        const double tolerance_mm = std::max(std::abs(value), leastTolerance_mm);
+        showTolerance(tolerance_mm);
+        parts_->draggedTolerance = dropped ? std::nullopt : std::optional(tolerance_mm);
+        emit toleranceDragged(tolerance_mm, dropped);
     });
     for (PlotCanvas* canvas :
          {static_cast<PlotCanvas*>(p.map), static_cast<PlotCanvas*>(p.meridian), static_cast<PlotCanvas*>(p.histogram)})
@@ -145,16 +139,23 @@ void CompareViews::showCharts()
     const registration::CompareResult& result = p.result();
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
-    p.histogram->setData(compareHistogram(result, limit_mm()));
-    if (const auto& dragged = p.draggedTolerance) p.histogram->setLimitValues({-*dragged, *dragged});
+    p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
+    if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
     if (!p.hasAxis()) return;
     const double factor = p.chosenFactor.value_or(magnification(result));
     {
         const QSignalBlocker quiet(p.factor);
         p.factor->setValue(factor);
     }
-    p.meridian->setData(compareMeridian(result, factor));
-    p.map->setData(compareMap(result));
+    p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
+    p.map->setData(unrolledMap(result, p.tolerance().has_value()));
+}
+
+/// Both limits stand where the pointer holds one of them.
+void CompareViews::showTolerance(double tolerance_mm)
+{
+    parts_->histogram->setHandle("lower", -tolerance_mm, 0);
+    parts_->histogram->setHandle("upper", tolerance_mm, 0);
 }
 
 void CompareViews::showSurface()
@@ -172,13 +173,13 @@ void CompareViews::showSurface()
     SceneObject reference;
     reference.name = tr("Reference");
     reference.scan = ScanPtr(p.picture->reference, &p.picture->reference->file.scan);
-    reference.colour = originalBlue;
+    reference.colour = toQt(colourOf(ColourRole::Original));
     reference.visible = !deviation;
     SceneObject copy;
     copy.name = tr("Copy");
     copy.scan = ScanPtr(p.picture->copy, &p.picture->copy->file.scan);
     copy.scene_T_scan = result.alignment.reference_T_copy;
-    copy.colour = copyRed;
+    copy.colour = toQt(colourOf(ColourRole::Copy));
     if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);

@@ -40,6 +40,7 @@ signals:
 private:
     struct Parts;
     void buildBar();
+    void showTolerance(double tolerance_mm);
     void showSurface();
     void showCharts();
     void arrange();

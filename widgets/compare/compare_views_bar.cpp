@@ -2,8 +2,9 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "widgets/compare/compare_charts.h"
+#include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
+#include "widgets/core/language.h"
 
 namespace lathelier {
 namespace {
@@ -59,7 +60,7 @@ void CompareViews::buildBar()
     row->addWidget(p.factor);
     connect(p.factor, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double factor) {
         parts_->chosenFactor = factor;
-        if (parts_->hasAxis()) parts_->meridian->setData(compareMeridian(parts_->result(), factor));
+        if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
     });
     row->addStretch(1);
     p.synthetic = new QLabel;
@@ -116,7 +117,7 @@ void CompareViews::retranslate()
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
     p.synthetic->setVisible(p.picture && p.picture->synthetic);
-    p.scene->setScaleTitle(tr("Deviation [mm]"));
+    p.scene->setScaleTitle(tr("Deviation (mm)"));
     if (!p.picture) return;
     arrange();
     showCharts();

@@ -12,8 +12,8 @@
 
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
-#include "widgets/plot/plot_view.h"
 #include "widgets/scene/scene_view.h"
 
 namespace lathelier {
@@ -30,8 +30,8 @@ struct CompareViews::Parts {
 
     SceneView* scene = nullptr;          ///< reference and copy in space
     MapView* map = nullptr;              ///< unrolled map of the deviation
-    PlotView* meridian = nullptr;        ///< radius along the axis, with the error magnified
-    PlotView* histogram = nullptr;       ///< distribution of the deviations
+    ChartView* meridian = nullptr;       ///< radius along the axis, with the error magnified
+    ChartView* histogram = nullptr;      ///< distribution of the deviations
     ZoneTable* zones = nullptr;          ///< mean deviation by zone
     StatisticsTable* numbers = nullptr;  ///< statistics of the deviations
     QTabWidget* tabs = nullptr;          ///< histogram, zones and numbers

@@ -1,19 +1,12 @@
 #include "widgets/longitudinal/longitudinal_charts.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/report/colours.h"
-#include "widgets/core/language.h"
 
 namespace lathelier {
-
-/// The words of these plots.
-struct LongitudinalCharts {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::LongitudinalCharts)
-};
 
 namespace {
 
@@ -127,47 +120,6 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
     stack.scan = scan;
     stack.deviation_um = values;
     return stack;
-}
-
-PlotData profileAlongZ(const trajectory::TrajectoryResult& result)
-{
-    PlotData data;
-    data.title = LongitudinalCharts::tr("Longitudinal profile");
-    data.x = {LongitudinalCharts::tr("Along the workpiece, z"), QStringLiteral("mm")};
-    data.y = {LongitudinalCharts::tr("Radius − mean"), QStringLiteral("µm")};
-    if (!result.longitudinal) return data;
-    const trajectory::LongitudinalSection& section = *result.longitudinal;
-    std::vector<std::size_t> order(section.z_mm.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return section.z_mm[a] < section.z_mm[b]; });
-    double mean_mm = 0;
-    for (const double radius : section.radius_mm) mean_mm += radius / static_cast<double>(section.radius_mm.size());
-    PlotCurve measured, line, parabola;
-    measured.name = LongitudinalCharts::tr("sections");
-    measured.style = PlotCurve::Style::Points;
-    line.name = LongitudinalCharts::tr("taper %1 µm on diameter").arg(screenNumber(section.taper_diameter_um, 1));
-    line.style = PlotCurve::Style::Dashed;
-    parabola.name =
-        (section.barrel_um >= 0 ? LongitudinalCharts::tr("barrel %1 µm") : LongitudinalCharts::tr("saddle %1 µm"))
-            .arg(screenNumber(std::abs(section.barrel_um), 1));
-    for (const std::size_t i : order) {
-        measured.x.push_back(section.z_mm[i]);
-        measured.y.push_back((section.radius_mm[i] - mean_mm) * 1000);
-    }
-    const double low = measured.x.front(), high = measured.x.back();
-    for (int step = 0; step <= 100 && high > low; ++step) {
-        const double z = low + (high - low) * step / 100, u = 2 * (z - low) / (high - low) - 1;
-        const auto& [c0, c1, c2] = section.fit_mm;
-        line.x.push_back(z);
-        parabola.x.push_back(z);
-        // The line that leaves the parabola's own bow out of the taper: its mean height.
-        line.y.push_back((c0 + c1 * u + c2 / 3 - mean_mm) * 1000);
-        parabola.y.push_back((c0 + c1 * u + c2 * u * u - mean_mm) * 1000);
-    }
-    line.spoken = false;
-    data.curves = {std::move(parabola), std::move(line), std::move(measured)};
-    return data;
 }
 
 }  // namespace lathelier

@@ -1,10 +1,9 @@
-// All sections of a record as surface, profile and table.
+// All sections of a record as one surface.
 #pragma once
 
 #include <memory>
 
 #include "engine/trajectory/trajectory.h"
-#include "widgets/plot/plot_data.h"
 #include "widgets/scene/scene_data.h"
 
 namespace lathelier {
@@ -29,8 +28,5 @@ struct StackedSections {
 
 /// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
 StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only);
-
-/// Radius of each section along z with line (taper) and parabola (barrel).
-PlotData profileAlongZ(const trajectory::TrajectoryResult& result);
 
 }  // namespace lathelier

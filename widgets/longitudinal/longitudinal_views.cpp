@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
 #include "widgets/longitudinal/section_table.h"
 #include "widgets/scene/scene_view.h"
@@ -22,7 +23,7 @@ LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
       magnification_(new QLabel),
       synthetic_(new QLabel),
       scene_(new SceneView),
-      profile_(new PlotView),
+      profile_(new ChartView),
       table_(new SectionTable)
 {
     scene_->setObjectName("stack");
@@ -99,7 +100,8 @@ void LongitudinalViews::setPicture(const std::shared_ptr<const SpindlePicture>& 
     synthetic_->setVisible(picture->synthetic);
     if (news) {
         table_->setResult(*picture->trajectory);
-        profile_->setData(profileAlongZ(*picture->trajectory));
+        const auto& along = picture->trajectory->longitudinal;
+        profile_->setData(along ? longitudinalPlot(*along, screenLanguage()) : Plot());
     }
     profile_->setVisible(picture->trajectory->longitudinal.has_value());
     showStack();
@@ -162,7 +164,7 @@ void LongitudinalViews::retranslate()
     formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
     synthetic_->setText(tr("Synthetic data"));
-    scene_->setScaleTitle(tr("Deviation [µm]"));
+    scene_->setScaleTitle(tr("Deviation (µm)"));
     if (!picture_) return;
     const auto picture = std::move(picture_);
     picture_.reset();

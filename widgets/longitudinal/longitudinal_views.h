@@ -7,7 +7,7 @@
 
 #include "engine/report/document.h"
 #include "widgets/longitudinal/longitudinal_charts.h"
-#include "widgets/plot/plot_view.h"
+#include "widgets/plot/chart_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
 namespace lathelier {
@@ -49,7 +49,7 @@ private:
     QLabel* magnification_;
     QLabel* synthetic_;
     SceneView* scene_;
-    PlotView* profile_;
+    ChartView* profile_;
     SectionTable* table_;
 };
 

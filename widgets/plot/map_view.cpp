@@ -2,8 +2,11 @@
 
 #include <qcustomplot.h>
 
+#include <array>
 #include <cmath>
 
+#include "engine/report/chart_csv.h"
+#include "widgets/core/language.h"
 #include "widgets/plot/colour_legend.h"
 
 namespace lathelier {
@@ -76,7 +79,7 @@ private:
 }  // namespace
 
 struct MapView::Content {
-    MapData data;
+    ColourMap data;
     DeviationColours colours;
     GridPicture* picture = nullptr;
     LegendInMargin* legend = nullptr;
@@ -105,7 +108,7 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
 
 MapView::~MapView() = default;
 
-const MapData& MapView::data() const
+const ColourMap& MapView::data() const
 {
     return content_->data;
 }
@@ -115,16 +118,17 @@ std::optional<QPointF> MapView::marker() const
 }
 QString MapView::csv() const
 {
-    return toCsv(content_->data);
+    return QString::fromStdString(toCsv(content_->data, screenLanguage()));
 }
 
-void MapView::setData(MapData data)
+void MapView::setData(ColourMap data)
 {
-    const bool same = data.title == content_->data.title && !content_->data.empty();
+    const auto extent = [](const ColourMap& d) { return std::array{d.x_from, d.x_to, d.y_from, d.y_to}; };
+    const bool same = extent(data) == extent(content_->data) && !content_->data.empty();
     content_->data = std::move(data);
-    const MapData& d = content_->data;
-    setTitles(d.title, {}, d.x.label(), d.y.label());
-    content_->legend->title = d.value.label();
+    const ColourMap& d = content_->data;
+    setTitles(chartText(d.title), {}, chartText(d.x), chartText(d.y));
+    content_->legend->title = chartText(d.value);
     recolour();
     refresh(same);
     placeEdit();
@@ -142,7 +146,7 @@ void MapView::setColours(const DeviationColours& colours)
 
 void MapView::recolour()
 {
-    const MapData& d = content_->data;
+    const ColourMap& d = content_->data;
     if (d.empty()) return content_->picture->set({}, {});
     QImage image(d.columns, d.rows, QImage::Format_ARGB32_Premultiplied);
     for (int row = 0; row < d.rows; ++row) {
@@ -154,15 +158,14 @@ void MapView::recolour()
             line[column] = std::isnan(value) ? 0 : qRgb(c.red, c.green, c.blue);
         }
     }
-    content_->picture->set(image, QRectF(d.xFrom, d.yFrom, d.xTo - d.xFrom, d.yTo - d.yFrom));
+    content_->picture->set(image, QRectF(d.x_from, d.y_from, d.x_to - d.x_from, d.y_to - d.y_from));
 }
 
 QColor MapView::colourAt(double x, double y) const
 {
     const double value = content_->data.at(x, y);
     if (std::isnan(value)) return {};
-    const Rgb c = content_->colours(value);
-    return {c.red, c.green, c.blue};
+    return toQt(content_->colours(value));
 }
 
 void MapView::setMarker(std::optional<QPointF> place)
@@ -185,9 +188,9 @@ void MapView::applyStyle()
 
 QString MapView::readoutAt(double x, double y) const
 {
-    const MapData& d = content_->data;
-    const auto axis = [&](const PlotAxis& a, double value, double span) {
-        return a.title + ' ' + readable(value, span, locale()) + ' ' + a.unit;
+    const ColourMap& d = content_->data;
+    const auto axis = [&](const Axis& a, double value, double span) {
+        return spokenTitle(a) + ' ' + readable(value, span, locale()) + ' ' + screenText(a.unit);
     };
     const double value = d.at(x, y);
     return axis(d.x, x, visibleRange().width()) + "  ·  " + axis(d.y, y, visibleRange().height()) + "  ·  " +
@@ -196,9 +199,9 @@ QString MapView::readoutAt(double x, double y) const
 
 void MapView::fitRanges()
 {
-    const MapData& d = content_->data;
-    plot().xAxis->setRange(d.xFrom, d.xTo);
-    plot().yAxis->setRange(d.yFrom, d.yTo);
+    const ColourMap& d = content_->data;
+    plot().xAxis->setRange(d.x_from, d.x_to);
+    plot().yAxis->setRange(d.y_from, d.y_to);
 }
 
 int MapView::besideAxes() const

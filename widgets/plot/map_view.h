@@ -1,7 +1,6 @@
 // The unrolled map: a value on a grid as a colour picture, with axes, colour scale, crosshair and picking.
 #pragma once
 
-#include "engine/report/colours.h"
 #include "widgets/plot/plot_canvas.h"
 
 namespace lathelier {
@@ -13,8 +12,9 @@ public:
     explicit MapView(QWidget* parent = nullptr);
     ~MapView() override;
 
-    void setData(MapData data);
-    const MapData& data() const;
+    /// The colours of the scale are set apart: they follow the user at once.
+    void setData(ColourMap data);
+    const ColourMap& data() const;
 
     /// Recolours at once.
     void setColours(const DeviationColours& colours);

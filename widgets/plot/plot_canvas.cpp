@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "engine/report/ticks.h"
 #include "widgets/plot/plot_parts.h"
 
 namespace lathelier {
@@ -10,7 +11,30 @@ namespace {
 
 constexpr int lowestWithLegend = 10;  // lines of type
 
-}
+/// The ticks and numbers of the report.
+class ChartTicker : public QCPAxisTicker {
+public:
+    explicit ChartTicker(Axis::Scale scale) : scale_(scale) {}
+
+    void generate(const QCPRange& range, const QLocale& locale, QChar, int, QVector<double>& ticks,
+                  QVector<double>* subTicks, QVector<QString>* labels) override
+    {
+        const Ticks found = axisTicks(scale_, {range.lower, range.upper}, tickCount());
+        ticks = {found.values.begin(), found.values.end()};
+        if (subTicks) *subTicks = {found.minor.begin(), found.minor.end()};
+        if (!labels) return;
+        Language numbers;
+        numbers.number = [&](double value) { return locale.toString(value, 'g', 6).toStdString(); };
+        numbers.fixed = [&](double value, int decimals) { return locale.toString(value, 'f', decimals).toStdString(); };
+        labels->clear();
+        for (const double value : found.values) *labels << QString::fromStdString(tickLabel(value, found, numbers));
+    }
+
+private:
+    Axis::Scale scale_;
+};
+
+}  // namespace
 
 PlotCanvas::PlotCanvas(QWidget* parent)
     : PlotWidget(parent), plot_(new QCustomPlot(this)), style_(palette(), font()), parts_(std::make_unique<Parts>())
@@ -49,6 +73,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
         (*line)->setVisible(false);
         (*line)->setSelectable(false);
     }
+    setScales(Axis::Scale::Linear, Axis::Scale::Linear);
     connect(plot_, &QCustomPlot::mousePress, this, &PlotCanvas::mousePressed);
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
     connect(plot_, &QCustomPlot::mouseRelease, this, &PlotCanvas::mouseReleased);
@@ -64,6 +89,22 @@ void PlotCanvas::setTitles(const QString& title, const QString& remark, const QS
     parts_->xTitle = x;
     parts_->yTitle = y;
     setAccessibleName(title);
+}
+
+void PlotCanvas::setScales(Axis::Scale x, Axis::Scale y)
+{
+    for (QCPAxis* axis : {plot_->xAxis, plot_->xAxis2, plot_->yAxis, plot_->yAxis2}) {
+        const Axis::Scale scale = axis->orientation() == Qt::Horizontal ? x : y;
+        axis->setScaleType(scale == Axis::Scale::Logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+        const auto ticker = QSharedPointer<ChartTicker>::create(scale);
+        ticker->setTickCount(axis->ticker()->tickCount());
+        axis->setTicker(ticker);
+    }
+}
+
+void PlotCanvas::setReadout(const QString& text)
+{
+    parts_->readout->set(text);
 }
 
 void PlotCanvas::showLegend(bool shown)
@@ -169,7 +210,6 @@ void PlotCanvas::restyle(const QPalette& palette)
             axis->setTickLabelFont(font());
             axis->setLabelColor(style_.text);
             axis->setTickLabelColor(style_.text);
-            axis->setNumberFormat("g");
             for (auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
                 (axis->*set)(QPen(style_.text, 1));
             axis->grid()->setPen(QPen(style_.grid, 1));
@@ -192,7 +232,7 @@ void PlotCanvas::fitTexts()
     const int height = metrics.height();
     const auto fit = [&](QCPAxis* axis, const QString& title, int length, int tickLength) {
         // Where the title has no room, its unit says more than its first letters.
-        const qsizetype unit = title.lastIndexOf('[');
+        const qsizetype unit = title.lastIndexOf('(');
         const bool fits = metrics.horizontalAdvance(title) <= length;
         axis->setLabel(fits || unit < 0 ? metrics.elidedText(title, Qt::ElideRight, std::max(length, 2 * height))
                                         : title.mid(unit));

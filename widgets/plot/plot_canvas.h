@@ -1,12 +1,11 @@
 // What every plot can do: title, crosshair with the values in the title's place (its remark stays), wheel zoom, drag to
-// pan, double click to reset, keyboard, context menu with copy and save. PlotView and MapView put their content into
+// pan, double click to reset, keyboard, context menu with copy and save. ChartView and MapView put their content into
 // it.
 #pragma once
 
 #include <memory>
 #include <optional>
 
-#include "widgets/plot/plot_data.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/plot_widget.h"
 
@@ -42,6 +41,8 @@ protected:
     QCustomPlot& plot() const { return *plot_; }
     const PlotStyle& style() const { return style_; }
     void setTitles(const QString& title, const QString& remark, const QString& x, const QString& y);
+    void setScales(Axis::Scale x, Axis::Scale y);
+    void setReadout(const QString& text);
     void showLegend(bool shown);
     void leaveRoomInTitle(int pixels);  ///< at its right end
     /// Redraws; `keepView` leaves the ranges when the user has chosen them.

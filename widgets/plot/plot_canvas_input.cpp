@@ -1,4 +1,6 @@
 // What mouse and keyboard do in a PlotCanvas.
+#include <cmath>
+
 #include "widgets/plot/plot_parts.h"
 
 namespace lathelier {
@@ -96,7 +98,11 @@ void PlotCanvas::mouseWheel(QWheelEvent* event)
 
 void PlotCanvas::keyPressEvent(QKeyEvent* event)
 {
-    const auto pan = [&](QCPAxis* axis, double share) { axis->moveRange(share * axis->range().size()); };
+    const auto pan = [&](QCPAxis* axis, double share) {
+        const QCPRange range = axis->range();
+        const bool byFactor = axis->scaleType() == QCPAxis::stLogarithmic;
+        axis->moveRange(byFactor ? std::pow(range.upper / range.lower, share) : share * range.size());
+    };
     const auto zoom = [&](double factor) {
         plot_->xAxis->scaleRange(factor);
         plot_->yAxis->scaleRange(factor);

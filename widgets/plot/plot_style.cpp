@@ -3,7 +3,7 @@
 #include <QFontMetricsF>
 #include <cmath>
 
-#include "engine/report/polar_svg.h"
+#include "widgets/core/language.h"
 
 namespace lathelier {
 namespace {
@@ -19,16 +19,34 @@ QColor mix(const QColor& a, const QColor& b, double share)
 PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
     : background(palette.color(QPalette::Base)), text(palette.color(QPalette::Text)), grid(mix(background, text, 0.15))
 {
-    limit = dark() ? QColor(255, 176, 64) : QColor(176, 88, 0);
-    marker = dark() ? QColor(255, 105, 180) : QColor(170, 0, 110);
+    limit = colour(ColourRole::Limit);
+    marker = colour(ColourRole::Mark);
     lineWidth = std::max(1.4, QFontMetricsF(font).height() / 10);
 }
 
-QColor PlotStyle::curve(int index) const
+QColor PlotStyle::colour(const ChartColour& meaning, std::size_t position) const
 {
-    const std::string_view name = polarColour(static_cast<std::size_t>(index));  // as in the report
-    const QColor colour(QString::fromLatin1(name.data(), static_cast<int>(name.size())));
-    return dark() ? mix(colour, Qt::white, 0.3) : colour;
+    return toQt(colourOf(meaning, position, dark() ? Ground::Dark : Ground::Light));
+}
+
+QColor toQt(const Rgb& colour)
+{
+    return {colour.red, colour.green, colour.blue};
+}
+
+QString chartText(const Caption& caption)
+{
+    return QString::fromStdString(captionText(caption, screenLanguage()));
+}
+
+QString chartText(const Axis& axis)
+{
+    return QString::fromStdString(axisLabel(axis, screenLanguage()));
+}
+
+QString spokenTitle(const Axis& axis)
+{
+    return chartText(axis.title).section(',', 0, 0);
 }
 
 QPalette paperPalette()

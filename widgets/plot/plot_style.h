@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QPalette>
 
+#include "engine/report/chart.h"
+
 class QCustomPlot;
 
 namespace lathelier {
@@ -21,9 +23,17 @@ struct PlotStyle {
     PlotStyle(const QPalette& palette, const QFont& font);
 
     bool dark() const { return background.lightness() < 128; }
-    /// A row of colours that colour-blind people can tell apart (Okabe and Ito), lightened on dark backgrounds.
-    QColor curve(int index) const;
+    /// As in the report, on this background.
+    QColor colour(const ChartColour& meaning, std::size_t position = 0) const;
 };
+
+QColor toQt(const Rgb& colour);
+
+/// The words of a chart in the language of the screen.
+QString chartText(const Caption& caption);
+QString chartText(const Axis& axis);  ///< with its unit
+/// The title as the pointer says it: what explains it behind a comma ("along the axis, from …") is left to the axis.
+QString spokenTitle(const Axis& axis);
 
 /// A palette for paper: dark on white, whatever the desktop looks like.
 QPalette paperPalette();

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "widgets/core/language.h"
+#include "widgets/plot/plot_style.h"
 
 namespace lathelier {
 
@@ -200,13 +200,10 @@ QString toCsv(const PolarPlot& plot)
         if (std::isfinite(deviation))
             text += '"' + name.replace('"', "\"\"") + "\"," + number(angle_deg) + ',' + number(deviation) + '\n';
     };
-    const auto nameOf = [](const Caption& caption) {
-        return QString::fromStdString(captionText(caption, screenLanguage()));
-    };
     int position = 0;
     for (const PolarPlot::Trace& trace : plot.traces) {
         ++position;
-        QString name = nameOf(trace.name);
+        QString name = chartText(trace.name);
         if (name.isEmpty()) name = QString::number(position);
         const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
         for (std::size_t i = 0; i < count; ++i) add(name, trace.angle_deg[i], trace.deviation_um[i]);
@@ -214,13 +211,13 @@ QString toCsv(const PolarPlot& plot)
     const PolarPlot::ReferenceLine* named = nullptr;
     for (const PolarPlot::ReferenceLine& circle : plot.circles) {
         ++position;
-        QString name = nameOf(circle.name);
+        QString name = chartText(circle.name);
         if (!name.isEmpty())
             named = &circle;
         else if (named)  // the other circle of a zone, which the legend names once
             name = (circle.deviation_um < named->deviation_um ? PolarWords::tr("%1, inner circle")
                                                               : PolarWords::tr("%1, outer circle"))
-                       .arg(nameOf(named->name));
+                       .arg(chartText(named->name));
         else
             name = QString::number(position);
         for (int angle = 0; angle < 360; ++angle) add(name, angle, deviationAt(circle, plot.base_radius_mm, angle));

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/report/document.h"
+#include "engine/report/chart.h"
 
 namespace lathelier {
 

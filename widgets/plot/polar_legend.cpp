@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/core/language.h"
 #include "widgets/plot/polar_painter.h"
 
 namespace lathelier {
@@ -28,14 +27,12 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames)
             std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) { return line.text == text; });
         if (!text.isEmpty() && !known) lines.push_back({text, colour, kind});
     };
-    const auto words = [](const Caption& caption) {
-        return QString::fromStdString(captionText(caption, screenLanguage()));
-    };
     std::size_t position = 0;
     for (const PolarPlot::Trace& trace : picture_.plot.traces)
-        add(words(trace.name), colourOf(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
+        add(chartText(trace.name), style_.colour(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
-        add(words(circle.name), colourOf(circle.colour, position++), circle.dashed ? Kind::Dashed : Kind::Line);
+        add(chartText(circle.name), style_.colour(circle.colour, position++),
+            circle.dashed ? Kind::Dashed : Kind::Line);
     for (const bool outer : {true, false})
         if (std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
                         [&](const PolarPlot::Mark& mark) { return mark.outer == outer; }))

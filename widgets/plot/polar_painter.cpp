@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/core/language.h"
-
 namespace lathelier {
 
 namespace {
@@ -17,11 +15,6 @@ constexpr double lowestWithReadout = 13;
 constexpr double smallestWithDegrees = 5;
 constexpr double smallestWithAllDegrees = 9;
 constexpr double leastShareOfDisc = 0.72;
-
-QString words(const Caption& caption)
-{
-    return QString::fromStdString(captionText(caption, screenLanguage()));
-}
 
 QString signedDivision(double value_um, const QLocale& locale)
 {
@@ -49,11 +42,6 @@ PolarPainter::PolarPainter(const PolarPicture& picture, double magnification, co
       scale_(sharePerUm(picture, magnification), picture, layout_.disc.center(), layout_.disc.width() / 2),
       division_um_(division_um(scale_, 1.25 * QFontMetricsF(font).height()))
 {
-}
-
-QColor PolarPainter::colourOf(int wanted, std::size_t position) const
-{
-    return style_.curve(wanted >= 0 ? wanted : static_cast<int>(position));
 }
 
 PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
@@ -125,7 +113,7 @@ void PolarPainter::paintTitle(QPainter& painter) const
     const QString aside = remark();
     // The magnification is part of what the plot says: the title gives way to it.
     const double asideWidth = metrics.horizontalAdvance(aside) + metrics.height();
-    const QString title = boldMetrics.elidedText(words(picture_.plot.title), Qt::ElideRight,
+    const QString title = boldMetrics.elidedText(chartText(picture_.plot.title), Qt::ElideRight,
                                                  std::max(0.0, layout_.title.width() - asideWidth));
     painter.setPen(style_.text);
     painter.setFont(bold);
@@ -239,7 +227,7 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
     for (std::size_t t = 0; t < picture_.lines.size(); ++t) {
         const PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin != thin) continue;
-        QColor colour = colourOf(trace.colour, t);
+        QColor colour = style_.colour(trace.colour, t);
         if (thin) colour.setAlphaF(0.35);
         painter.setPen(QPen(colour, thin ? 1.0 : 1.2 * style_.lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         const PolarLine& line = picture_.lines[t];
@@ -264,8 +252,8 @@ void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
     for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
-        painter.setPen(
-            QPen(colourOf(circle.colour, position++), style_.lineWidth, circle.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.setPen(QPen(style_.colour(circle.colour, position++), style_.lineWidth,
+                            circle.dashed ? Qt::DashLine : Qt::SolidLine));
         QPolygonF points;
         for (int i = 0; i <= 720; ++i) {
             const double deviation_um = deviationAt(circle, picture_.plot.base_radius_mm, i / 2.0);

@@ -60,7 +60,6 @@ private:
     Legend column(Legend legend) const;
     Legend rows(Legend legend, double width_px) const;
     QString remark() const;
-    QColor colourOf(int wanted, std::size_t position) const;
     std::vector<PolarPlace> drawnPlaces() const;
     void paintTitle(QPainter& painter) const;
     void paintGrid(QPainter& painter) const;

@@ -15,11 +15,6 @@
 namespace lathelier {
 namespace {
 
-QString titleOf(const PolarPicture& picture)
-{
-    return QString::fromStdString(captionText(picture.plot.title, screenLanguage()));
-}
-
 /// Another reference circle of the same part, not another part.
 bool sizesAgree(double a_mm, double b_mm)
 {
@@ -76,7 +71,7 @@ void PolarView::setMarker(std::optional<double> angle_deg)
 void PolarView::forgetPixmap()
 {
     pixmap_ = QPixmap();
-    if (picture_) setAccessibleName(titleOf(*picture_));
+    if (picture_) setAccessibleName(chartText(picture_->plot.title));
     setAccessibleDescription(readout());
     update();
 }
@@ -95,7 +90,7 @@ QString PolarView::spoken(double angle_deg) const
         const double value_um = trace.deviation_um[*sample];
         QString text = (value_um > 0 ? "+" : "") + screenNumber(value_um, 2) + " µm";
         text.replace('-', QChar(0x2212));
-        const QString name = QString::fromStdString(captionText(trace.name, screenLanguage()));
+        const QString name = chartText(trace.name);
         parts << (name.isEmpty() ? text : name + " " + text);
     }
     return parts.join(QStringLiteral("   "));

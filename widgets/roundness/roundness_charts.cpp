@@ -1,6 +1,5 @@
 #include "widgets/roundness/roundness_charts.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,48 +7,6 @@
 #include "widgets/core/language.h"
 
 namespace lathelier {
-
-/// The words of these plots.
-struct RoundnessCharts {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::RoundnessCharts)
-};
-
-namespace {
-
-constexpr int fewHarmonics = 60;  // shown at first; the rest comes with the wheel
-
-}  // namespace
-
-PlotData spectrumData(const form::RoundnessResult& result)
-{
-    PlotData plot;
-    plot.title = RoundnessCharts::tr("Spectrum") + ", " + RoundnessCharts::tr("before the filter");
-    plot.x = {RoundnessCharts::tr("Undulations per revolution"), "UPR"};
-    plot.y = {RoundnessCharts::tr("Amplitude"), "µm"};
-    plot.yFromZero = true;
-    PlotCurve bars;
-    bars.style = PlotCurve::Style::Bars;
-    bars.colour = QColor(0, 114, 178);
-    for (const signal::Harmonic& harmonic : result.harmonics) {
-        if (harmonic.upr < 2) continue;
-        bars.x.push_back(harmonic.upr);
-        bars.y.push_back(harmonic.amplitude);
-        const auto hint = std::find_if(result.hints.begin(), result.hints.end(),
-                                       [&](const form::RoundnessHint& h) { return h.upr == harmonic.upr; });
-        bars.words << (hint == result.hints.end() ? QString() : screenText(hint->meaning));
-    }
-    if (bars.x.empty()) return plot;
-    plot.xRange = std::pair{1.5, std::min<double>(fewHarmonics, bars.x.back()) + 0.5};
-    const signal::ProfileBand band = bandOf(result.parameters);
-    if (band.high_upr)
-        plot.limits.push_back(
-            {Qt::Vertical, *band.high_upr, RoundnessCharts::tr("%1 UPR").arg(screenNumber(*band.high_upr, 0)), false});
-    if (band.low_upr)
-        plot.limits.push_back(
-            {Qt::Vertical, *band.low_upr, RoundnessCharts::tr("%1 UPR").arg(screenNumber(*band.low_upr, 0)), false});
-    plot.curves.push_back(std::move(bars));
-    return plot;
-}
 
 Table circleTable(const form::RoundnessResult& result)
 {

@@ -22,7 +22,7 @@ RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
       difference_(new QLabel),
       synthetic_(new QLabel),
       polar_(new PolarView),
-      spectrum_(new PlotView),
+      spectrum_(new ChartView),
       tabs_(new QTabWidget),
       circles_(new CopyTable),
       methods_(new CopyTable),
@@ -116,7 +116,7 @@ void RoundnessViews::setPicture(const std::shared_ptr<const SpindlePicture>& pic
                                  .arg(screenNumber(picture->superimposed->largest_difference_um, 2),
                                       screenNumber(picture->superimposed->mean_difference_um, 2)));
     synthetic_->setVisible(picture->synthetic);
-    spectrum_->setData(spectrumData(*picture->roundness()));
+    spectrum_->setData(spectrumPlot(*picture->roundness(), screenLanguage()));
     showPolar();
     showTables();
 }

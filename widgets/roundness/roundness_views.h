@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "widgets/core/copy_table.h"
-#include "widgets/plot/plot_view.h"
+#include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
@@ -48,7 +48,7 @@ private:
     QLabel* difference_;
     QLabel* synthetic_;
     PolarView* polar_;
-    PlotView* spectrum_;
+    ChartView* spectrum_;
     QTabWidget* tabs_;
     CopyTable* circles_;
     CopyTable* methods_;

@@ -57,10 +57,11 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
     Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {motionHeadline(section)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
-    motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm));
+    motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm, trajectory::Probe::X3, language));
     motion.blocks.push_back(picture.notes);
     document.sections.push_back(std::move(motion));
-    document.sections.push_back({LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section), envelopePlot(section)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section, language), envelopePlot(section)}});
     document.sections.push_back(trajectoryMethod(result, language));
     saySection(picture, document);
     document.results = {trajectoryJson(picture)};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/trajectory/channel_table.h"
@@ -21,12 +22,12 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
       all_(new QCheckBox),
       synthetic_(new QLabel),
       pages_(new QTabWidget),
-      axes_(new XyView),
+      axes_(new ChartView),
       probe_(new QComboBox),
       motionText_(new QLabel),
       motion_(new PolarView),
-      coordinates_(new PlotView),
-      signals_(new PlotView),
+      coordinates_(new ChartView),
+      signals_(new ChartView),
       scene_(new SceneView),
       spaceText_(new QLabel),
       channelTable_(new ChannelTable),
@@ -163,8 +164,11 @@ void TrajectoryViews::setPicture(const std::shared_ptr<const SpindlePicture>& pi
 void TrajectoryViews::showSection()
 {
     if (!picture_ || !picture_->chosenSection()) return;
-    axes_->setData(axesData(*picture_->trajectory, *picture_->section, all_->isChecked()));
-    coordinates_->setData(coordinateData(*picture_->chosenSection()));
+    const trajectory::TrajectorySection& chosen = *picture_->chosenSection();
+    const auto& others = picture_->trajectory->sections;
+    axes_->setData(all_->isChecked() ? trajectoryPlot(chosen, screenLanguage(), others)
+                                     : trajectoryPlot(chosen, screenLanguage()));
+    coordinates_->setData(coordinatesPlot(chosen, screenLanguage()));
     showMotion();
 }
 
@@ -173,7 +177,8 @@ void TrajectoryViews::showMotion()
     const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
     if (!chosen) return;
     const auto probe = static_cast<trajectory::Probe>(std::max(0, probe_->currentIndex()));
-    motion_->setPicture(motionPicture(*chosen, probe, picture_->trajectory->workpiece_diameter_mm));
+    const double diameter_mm = picture_->trajectory->workpiece_diameter_mm;
+    motion_->setPicture(polarPicture(errorMotionPlot(*chosen, diameter_mm, probe, screenLanguage())));
     const QString text = motionText(chosen->error_motion[static_cast<std::size_t>(probe)]);
     motionText_->setText(text);
     motionText_->setToolTip(
@@ -188,7 +193,7 @@ void TrajectoryViews::showRecord()
     pages_->setTabEnabled(Signals, record != nullptr);
     channelTable_->setVisible(record != nullptr);
     channelTable_->setRecord(record, channels_);
-    if (picture_->time_signals) signals_->setData(signalData(*picture_->time_signals));
+    if (picture_->time_signals) signals_->setData(signalsPlot(*picture_->time_signals, screenLanguage()));
     QStringList lines;
     if (picture_->records.size() > 1) lines << tr("The first of %1 records:").arg(picture_->records.size());
     if (record) {

@@ -8,9 +8,8 @@
 #include <QTabWidget>
 #include <QWidget>
 
-#include "widgets/plot/plot_view.h"
+#include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
-#include "widgets/plot/xy_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
 namespace lathelier {
@@ -55,12 +54,12 @@ private:
     QCheckBox* all_;
     QLabel* synthetic_;
     QTabWidget* pages_;
-    XyView* axes_;
+    ChartView* axes_;
     QComboBox* probe_;
     QLabel* motionText_;
     PolarView* motion_;
-    PlotView* coordinates_;
-    PlotView* signals_;
+    ChartView* coordinates_;
+    ChartView* signals_;
     SceneView* scene_;
     QLabel* spaceText_;
     ChannelTable* channelTable_;

@@ -81,7 +81,7 @@ TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
     }
     const Plot spectrum = spectrumPlot(result);
     EXPECT_EQ(spectrum.curves[0].y.size() + 1, spectrum.curves[0].x.size());
-    EXPECT_NEAR(spectrum.curves[0].y[1], 4, .1);
+    EXPECT_NEAR(spectrum.curves[0].y[0], 4, .1);
 }
 
 TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)

@@ -115,7 +115,7 @@ TEST(ComparePlots, MagnificationIsRoundAndShowsTheDeviation)
     const double factor = magnification(result);
     EXPECT_EQ(factor, 10);
     const Plot plot = magnifiedMeridian(result);
-    EXPECT_NEAR(plot.curves[1].y[200] - plot.curves[0].y[200], factor * result.meridian->deviation_mm[200], 1e-9);
+    EXPECT_NEAR(plot.curves[3].y[200] - plot.curves[2].y[200], factor * result.meridian->deviation_mm[200], 1e-9);
     for (double& deviation_mm : result.meridian->deviation_mm) deviation_mm /= 100;
     EXPECT_EQ(magnification(result), 1000);
     for (double& deviation_mm : result.meridian->deviation_mm) deviation_mm = 0;

@@ -25,7 +25,7 @@ Document fullDocument()
     document.title = nasty;
     document.synthetic = true;
     document.inputs = {{nasty, 1234567, "ab12"}};
-    ColourMap map{nasty, nasty, nasty, nasty, 0, 10, 0, 360, 2, 2, {0.1F, NAN, -0.2F, 0.3F}, 0.2, 0.05};
+    ColourMap map{nasty, {nasty}, {nasty}, {nasty}, 0, 10, 0, 360, 2, 2, {0.1F, NAN, -0.2F, 0.3F}, 0.2, 0.05};
     Plot plot;
     plot.title = nasty;
     plot.curves = {{nasty, {0, 1, 2}, {0, NAN, 2}, Curve::Style::Line, {}, -1},

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/report/html.h"
+#include "engine/report/svg.h"
 
 namespace lathelier {
 namespace {
@@ -86,7 +87,7 @@ TEST(PolarSvg, NumbersOfTheScaleLieBeneathTheData)
 {
     const std::string svg = toSvg(plotWith(3));
     const std::size_t number = svg.find(">+2<"), plate = svg.rfind("#ffffff");
-    const std::size_t profile = svg.find("stroke=\"" + std::string(polarColour(0)));
+    const std::size_t profile = svg.find("stroke=\"" + hex(colourOf(0)));
     ASSERT_NE(number, std::string::npos);
     ASSERT_NE(profile, std::string::npos);
     EXPECT_LT(number, profile);

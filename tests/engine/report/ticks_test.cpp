@@ -35,5 +35,50 @@ TEST(Ticks, LabelsTellNeighboursApartAndStayInside)
     });
 }
 
+std::vector<std::string> labels(const Ticks& ticks)
+{
+    std::vector<std::string> result;
+    for (const double value : ticks.values) result.push_back(tickLabel(value, ticks, {}));
+    return result;
+}
+
+TEST(Ticks, LogarithmicAxesShowOneTwoFive)
+{
+    const Ticks ticks = logTicks(0.15, 22, 8);
+    EXPECT_EQ(labels(ticks), (std::vector<std::string>{"0.2", "0.5", "1", "2", "5", "10", "20"}));
+    EXPECT_EQ(ticks.minor.size(), 12u);  // 0.3 0.4 0.6 … 0.9, 3 4 6 … 9
+    EXPECT_NEAR(ticks.minor.front(), 0.3, 1e-12);
+}
+
+TEST(Ticks, LogarithmicAxesOfManyDecadesShowPowersOfTen)
+{
+    const Ticks ticks = logTicks(1e-3, 1e3, 8);
+    EXPECT_EQ(labels(ticks), (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10", "100", "1000"}));
+    EXPECT_EQ(ticks.minor.size(), 48u);
+    const Ticks many = logTicks(1e-10, 1e10, 5);
+    EXPECT_EQ(many.values.size(), 5u);
+    EXPECT_EQ(many.minor.size(), 16u);  // the other powers
+}
+
+TEST(Ticks, AShortStretchOfALogarithmicAxisHasEvenTicks)
+{
+    EXPECT_EQ(logTicks(100, 200, 5).values, (std::vector<double>{100, 120, 140, 160, 180, 200}));
+    EXPECT_EQ(axisTicks(Axis::Scale::Logarithmic, {-1, 1}, 4).values, niceTicks(-1, 1, 4).values);
+}
+
+TEST(Ticks, LogarithmicTicksLieInsideAndApart)
+{
+    rc::check([](int power, unsigned width) {
+        const double from = 1.7 * std::pow(10.0, power % 12);
+        const double to = from * (1.01 + width % 100000);
+        const Ticks ticks = logTicks(from, to, 6);
+        RC_ASSERT(ticks.values.size() >= 1u && ticks.values.size() <= 12u);
+        for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+            RC_ASSERT(ticks.values[i] >= from * (1 - 1e-6) && ticks.values[i] <= to * (1 + 1e-6));
+            RC_ASSERT(i == 0 || ticks.values[i] > ticks.values[i - 1]);
+        }
+    });
+}
+
 }  // namespace
 }  // namespace lathelier

@@ -12,15 +12,15 @@ using namespace lathelier;
 namespace {
 
 /// Four columns (z 0…40) by three rows (0…360°); the last cell has no data.
-MapData small()
+ColourMap small()
 {
-    MapData map;
+    ColourMap map;
     map.title = "Unrolled";
-    map.x = {"z", "mm"};
-    map.y = {"angle", "°"};
-    map.value = {"Deviation", "mm"};
-    map.xTo = 40;
-    map.yTo = 360;
+    map.x = {"z", Text{"mm"}};
+    map.y = {"angle", Text{"°"}};
+    map.value = {"Deviation", Text{"mm"}};
+    map.x_to = 40;
+    map.y_to = 360;
     map.columns = 4;
     map.rows = 3;
     map.values = {0.00F, 0.02F, 0.06F, 0.2F, -0.02F, -0.06F, -0.2F, 0.F, 0.F, 0.F, 0.F, std::nanf("")};
@@ -129,7 +129,7 @@ private slots:
     {
         const QStringList lines = view_->csv().split('\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 12);  // head and 11 cells
-        QCOMPARE(lines[0], QString("z [mm],angle [°],Deviation [mm]"));
+        QCOMPARE(lines[0], QString("z (mm),angle (°),Deviation (mm)"));
         QCOMPARE(lines[1], QString("5,60,0"));
     }
 };

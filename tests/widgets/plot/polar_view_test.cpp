@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/report/polar_svg.h"
+#include "engine/report/svg.h"
 #include "widgets/core/resources.h"
 #include "widgets/plot/plot_style.h"
 
@@ -214,7 +214,7 @@ private slots:
         }
         view_->setPicture(polarPicture(plot));
         const QImage image = view_->grab().toImage();
-        const QColor ink = PlotStyle(view_->palette(), view_->font()).curve(0);
+        const QColor ink = PlotStyle(view_->palette(), view_->font()).colour(0);
         for (const PolarPlot::Trace& trace : plot.traces)
             for (std::size_t i = 0; i < trace.angle_deg.size(); ++i) {
                 const QPoint place = view_->pixelAt(trace.angle_deg[i], trace.deviation_um[i]).toPoint();
@@ -264,8 +264,7 @@ private slots:
     void screenAndReportShareTheirColours()
     {
         const PlotStyle paper(paperPalette(), view_->font());
-        for (int i = 0; i < 8; ++i)
-            QCOMPARE(paper.curve(i).name().toStdString(), std::string(polarColour(static_cast<std::size_t>(i))));
+        for (int i = 0; i < 8; ++i) QCOMPARE(paper.colour(i).name().toStdString(), hex(colourOf(i)));
     }
 
     void clickAndKeysMoveTheMarker()

@@ -220,14 +220,14 @@ private slots:
         QTest::mouseClick(polar, Qt::LeftButton, {}, polar->pixelAt(120, 0).toPoint());
         QVERIFY(std::abs(*polar->marker() - 120) < 1);
         QVERIFY(std::abs(*trajectory_->findChild<PolarView*>("motion")->marker() - 120) < 1);
-        QVERIFY(trajectory_->findChild<PlotView*>("coordinates")->marker().has_value());
+        QVERIFY(trajectory_->findChild<ChartView*>("coordinates")->marker().has_value());
         auto* stack = longitudinal_->findChild<SceneView*>("stack");
         if (stack->canDraw()) {
             const Eigen::Vector3d place = *stack->marker();
             QVERIFY(std::abs(std::atan2(place.y(), place.x()) * 180 / std::numbers::pi - 120) < 1.5);
         }
         // A click beside the path of the axis marks the sample nearest to it.
-        auto* axes = trajectory_->findChild<XyView*>("axes");
+        auto* axes = trajectory_->findChild<ChartView*>("axes");
         const trajectory::TrajectorySection& section = *trajectory_->result()->chosenSection();
         const std::vector<double> angles = partAngles_deg(section);
         const std::size_t sample = 37;
@@ -254,7 +254,7 @@ private slots:
         roundness_->views().markHarmonic(3);
         QCOMPARE(polar->polar()->plot.traces.size(), traces + 1);
         QVERIFY(std::abs(polar->polar()->plot.traces.back().deviation_um.front()) <= 6.01);
-        QCOMPARE(*roundness_->findChild<PlotView*>("spectrum")->marker(), 3.0);
+        QCOMPARE(*roundness_->findChild<ChartView*>("spectrum")->marker(), 3.0);
         roundness_->views().markHarmonic({});
         QCOMPARE(polar->polar()->plot.traces.size(), traces);
     }

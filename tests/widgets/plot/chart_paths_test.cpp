@@ -1,4 +1,4 @@
-#include "widgets/plot/xy_view.h"
+#include "widgets/plot/chart_view.h"
 
 #include <QMouseEvent>
 #include <QTest>
@@ -14,20 +14,21 @@ static void hover(QWidget* widget, QPoint place)
     QApplication::sendEvent(widget, &move);
 }
 
-class XyViewTest : public QObject {
+class ChartPathsTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<XyView> view_;
+    std::unique_ptr<ChartView> view_;
 
-    static XyData circle()
+    static Plot circle()
     {
-        XyData data;
+        Plot data;
         data.title = "Path";
-        data.x = {"X", "µm"};
-        data.y = {"Y", "µm"};
-        data.along = {"angle", "°"};
-        XyCurve curve;
+        data.x = {"X", Text{"µm"}};
+        data.y = {"Y", Text{"µm"}};
+        data.along = {"angle", Text{"°"}};
+        data.equal_scales = true;
+        Curve curve;
         curve.name = "axis";
         for (int i = 0; i < 360; ++i) {
             const double angle = i * std::numbers::pi / 180;
@@ -43,7 +44,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale::c());
-        view_ = std::make_unique<XyView>();
+        view_ = std::make_unique<ChartView>();
         view_->resize(700, 320);
         view_->show();
         view_->setData(circle());
@@ -74,7 +75,7 @@ private slots:
     void dataAreWritten()
     {
         const QString csv = view_->csv();
-        QVERIFY(csv.startsWith("curve,angle [°],x,y\n\"axis\",0,12,0\n"));
+        QVERIFY(csv.startsWith("curve,angle (°),x,y\n\"axis\",0,12,0\n"));
         QCOMPARE(csv.count('\n'), 361);
     }
 
@@ -87,5 +88,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(XyViewTest)
-#include "xy_view_test.moc"
+QTEST_MAIN(ChartPathsTest)
+#include "chart_paths_test.moc"

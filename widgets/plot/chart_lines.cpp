@@ -1,0 +1,106 @@
+// Regions, limits, marks and handles of a ChartView.
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/plot/chart_parts.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double farAway = 1e5;  ///< px: beyond every screen, near enough for the painter
+
+}  // namespace
+
+void RegionFill::draw(QCPPainter* painter)
+{
+    const QRectF edge = keyAxis()->axisRect()->rect();
+    const auto place = [](double value, double pixel, double low, double high) {
+        return std::isinf(value) ? (value < 0 ? low : high) : std::clamp(pixel, -farAway, farAway);
+    };
+    QPolygonF polygon;
+    for (std::size_t i = 0; i < std::min(region_.x.size(), region_.y.size()); ++i) {
+        const double x = region_.x[i], y = region_.y[i];
+        if (std::isnan(x) || std::isnan(y)) continue;
+        polygon << QPointF(place(x, keyAxis()->coordToPixel(x), edge.left(), edge.right() + 1),
+                           place(y, valueAxis()->coordToPixel(y), edge.bottom() + 1, edge.top()));
+    }
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(mBrush);
+    painter->drawPolygon(polygon);
+}
+
+void ChartLines::draw(QCPPainter* painter)
+{
+    const QPen dashed(style_.limit, style_.lineWidth, Qt::DashLine);
+    for (const Limit& limit : chart_.limits)
+        drawLine(*painter, limit.direction == Limit::Direction::Vertical, limit.place, limit.name, dashed);
+    const double size = 0.6 * reach();
+    for (const Mark& mark : chart_.marks) {
+        const QPointF place = pixel(mark.x, mark.y);
+        painter->setPen(QPen(style_.background, 1));
+        painter->setBrush(style_.marker);
+        painter->drawEllipse(place, size, size);
+        drawName(*painter, place + QPointF(size, -size), mark.name);
+    }
+    for (std::size_t i = 0; i < chart_.handles.size(); ++i) drawHandle(*painter, chart_.handles[i], chosen == i);
+    if (markedX) drawLine(*painter, true, *markedX, {}, QPen(style_.marker, 1.2 * style_.lineWidth));
+    painter->setPen(QPen(style_.background, 1));
+    painter->setBrush(style_.marker);
+    for (const QPointF& place : markedPlaces)
+        painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.lineWidth, 3 * style_.lineWidth);
+}
+
+void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const Caption& name, const QPen& pen) const
+{
+    const QRectF room = clipRect();
+    const QPointF at = pixel(place, place);
+    if (upright ? at.x() < room.left() || at.x() > room.right() : at.y() < room.top() || at.y() > room.bottom()) return;
+    painter.setPen(pen);
+    if (upright) {
+        painter.drawLine(QPointF(at.x(), room.top()), QPointF(at.x(), room.bottom()));
+        drawName(painter, QPointF(at.x(), room.top() + QFontMetricsF(font).height()), name);
+    } else {
+        painter.drawLine(QPointF(room.left(), at.y()), QPointF(room.right(), at.y()));
+        const double width = QFontMetricsF(font).horizontalAdvance(chartText(name)) + 12;
+        drawName(painter, QPointF(room.right() - width, at.y() - 1), name);
+    }
+}
+
+/// Above and beside `place`; a name that would be cut off at the right edge stands at its left.
+void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const Caption& name) const
+{
+    const QString text = chartText(name);
+    if (text.isEmpty()) return;
+    const QFontMetricsF metrics(font);
+    const double width = metrics.horizontalAdvance(text) + 10;
+    const bool cut = place.x() + width > clipRect().right();
+    const QRectF room(cut ? place.x() - width : place.x(), place.y() - metrics.height(), width, metrics.height());
+    QColor ground = style_.background;
+    ground.setAlpha(200);
+    painter.fillRect(room.adjusted(1, 0, -1, 0), ground);
+    painter.setFont(font);
+    painter.setPen(style_.limit);
+    painter.drawText(room, Qt::AlignCenter, text);
+}
+
+void ChartLines::drawHandle(QCPPainter& painter, const Handle& handle, bool isChosen) const
+{
+    const double width = (isChosen ? 2 : 1) * style_.lineWidth;
+    if (handle.kind != Handle::Kind::Point) {
+        const bool upright = handle.kind == Handle::Kind::Vertical;
+        return drawLine(painter, upright, upright ? handle.x : handle.y, handle.name,
+                        QPen(style_.limit, width, Qt::DashLine));
+    }
+    const QPointF place = pixel(handle.x, handle.y);
+    QColor ground = style_.background;
+    ground.setAlpha(150);
+    painter.setPen(QPen(style_.limit, 1.3 * width));
+    painter.setBrush(ground);
+    painter.drawEllipse(place, reach(), reach());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(style_.limit);
+    painter.drawEllipse(place, style_.lineWidth, style_.lineWidth);
+    drawName(painter, place + QPointF(reach(), -reach()), handle.name);
+}
+
+}  // namespace lathelier

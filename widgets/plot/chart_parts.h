@@ -1,0 +1,82 @@
+// What a ChartView draws by itself over QCustomPlot. Included by its .cpp files only, because it shows QCustomPlot.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <optional>
+#include <vector>
+
+#include "widgets/plot/chart_view.h"
+
+namespace lathelier {
+
+/// A shaded polygon; corners at infinity lie on the edge of the axes.
+class RegionFill : public QCPAbstractPlottable {
+public:
+    RegionFill(QCPAxis* x, QCPAxis* y, const Region& region) : QCPAbstractPlottable(x, y), region_(region)
+    {
+        setLayer("background");
+    }
+    double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
+    QCPRange getKeyRange(bool& found, QCP::SignDomain) const override { return found = false, QCPRange(); }
+    QCPRange getValueRange(bool& found, QCP::SignDomain, const QCPRange&) const override
+    {
+        return found = false, QCPRange();
+    }
+
+protected:
+    void draw(QCPPainter* painter) override;
+    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override { painter->fillRect(rect, mBrush); }
+
+private:
+    const Region region_;
+};
+
+/// What lies over the curves: limits, marks, handles and the marked place, with their names.
+class ChartLines : public QCPLayerable {
+public:
+    ChartLines(QCustomPlot* plot, const Plot& chart, const PlotStyle& style)
+        : QCPLayerable(plot, "overlay"), chart_(chart), style_(style)
+    {
+    }
+    QFont font;
+    std::optional<double> markedX;      ///< an upright line
+    std::vector<QPointF> markedPlaces;  ///< on paths
+    std::optional<std::size_t> chosen;  ///< the handle that keys move
+
+    double reach() const { return 0.4 * QFontMetricsF(font).height(); }  ///< radius of a point's handle
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+    QRect clipRect() const override { return mParentPlot->axisRect()->rect(); }
+    void draw(QCPPainter* painter) override;
+
+private:
+    QPointF pixel(double x, double y) const
+    {
+        return {mParentPlot->xAxis->coordToPixel(x), mParentPlot->yAxis->coordToPixel(y)};
+    }
+    void drawLine(QCPPainter& painter, bool upright, double place, const Caption& name, const QPen& pen) const;
+    void drawName(QCPPainter& painter, const QPointF& place, const Caption& name) const;
+    void drawHandle(QCPPainter& painter, const Handle& handle, bool isChosen) const;
+
+    const Plot& chart_;
+    const PlotStyle& style_;
+};
+
+struct ChartView::Content {
+    Plot data;
+    std::vector<std::vector<double>> places;   ///< where the samples of each curve stand
+    std::vector<QCPAbstractPlottable*> drawn;  ///< one for each curve; Band: the upper edge
+    std::vector<QCPGraph*> lowEdges;           ///< one for each curve, null but for bands
+    std::vector<RegionFill*> regions;
+    ChartLines* lines = nullptr;
+    std::optional<double> marked;
+    bool holds = false;     ///< the pointer has the chosen handle
+    bool hasMoved = false;  ///< the chosen handle, since it was last let go
+    bool levelling = false;
+
+    bool hasPaths() const { return !data.curves.empty() && !data.curves.back().along.empty(); }
+};
+
+}  // namespace lathelier

@@ -1,0 +1,299 @@
+#include "widgets/plot/chart_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/report/chart_csv.h"
+#include "widgets/core/language.h"
+#include "widgets/plot/chart_parts.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+QVector<double> toQt(const std::vector<double>& values)
+{
+    return {values.begin(), values.end()};
+}
+
+QColor faint(QColor colour, int alpha)
+{
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+/// Index of the sample nearest to x; x rises.
+std::size_t nearest(const std::vector<double>& x, double place)
+{
+    const auto after = std::lower_bound(x.begin(), x.end(), place);
+    if (after == x.begin()) return 0;
+    if (after == x.end()) return x.size() - 1;
+    const auto index = static_cast<std::size_t>(after - x.begin());
+    return place - x[index - 1] < x[index] - place ? index - 1 : index;
+}
+
+bool isRead(const Curve& curve)
+{
+    return curve.spoken && !curve.thin;
+}
+
+std::size_t samplesOf(const Curve& curve)
+{
+    return std::min(curve.x.size(), curve.y.size());
+}
+
+QString withUnit(const QString& number, const Text& unit)
+{
+    return unit.empty() ? number : number + ' ' + screenText(unit);
+}
+
+/// A number with the digits that this axis can show.
+QString onAxis(const QCPAxis& axis, double value, const QLocale& locale)
+{
+    return axis.scaleType() == QCPAxis::stLogarithmic ? locale.toString(value, 'g', 4)
+                                                      : readable(value, axis.range().size(), locale);
+}
+
+}  // namespace
+
+ChartView::ChartView(QWidget* parent) : PlotCanvas(parent), content_(std::make_unique<Content>())
+{
+    content_->lines = new ChartLines(&plot(), content_->data, style());
+    connect(&plot(), &QCustomPlot::afterLayout, this, &ChartView::keepScalesEqual);
+    refresh(false);
+}
+
+ChartView::~ChartView() = default;
+
+const Plot& ChartView::data() const
+{
+    return content_->data;
+}
+std::optional<double> ChartView::marker() const
+{
+    return content_->marked;
+}
+QString ChartView::csv() const
+{
+    return QString::fromStdString(toCsv(content_->data, screenLanguage()));
+}
+
+void ChartView::setData(Plot data)
+{
+    Content& c = *content_;
+    const bool same = data.title == c.data.title && !c.data.curves.empty();
+    std::optional<Handle> chosen;
+    if (c.lines->chosen) chosen = c.data.handles[*c.lines->chosen];
+    c.data = std::move(data);
+    c.lines->chosen.reset();
+    for (std::size_t i = 0; chosen && i < c.data.handles.size(); ++i) {
+        if (c.data.handles[i].key != chosen->key) continue;
+        c.lines->chosen = i;
+        if (c.holds) moveHandle(c.data.handles[i], chosen->x, chosen->y);
+    }
+    if (!c.lines->chosen) c.holds = c.hasMoved = false;
+    build();
+    setScales(c.data.x.scale, c.data.y.scale);
+    setTitles(chartText(c.data.title), chartText(c.data.remark), chartText(c.data.x), chartText(c.data.y));
+    setMarker(c.marked);
+    refresh(same);
+}
+
+void ChartView::build()
+{
+    Content& c = *content_;
+    plot().clearPlottables();
+    c.drawn.clear();
+    c.lowEdges.clear();
+    c.regions.clear();
+    c.places.clear();
+    bool named = false;
+    const auto add = [&](QCPAbstractPlottable* drawn, const Caption& name) {
+        drawn->setName(chartText(name));
+        if (drawn->name().isEmpty())
+            drawn->removeFromLegend();
+        else
+            named = true;
+    };
+    for (const Region& region : c.data.regions) {
+        c.regions.push_back(new RegionFill(plot().xAxis, plot().yAxis, region));
+        add(c.regions.back(), region.name);
+    }
+    for (const Curve& curve : c.data.curves) {
+        c.places.push_back(placesOf(curve));
+        const std::vector<double>& places = c.places.back();
+        QCPGraph* low = nullptr;
+        if (curve.style == Curve::Style::Bars) {
+            auto* bars = new QCPBars(plot().xAxis, plot().yAxis);
+            bars->setData(toQt(places), toQt(curve.y), true);
+            bars->setWidth(curve.x.size() > 1 ? curve.x[1] - curve.x[0] : 1);
+            c.drawn.push_back(bars);
+        } else if (!curve.along.empty()) {
+            auto* path = new QCPCurve(plot().xAxis, plot().yAxis);
+            path->setData(toQt(curve.x), toQt(curve.y));
+            c.drawn.push_back(path);
+        } else {
+            if (curve.style == Curve::Style::Band) {
+                low = plot().addGraph();
+                low->setData(toQt(curve.x), toQt(curve.y_low), true);
+                low->removeFromLegend();
+            }
+            QCPGraph* graph = plot().addGraph();
+            graph->setData(toQt(curve.x), toQt(curve.y), true);
+            graph->setAdaptiveSampling(true);
+            if (low) graph->setChannelFillGraph(low);
+            c.drawn.push_back(graph);
+        }
+        c.lowEdges.push_back(low);
+        add(c.drawn.back(), curve.name);
+    }
+    showLegend(named);
+}
+
+void ChartView::applyStyle()
+{
+    Content& c = *content_;
+    c.lines->font = font();
+    for (std::size_t i = 0; i < c.regions.size(); ++i)
+        c.regions[i]->setBrush(faint(style().colour(c.data.regions[i].colour, i), 45));
+    for (std::size_t i = 0; i < c.drawn.size(); ++i) {
+        const Curve& curve = c.data.curves[i];
+        const QColor colour = style().colour(curve.colour, i);
+        const double width = curve.along.empty() ? style().lineWidth : 1.2 * style().lineWidth;
+        QCPAbstractPlottable* drawn = c.drawn[i];
+        switch (curve.style) {
+            case Curve::Style::Line:
+                drawn->setPen(curve.thin ? QPen(faint(colour, 110), 1) : QPen(colour, width));
+                break;
+            case Curve::Style::Dashed: drawn->setPen(QPen(colour, width, Qt::DashLine)); break;
+            case Curve::Style::Bars:
+                drawn->setPen(QPen(colour, 0));
+                drawn->setBrush(faint(colour, 150));
+                break;
+            case Curve::Style::Band:
+                drawn->setPen(Qt::NoPen);
+                c.lowEdges[i]->setPen(Qt::NoPen);
+                drawn->setBrush(faint(colour, 90));
+                break;
+            case Curve::Style::Points:
+                drawn->setPen(QPen(colour, width));
+                if (auto* graph = qobject_cast<QCPGraph*>(drawn)) {
+                    graph->setLineStyle(QCPGraph::lsNone);
+                    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 2.5 * width));
+                }
+                break;
+        }
+    }
+}
+
+void ChartView::fitRanges()
+{
+    if (content_->holds) return;  // the ground must not move under the pointer
+    const Interval x = shownX(content_->data), y = shownY(content_->data);
+    plot().xAxis->setRange(x.from, x.to);
+    plot().yAxis->setRange(y.from, y.to);
+}
+
+/// Widens the range of the axis that has more room, so that a circle looks like one.
+void ChartView::keepScalesEqual()
+{
+    if (content_->levelling || !content_->data.equal_scales) return;
+    content_->levelling = true;
+    if (!isViewChosen()) fitRanges();
+    const double perX = plot().xAxis->range().size() / std::max(1, plot().axisRect()->width());
+    const double perY = plot().yAxis->range().size() / std::max(1, plot().axisRect()->height());
+    if (perX > 1.0001 * perY) plot().yAxis->setScaleRatio(plot().xAxis, 1);
+    if (perY > 1.0001 * perX) plot().xAxis->setScaleRatio(plot().yAxis, 1);
+    content_->levelling = false;
+}
+
+QString ChartView::readoutAt(double x, double y) const
+{
+    const Content& c = *content_;
+    const Plot& data = c.data;
+    if (c.hasPaths()) return pathReadout(x, y);
+    const auto onX = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
+    const auto onY = [&](double value) { return onAxis(*plot().yAxis, value, locale()); };
+    bool counts = false;  // an x that only takes whole numbers is spoken as one
+    for (std::size_t k = 0; k < data.curves.size() && !counts; ++k) {
+        const std::vector<double>& places = c.places[k];
+        if (data.curves[k].style != Curve::Style::Bars || places.empty()) continue;
+        const std::size_t i = nearest(places, x);
+        if (std::abs(places[i] - x) > (data.curves[k].x[1] - data.curves[k].x[0]) / 2) continue;
+        x = places[i];
+        counts = std::all_of(places.begin(), places.end(), [](double v) { return v == std::round(v); });
+    }
+    QStringList parts;
+    const QString place = withUnit(counts ? readable(x, 1000, locale()) : onX(x), data.x.unit);
+    // "5 UPR" says it all.
+    parts << (counts && !data.x.unit.empty() ? place : spokenTitle(data.x) + ' ' + place);
+    bool any = false;
+    for (std::size_t k = 0; k < data.curves.size(); ++k) {
+        const Curve& curve = data.curves[k];
+        const std::vector<double>& places = c.places[k];
+        if (!isRead(curve) || places.empty() || x < places.front() || x > places.back()) continue;
+        const std::size_t i = nearest(places, x);
+        if (i >= curve.y.size() || std::isnan(curve.y[i])) continue;
+        const QString name = captionText(curve.name).empty() ? spokenTitle(data.y) : chartText(curve.name);
+        any = true;
+        if (i < curve.said.size())
+            parts << name + ' ' + withUnit(readable(curve.said[i], 0.1, locale()), curve.said_unit);
+        else if (curve.style == Curve::Style::Band)
+            parts << name + ' ' + onY(curve.y_low[i]) + "…" + withUnit(onY(curve.y[i]), data.y.unit);
+        else
+            parts << name + ' ' + withUnit(onY(curve.y[i]), data.y.unit);
+        if (i < curve.words.size() && !curve.words[i].empty()) parts << screenText(curve.words[i]);
+    }
+    if (!any) parts << spokenTitle(data.y) + ' ' + withUnit(onY(y), data.y.unit);
+    return parts.join("  ·  ");
+}
+
+QString ChartView::pathReadout(double x, double y) const
+{
+    const Plot& data = content_->data;
+    const Curve* nearest = nullptr;
+    std::size_t sample = 0;
+    double least = infinity;
+    for (const Curve& curve : data.curves)
+        for (std::size_t i = 0; i < (isRead(curve) ? samplesOf(curve) : 0); ++i) {
+            const double away = std::hypot(curve.x[i] - x, curve.y[i] - y);
+            if (away >= least) continue;
+            least = away;
+            nearest = &curve;
+            sample = i;
+        }
+    if (!nearest) return {};
+    const double px = nearest->x[sample], py = nearest->y[sample];
+    const auto number = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
+    QStringList parts;
+    if (!captionText(nearest->name).empty()) parts << chartText(nearest->name);
+    if (sample < nearest->along.size())
+        parts << readable(nearest->along[sample], 100, locale()) + screenText(data.along.unit);
+    parts << "X " + number(px) << "Y " + number(py);
+    parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), screenText(data.x.unit));
+    return parts.join(" · ");
+}
+
+void ChartView::setMarker(std::optional<double> place)
+{
+    Content& c = *content_;
+    c.marked = place;
+    c.lines->markedX = c.hasPaths() ? std::nullopt : place;
+    c.lines->markedPlaces.clear();
+    for (const Curve& curve : c.data.curves) {
+        if (!place || !isRead(curve) || curve.along.empty()) continue;
+        std::size_t best = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < std::min(samplesOf(curve), curve.along.size()); ++i) {
+            const double away = std::abs(curve.along[i] - *place);
+            if (away >= least) continue;
+            least = away;
+            best = i;
+        }
+        c.lines->markedPlaces.emplace_back(curve.x[best], curve.y[best]);
+    }
+    drawOverlay();
+}
+
+}  // namespace lathelier

@@ -1,0 +1,61 @@
+// A Plot of the engine on the screen: the same titles, colours, ranges and ticks as in the report, and besides a
+// pointer that reads, zoom and pan, a marked place, and handles to drag. 1e6 points draw smoothly.
+#pragma once
+
+#include "engine/report/chart.h"
+#include "widgets/plot/plot_canvas.h"
+
+namespace lathelier {
+
+class ChartView : public PlotCanvas {
+    Q_OBJECT
+
+public:
+    explicit ChartView(QWidget* parent = nullptr);
+    ~ChartView() override;
+
+    /// Shows `data`; the user's zoom stays when the title is the same as before, a handle that is held stays with the
+    /// pointer.
+    void setData(Plot data);
+    const Plot& data() const;
+
+    /// Moves a handle alone, without touching the curves; inside its ranges. Unknown keys are ignored.
+    void setHandle(const QString& key, double x, double y);
+
+    /// Marks one x, or one place along the paths of the chart; picked here or in a linked view.
+    void setMarker(std::optional<double> place);
+    std::optional<double> marker() const;
+
+    QString csv() const override;
+
+signals:
+    /// A handle is dragged, or moved by the arrow keys after Tab or a click has chosen it; `dropped` when it is let go.
+    void handleMoved(const QString& key, double x, double y, bool dropped);
+
+protected:
+    void applyStyle() override;
+    QString readoutAt(double x, double y) const override;
+    void fitRanges() override;
+    bool beginDrag(const QPointF& place) override;
+    void continueDrag(double x, double y) override;
+    void endDrag() override;
+    bool isHandle(const QPointF& place, Qt::CursorShape& shape) const override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    struct Content;
+    void build();
+    void keepScalesEqual();
+    QString pathReadout(double x, double y) const;
+    std::optional<std::size_t> handleAt(const QPointF& place) const;
+    void choose(std::optional<std::size_t> handle);
+    void moveChosen(double x, double y);
+    void drop();
+
+    std::unique_ptr<Content> content_;
+};
+
+}  // namespace lathelier

@@ -13,8 +13,8 @@
 namespace lathelier {
 
 struct Axis {
-    Caption title{};
-    Text unit{};  ///< empty: none
+    Caption title{};  ///< of the quantity, without unit
+    Text unit{};      ///< empty: none
     enum class Scale { Linear, Logarithmic } scale = Scale::Linear;
     std::optional<Interval> range{};  ///< what is shown at first. Default: all there is
 };
@@ -28,11 +28,11 @@ struct Curve {
     std::vector<double> y{};  ///< NaN breaks the line
     enum class Style { Line, Dashed, Points, Bars, Band } style = Style::Line;
     std::vector<double> y_low{};  ///< Band only: the other edge
-    ChartColour colour{};
-    bool thin = false;           ///< one of many: faint, and not read at the pointer
-    bool spoken = true;          ///< read at the pointer
-    std::vector<double> said{};  ///< what pointer and CSV say instead of y (the true value of a magnified error)
-    Text said_unit{};
+    ChartColour colour{};         ///< what it stands for, or its place in the palette
+    bool thin = false;            ///< one of many: faint, and not read at the pointer
+    bool spoken = true;           ///< read at the pointer
+    std::vector<double> said{};   ///< what pointer and CSV say instead of y (the true value of a magnified error)
+    Text said_unit{};             ///< unit of `said`
     std::vector<Text> words{};    ///< what the pointer says besides, by sample: "three lobes: a three-jaw chuck"
     std::vector<double> along{};  ///< what runs along a path in the plane (an angle), whose x need not rise
 };
@@ -42,10 +42,10 @@ std::vector<double> placesOf(const Curve& curve);
 
 /// A shaded polygon. Corners at ±infinity lie on the edge of the chart, whatever part of it is shown.
 struct Region {
-    Caption name{};  ///< for the legend
-    ChartColour colour = ColourRole::Neutral;
-    std::vector<double> x{};
-    std::vector<double> y{};
+    Caption name{};                            ///< for the legend
+    ChartColour colour = ColourRole::Neutral;  ///< what it stands for
+    std::vector<double> x{};                   ///< of the corners
+    std::vector<double> y{};                   ///< of the corners
 };
 
 /// A stretch of the x axis over the whole height.
@@ -58,41 +58,41 @@ Region between(Caption name, ChartColour colour, const std::vector<double>& x, c
 /// A straight line across the chart, named where it meets the edge.
 struct Limit {
     enum class Direction { Horizontal, Vertical } direction = Direction::Horizontal;
-    double place = 0;
-    Caption name{};
+    double place = 0;  ///< where it crosses the other axis
+    Caption name{};    ///< "tolerance"
 };
 
 /// A point that deserves a name, such as the highest lobe.
 struct Mark {
     double x = 0, y = 0;
-    Caption name{};
+    Caption name{};  ///< said beside it
 };
 
 /// A point or a line in the plane that a person may drag: an operating point, a tolerance.
 struct Handle {
     std::string key;  ///< told back when it moves
     enum class Kind { Point, Vertical, Horizontal } kind = Kind::Point;
-    double x = 0, y = 0;  ///< a line has the one across it only
-    Caption name{};
+    double x = 0, y = 0;                ///< a line has the one across it only
+    Caption name{};                     ///< said beside it
     std::optional<Interval> x_range{};  ///< where it may go. Default: anywhere
-    std::optional<Interval> y_range{};
+    std::optional<Interval> y_range{};  ///< where it may go. Default: anywhere
 };
 
 /// The handle's own way: inside its ranges, and a line only across itself.
 void moveHandle(Handle& handle, double x, double y);
 
 struct Plot {
-    Caption title{};
-    Caption remark{};  ///< beside the title: "error × 200"
-    Axis x{};
-    Axis y{};
-    Axis along{};               ///< of curves that have it
-    bool equal_scales = false;  ///< a length along x is as long along y: a circle looks like one
-    std::vector<Curve> curves{};
-    std::vector<Region> regions{};
-    std::vector<Limit> limits{};
-    std::vector<Mark> marks{};
-    std::vector<Handle> handles{};
+    Caption title{};                ///< above the chart, and by which a chart is known again
+    Caption remark{};               ///< beside the title: "error × 200"
+    Axis x{};                       ///< across
+    Axis y{};                       ///< upwards
+    Axis along{};                   ///< of curves that have it
+    bool equal_scales = false;      ///< a length along x is as long along y: a circle looks like one
+    std::vector<Curve> curves{};    ///< drawn in this order
+    std::vector<Region> regions{};  ///< drawn below the curves
+    std::vector<Limit> limits{};    ///< drawn above the curves
+    std::vector<Mark> marks{};      ///< drawn above the curves
+    std::vector<Handle> handles{};  ///< drawn on top
 };
 
 /// A number with a place on a sheet: finite, and not so large that differences overflow.
@@ -106,14 +106,14 @@ Interval shownY(const Plot& plot);
 /// A map of values on a regular grid in a diverging colour scale; x and y are the axes, their ranges are the grid's.
 struct ColourMap {
     Caption title{};
-    Axis x{};
-    Axis y{};
-    Axis value{};
-    double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
-    int columns = 0, rows = 0;
-    std::vector<float> values{};        ///< row-major, rows along y; NaN is left blank
-    double limit = 1;                   ///< the scale runs from -limit to +limit
-    std::optional<double> tolerance{};  ///< green inside
+    Axis x{};                                           ///< across
+    Axis y{};                                           ///< upwards
+    Axis value{};                                       ///< of the colours
+    double x_from = 0, x_to = 1, y_from = 0, y_to = 1;  ///< edges of the grid, not middles of its cells
+    int columns = 0, rows = 0;                          ///< of the grid
+    std::vector<float> values{};                        ///< row-major, rows along y; NaN is left blank
+    double limit = 1;                                   ///< the scale runs from -limit to +limit
+    std::optional<double> tolerance{};                  ///< green inside
 
     bool empty() const { return columns <= 0 || rows <= 0; }
     /// The value of the cell at a place; NaN outside and where there are no data.
@@ -124,26 +124,27 @@ struct ColourMap {
 struct PolarPlot {
     struct Trace {
         Caption name{};
-        std::vector<double> angle_deg{};
+        std::vector<double> angle_deg{};     ///< about the centre of the base circle, anticlockwise from x
         std::vector<double> deviation_um{};  ///< from the base circle; NaN breaks the line
-        ChartColour colour{};
-        bool thin = false;  ///< one of many (single revolutions)
+        ChartColour colour{};                ///< what it stands for, or its place in the palette
+        bool thin = false;                   ///< one of many (single revolutions)
     };
     struct ReferenceLine {  ///< a circle of a radius differing from the base circle's, off its centre
-        Caption name{};
-        double x_um = 0, y_um = 0, deviation_um = 0;
-        ChartColour colour{};
-        bool dashed = false;
+        Caption name{};     ///< for the legend
+        double x_um = 0, y_um = 0,
+               deviation_um = 0;  ///< centre from that of the base circle, radius minus the base radius
+        ChartColour colour{};     ///< what it stands for, or its place in the palette
+        bool dashed = false;      ///< drawn in dashes
     };
     struct Mark {
-        double angle_deg = 0, deviation_um = 0;
-        bool outer = true;  ///< shape of the mark
+        double angle_deg = 0, deviation_um = 0;  ///< from the base circle
+        bool outer = true;                       ///< shape of the mark
     };
-    Caption title{};
-    double base_radius_mm = 0;  ///< of the base circle, about whose centre angles and deviations are given
-    std::vector<Trace> traces{};
-    std::vector<ReferenceLine> circles{};
-    std::vector<Mark> contacts{};
+    Caption title{};                       ///< above the chart
+    double base_radius_mm = 0;             ///< of the base circle, about whose centre angles and deviations are given
+    std::vector<Trace> traces{};           ///< profiles
+    std::vector<ReferenceLine> circles{};  ///< reference circles
+    std::vector<Mark> contacts{};          ///< points that the reference circle rests on
     /// So many times a deviation is drawn larger than the base circle's radius. Default: a round one that fits.
     std::optional<double> magnification{};
 };

@@ -12,9 +12,9 @@
 namespace lathelier {
 
 struct Rgb {
-    std::uint8_t red = 0;
-    std::uint8_t green = 0;
-    std::uint8_t blue = 0;
+    std::uint8_t red = 0;    ///< 0 to 255
+    std::uint8_t green = 0;  ///< 0 to 255
+    std::uint8_t blue = 0;   ///< 0 to 255
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
@@ -34,8 +34,8 @@ enum class ColourRole : std::uint8_t {
 };
 
 struct ChartColour {
-    ColourRole role = ColourRole::Series;
-    int number = -1;  ///< of a series; -1: by its position in the chart
+    ColourRole role = ColourRole::Series;  ///< what the colour stands for
+    int number = -1;                       ///< of a series; -1: by its position in the chart
 
     ChartColour() = default;
     ChartColour(ColourRole meaning) : role(meaning) {}

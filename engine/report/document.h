@@ -21,21 +21,21 @@ struct VerifyPart;
 /// One line of a two-column table: name, value, unit.
 struct Quantity {
     Caption name;
-    Value value;
-    Text unit;
+    Value value;       ///< not given: shown as a dash
+    Text unit;         ///< empty: none
     int decimals = 3;  ///< for numbers
 };
 
 struct QuantityTable {
-    Caption title;
-    std::vector<Quantity> rows;
+    Caption title;               ///< above the table
+    std::vector<Quantity> rows;  ///< from top to bottom
 };
 
 struct Table {
-    Caption title;
-    std::vector<Caption> columns;  ///< with units
-    std::vector<std::vector<Value>> rows;
-    std::vector<int> decimals;  ///< of the numbers, by column; 3 where not given
+    Caption title;                         ///< above the table
+    std::vector<Caption> columns;          ///< with units
+    std::vector<std::vector<Value>> rows;  ///< each with a cell for each column
+    std::vector<int> decimals;             ///< of the numbers, by column; 3 where not given
 
     int decimalsOf(std::size_t column) const { return column < decimals.size() ? decimals[column] : 3; }
 };
@@ -43,13 +43,13 @@ struct Table {
 /// A sentence of explanation: a pattern with named values, as in errors and notes.
 struct Paragraph {
     Text pattern;
-    Values values;
+    Values values;  ///< that the braces of the pattern name
 };
 
 /// A ready picture (PNG bytes), such as a 3-D view.
 struct Picture {
     Caption title;
-    std::string png;
+    std::string png;  ///< content of the file
 };
 
 /// The answer in large type, as the headline of the panel.
@@ -61,16 +61,16 @@ struct Headline {
 using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;
 
 struct Section {
-    Caption title;
-    std::vector<Block> blocks;
+    Caption title;              ///< heading
+    std::vector<Block> blocks;  ///< in reading order
 };
 
 struct Document {
-    Caption title;
+    Caption title;                                ///< on the first page
     std::vector<const VerifyPart*> verification;  ///< of its capabilities: quoted as the last section
     bool verified = false;                        ///< holds what "Verify installation" found
-    std::vector<Section> sections;
-    std::vector<InputFile> inputs;
+    std::vector<Section> sections;                ///< in reading order
+    std::vector<InputFile> inputs;                ///< files, each with its SHA-256
     std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report
     bool synthetic = false;            ///< the data are synthetic: marked on the first page
     std::string created;               ///< ISO 8601, empty leaves it out (golden tests)

@@ -21,13 +21,13 @@ inline constexpr double tickSize = 12;
 /// The plotting rectangle and the ranges shown in it.
 struct PlotFrame {
     double left = frameLeft;
-    double right = frameRight;
-    double top = frameTop;
-    double bottom = 0;
-    Interval x;
-    Interval y;
-    Axis::Scale x_scale = Axis::Scale::Linear;
-    Axis::Scale y_scale = Axis::Scale::Linear;
+    double right = frameRight;                  ///< in px of the sheet
+    double top = frameTop;                      ///< in px, downwards
+    double bottom = 0;                          ///< in px, downwards
+    Interval x;                                 ///< values at left and right edge
+    Interval y;                                 ///< values at bottom and top edge
+    Axis::Scale x_scale = Axis::Scale::Linear;  ///< of x
+    Axis::Scale y_scale = Axis::Scale::Linear;  ///< of y
 
     double toX(double value) const { return left + share(x_scale, x, value) * (right - left); }
     double toY(double value) const { return bottom - share(y_scale, y, value) * (bottom - top); }
@@ -44,8 +44,8 @@ struct PlotFrame {
 struct FrameWords {
     std::string title;
     std::string remark;  ///< beside the title
-    std::string x;
-    std::string y;
+    std::string x;       ///< under the x axis, with unit
+    std::string y;       ///< beside the y axis, with unit
 };
 
 /// Grid, ticks, axis titles and the plot's title.

@@ -11,8 +11,8 @@
 namespace lathelier {
 
 struct IndexedImage {
-    int width = 0;
-    int height = 0;
+    int width = 0;                     ///< in pixels
+    int height = 0;                    ///< in pixels
     std::vector<std::uint8_t> pixels;  ///< row-major from the top, indices into palette
     std::vector<Rgb> palette;          ///< 1 to 256 colours
     int transparent = -1;              ///< the index that lets the ground show through; -1: none

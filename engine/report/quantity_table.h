@@ -51,7 +51,7 @@ Table listTable(Caption title, std::span<const R> items, std::initializer_list<c
 /// A column of CSV: the key, and its heading where that is another.
 struct CsvColumn {
     const char* key;
-    const char* heading;
+    const char* heading;  ///< first line of the file
     CsvColumn(const char* of) : key(of), heading(of) {}
     CsvColumn(const char* of, const char* named) : key(of), heading(named) {}
 };

@@ -10,9 +10,9 @@
 namespace lathelier {
 
 struct Ticks {
-    std::vector<double> values;
-    std::vector<double> minor;  ///< between them, without numbers
-    int decimals = 0;           ///< enough to tell neighbours apart; -1: each as short as it can be written
+    std::vector<double> values;  ///< ascending
+    std::vector<double> minor;   ///< between them, without numbers
+    int decimals = 0;            ///< enough to tell neighbours apart; -1: each as short as it can be written
 };
 
 /// Ticks at multiples of 1, 2 or 5 × 10^n inside [from, to], about `wanted` of them. from < to, both finite, wanted

@@ -65,16 +65,16 @@ private:
 };
 
 struct ChartView::Content {
-    Plot data;
+    Plot data;                                 ///< what is shown
     std::vector<std::vector<double>> places;   ///< where the samples of each curve stand
     std::vector<QCPAbstractPlottable*> drawn;  ///< one for each curve; Band: the upper edge
     std::vector<QCPGraph*> lowEdges;           ///< one for each curve, null but for bands
-    std::vector<RegionFill*> regions;
-    ChartLines* lines = nullptr;
-    std::optional<double> marked;
-    bool holds = false;     ///< the pointer has the chosen handle
-    bool hasMoved = false;  ///< the chosen handle, since it was last let go
-    bool levelling = false;
+    std::vector<RegionFill*> regions;          ///< one for each region of `data`
+    ChartLines* lines = nullptr;               ///< limits, marks and handles
+    std::optional<double> marked;              ///< the marked place; none: no mark
+    bool holds = false;                        ///< the pointer has the chosen handle
+    bool hasMoved = false;                     ///< the chosen handle, since it was last let go
+    bool levelling = false;  ///< scales are being made equal, so that the change of a range is not answered again
 
     bool hasPaths() const { return !data.curves.empty() && !data.curves.back().along.empty(); }
 };

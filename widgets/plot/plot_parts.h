@@ -9,17 +9,17 @@
 namespace lathelier {
 
 struct PlotCanvas::Parts {
-    TextLine* title;
-    TextLine* readout;
-    QCPItemStraightLine* vertical;
-    QCPItemStraightLine* horizontal;
-    QString xTitle, yTitle;
-    QPoint pressedAt;
-    bool legendWanted = false;
-    bool pressed = false;
-    bool hasClicked = false;  ///< with the last press
-    bool dragsContent = false;
-    bool viewChosen = false;  ///< the user has zoomed or panned
+    TextLine* title;                  ///< above the plot
+    TextLine* readout;                ///< what the pointer reads
+    QCPItemStraightLine* vertical;    ///< through the pointer
+    QCPItemStraightLine* horizontal;  ///< through the pointer
+    QString xTitle, yTitle;           ///< with units
+    QPoint pressedAt;                 ///< in px of the widget
+    bool legendWanted = false;        ///< there is more than one curve with a name
+    bool pressed = false;             ///< a button of the mouse is held
+    bool hasClicked = false;          ///< with the last press
+    bool dragsContent = false;        ///< a handle follows the pointer, not the view
+    bool viewChosen = false;          ///< the user has zoomed or panned
 };
 
 }  // namespace lathelier

@@ -13,12 +13,12 @@ class QCustomPlot;
 namespace lathelier {
 
 struct PlotStyle {
-    QColor background;
-    QColor text;
-    QColor grid;
-    QColor limit;      ///< tolerance lines
-    QColor marker;     ///< the linked point
-    double lineWidth;  ///< logical pixels, from the height of the type
+    QColor background;  ///< of the sheet
+    QColor text;        ///< of words and axes
+    QColor grid;        ///< of grid lines
+    QColor limit;       ///< tolerance lines
+    QColor marker;      ///< the linked point
+    double lineWidth;   ///< logical pixels, from the height of the type
 
     PlotStyle(const QPalette& palette, const QFont& font);
 

@@ -30,29 +30,29 @@ public:
 private:
     struct LegendLine {
         enum class Kind { Line, Thin, Dashed, Outer, Inner };
-        QString text;
-        QColor colour;
-        Kind kind = Kind::Line;
-        QPointF place{};  ///< left end, from the legend's corner
+        QString text;            ///< words of the line
+        QColor colour;           ///< of the sample
+        Kind kind = Kind::Line;  ///< shape of the sample
+        QPointF place{};         ///< left end, from the legend's corner
     };
     struct Legend {
-        std::vector<LegendLine> lines;
-        QSizeF size{0, 0};
-        double sample_px = 0;  ///< before the words
+        std::vector<LegendLine> lines;  ///< in reading order
+        QSizeF size{0, 0};              ///< in px
+        double sample_px = 0;           ///< before the words
     };
     struct Layout {
-        QRectF title;
-        QRectF readout;  ///< empty: it stands in the title's place
-        QRectF disc;
-        QPointF legendAt;
-        Legend legend;
+        QRectF title;      ///< in px of the widget
+        QRectF readout;    ///< empty: it stands in the title's place
+        QRectF disc;       ///< in px of the widget
+        QPointF legendAt;  ///< its upper left corner
+        Legend legend;     ///< laid out
         int degrees = 30;  ///< between two labels of the rim; 0: none
     };
-    struct Split {  ///< a room shared by disc and legend
-        double disc_px = 0;
-        QRectF disc;
-        QPointF legendAt;
-        Legend legend;
+    struct Split {           ///< a room shared by disc and legend
+        double disc_px = 0;  ///< diameter
+        QRectF disc;         ///< in px of the widget
+        QPointF legendAt;    ///< its upper left corner
+        Legend legend;       ///< laid out
     };
     Layout layOut(const QRectF& room) const;
     Split split(const QRectF& room, const QSizeF& margins, bool shortNames) const;

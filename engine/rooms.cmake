@@ -1,7 +1,7 @@
 # The rooms of the engine, one folder each, and which others each may use besides itself: the link of their libraries
 # (engine/CMakeLists.txt) and the check of their includes (tests/layers.cmake) both follow this list.
 # room(name [USES rooms…] [LINKS libraries…])
-room(core LINKS nlohmann_json::nlohmann_json TBB::tbb fmt::fmt Threads::Threads)
+room(core LINKS nlohmann_json::nlohmann_json TBB::tbb fmt::fmt Boost::headers Threads::Threads)
 room(signal USES core)
 room(report USES core LINKS fmt::fmt ZLIB::ZLIB)
 room(io USES core LINKS fmt::fmt OpenSSL::Crypto)

@@ -10,6 +10,7 @@ Section superimposeSection(const SuperimposeResult& result, const Language& lang
         quantityTable(LT_TEXT("Engine", "The second profile laid on the first"), result,
                       {"largest_difference_um", "mean_difference_um", "rms_difference_um", "correlation",
                        "rotation_deg", "mirrored", "shift_x_mm", "shift_y_mm", "radius_difference_mm"});
+    const Text um = LT_TEXT("Engine", "µm");
     Plot plot;
     plot.title = LT_TEXT("Engine", "Both profiles");
     plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};

@@ -121,7 +121,10 @@ private:
 /// Patches of the scanner's grid without data: together about `share` of it.
 std::vector<bool> patches(int rows, int columns, double share, std::uint64_t seed)
 {
-    std::vector<bool> lost(static_cast<std::size_t>(rows) * columns);
+    const auto width_of = [columns](int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns);
+    };
+    std::vector<bool> lost(width_of(rows));
     const auto wanted = static_cast<std::size_t>(share * static_cast<double>(lost.size()));
     std::size_t count = 0;
     for (std::uint64_t i = 0; count < wanted; ++i) {
@@ -131,7 +134,7 @@ std::vector<bool> patches(int rows, int columns, double share, std::uint64_t see
         const int column = static_cast<int>(columns * randomUniform(seed, Patch, 4 * i + 3));
         for (int r = row; r < std::min(rows, row + height); ++r)
             for (int c = column; c < column + width; ++c) {
-                const std::size_t cell = static_cast<std::size_t>(r) * columns + c % columns;
+                const std::size_t cell = width_of(r) + static_cast<std::size_t>(c % columns);
                 if (!lost[cell] && count < wanted) {
                     lost[cell] = true;
                     ++count;

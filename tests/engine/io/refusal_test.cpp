@@ -42,7 +42,7 @@ TEST(Refusal, theFirstBrokenRowIsNamedInALongFile)
 {
     std::string text;
     for (int i = 0; i < 200000; ++i) text += "1.25 2.5 " + std::to_string(i) + ".5\n";
-    for (const std::size_t line : {150001, 90001, 90000}) {
+    for (const std::size_t line : {150001U, 90001U, 90000U}) {
         std::size_t at = 0;
         for (std::size_t i = 1; i < line; ++i) at = text.find('\n', at) + 1;
         text[at] = 'q';

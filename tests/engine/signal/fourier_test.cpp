@@ -97,9 +97,9 @@ TEST(NonuniformFourier, SumsAreTheDefinition)
 TEST(NonuniformFourier, SeriesIsTheDefinition)
 {
     std::vector<Complex> coefficients;
-    for (int k = 0; k <= 120; ++k) coefficients.emplace_back(randomNormal(7, 0, k), k ? randomNormal(7, 1, k) : 0.0);
+    for (std::uint64_t k = 0; k <= 120; ++k) coefficients.emplace_back(randomNormal(7, 0, k), k ? randomNormal(7, 1, k) : 0.0);
     std::vector<double> angle;
-    for (int j = 0; j < 500; ++j) angle.push_back(turn * (2 * randomUniform(8, 0, j) - 1));
+    for (std::uint64_t j = 0; j < 500; ++j) angle.push_back(turn * (2 * randomUniform(8, 0, j) - 1));
     const std::vector<double> found = fourierSeries(coefficients, angle);
     for (std::size_t j = 0; j < angle.size(); ++j) {
         double expected = coefficients[0].real();

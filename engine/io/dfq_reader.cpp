@@ -6,9 +6,9 @@
 
 #include "engine/io/dfq_writer.h"
 #include "engine/io/encoding.h"
-#include "engine/io/readable_text.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/number.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/text_lines.h"
 
 namespace lathelier {

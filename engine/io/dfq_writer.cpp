@@ -63,8 +63,7 @@ std::string_view limitKind(const std::optional<double>& limit, bool isNatural)
 void addCharacteristic(std::string& out, const QdasCharacteristic& characteristic, std::size_t index)
 {
     addWord(out, fieldOf("K2001", index), characteristic.number);
-    addWord(out, fieldOf("K2002", index),
-            std::string(firstCharacters(characteristic.description, longestDescription)));
+    addWord(out, fieldOf("K2002", index), std::string(firstCharacters(characteristic.description, longestDescription)));
     addLine(out, fieldOf("K2004", index), "0");  // measured values
     addLine(out, fieldOf("K2022", index), std::to_string(characteristic.decimals));
     addNumber(out, fieldOf("K2101", index), characteristic.nominal);

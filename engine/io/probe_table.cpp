@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
-#include "engine/io/readable_text.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/table_facts.h"
 
 namespace lathelier {

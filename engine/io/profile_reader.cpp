@@ -1,11 +1,11 @@
 #include "engine/io/profile_reader.h"
 
 #include "engine/io/file.h"
-#include "engine/io/readable_text.h"
 #include "engine/io/header_lines.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe_reader.h"
 #include "engine/io/profile_points.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/scan_reader.h"
 #include "engine/io/table_facts.h"
 #include "engine/io/unit_choice.h"

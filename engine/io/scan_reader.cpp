@@ -7,11 +7,11 @@
 #include <cstring>
 
 #include "engine/io/file.h"
-#include "engine/io/readable_text.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/number.h"
 #include "engine/io/ply_header.h"
 #include "engine/io/raw_scan.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/text_lines.h"
 #include "engine/io/units.h"
 

@@ -6,10 +6,10 @@
 
 #include "engine/core/parallel.h"
 #include "engine/io/column_names.h"
-#include "engine/io/readable_text.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe_columns.h"
 #include "engine/io/raw_scan.h"
+#include "engine/io/readable_text.h"
 #include "engine/io/table_facts.h"
 #include "engine/io/text_table.h"
 

@@ -5,8 +5,8 @@
 
 namespace lathelier::registration {
 
-/// An angle (general part) as a mesh laid on itself from other poses; a stepped shaft (body of revolution) with a collar
-/// that is larger or smaller by a known amount.
+/// An angle (general part) as a mesh laid on itself from other poses; a stepped shaft (body of revolution) with a
+/// collar that is larger or smaller by a known amount.
 const VerifyPart& registrationVerification();
 
 }  // namespace lathelier::registration

@@ -39,8 +39,8 @@ std::string pathsAsCsv(const Plot& plot, const Language& language)
         const std::string name = captionText(curve.name, language);
         const std::string head = quoted(name.empty() ? std::to_string(c + 1) : name, true);
         for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
-            out += head + ',' + number(i < curve.along.size() ? curve.along[i] : NAN) + ',' + number(curve.x[i]) +
-                   ',' + number(curve.y[i]) + '\n';
+            out += head + ',' + number(i < curve.along.size() ? curve.along[i] : NAN) + ',' + number(curve.x[i]) + ',' +
+                   number(curve.y[i]) + '\n';
     }
     return out;
 }

@@ -103,7 +103,9 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     std::error_code failure;
     fs::create_directories(directory, failure);
     if (failure) throw Error(errors::fileNotWritable, {{"path", directory}, {"reason", failure.message()}});
-    const auto path = [&](const std::string& name) { return (fs::absolute(directory) / name).lexically_normal().string(); };
+    const auto path = [&](const std::string& name) {
+        return (fs::absolute(directory) / name).lexically_normal().string();
+    };
 
     // Both parts stand a little askew on the turntable, the copy also turned.
     const auto pose = [](double x, double y, double z, double lean_x, double lean_y, double turn) {

@@ -181,7 +181,8 @@ void RowsEdit::setCell(int row, int c, const QString& text)
     if (!table_->item(row, c)) table_->setItem(row, c, new QTableWidgetItem);
     table_->item(row, c)->setText(text);
     const bool number = column(c).kind == FieldInfo::Kind::Number || column(c).kind == FieldInfo::Kind::Integer;
-    table_->item(row, c)->setTextAlignment(static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    table_->item(row, c)->setTextAlignment(
+        static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
 }
 
 void RowsEdit::insertRow(int row, const Row& cells)

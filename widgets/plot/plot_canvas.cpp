@@ -235,7 +235,7 @@ void PlotCanvas::fitTexts()
         const qsizetype unit = title.lastIndexOf('(');
         const bool fits = metrics.horizontalAdvance(title) <= length;
         axis->setLabel(fits || unit < 0 ? metrics.elidedText(title, Qt::ElideRight, std::max(length, 2 * height))
-                                        : title.mid(unit));
+                                        : title.mid(static_cast<int>(unit)));
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
     fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);

@@ -117,7 +117,7 @@ void SceneActor::prepare(Layer& layer, double pointSize)
     layer.mapper->SetColorModeToDirectScalars();
     layer.mapper->StaticOn();
     layer.actor->SetMapper(layer.mapper);
-    layer.actor->GetProperty()->SetPointSize(pointSize);
+    layer.actor->GetProperty()->SetPointSize(static_cast<float>(pointSize));
     if (!object_.scan->isMesh()) layer.actor->GetProperty()->LightingOff();
     layer.actor->GetProperty()->SetAmbient(0.45);
     layer.actor->GetProperty()->SetDiffuse(0.6);

@@ -57,7 +57,6 @@ protected:
     Worker::Job makeReadingJob(const PanelState& state) const override;
     QString understood(const InputRole& role, const Source& source) const override;
 
-
     /// Changes one shared parameter: one undo step, or one with its neighbours of the same `mergeKey`.
     void setParameter(const std::string& key, const Value& value, const QString& step, const QString& mergeKey = {});
 

@@ -7,8 +7,8 @@
 #include "engine/core/json.h"
 #include "engine/form/roundness_report.h"
 #include "widgets/core/language.h"
-#include "widgets/core/panel_facts.h"
 #include "widgets/core/memo.h"
+#include "widgets/core/panel_facts.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier {

@@ -83,8 +83,8 @@ struct Pipe {
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
     if (run.not_as_root)
-        for (const unsigned long right : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
-            ::prctl(PR_CAPBSET_DROP, right, 0, 0, 0);
+        for (const int right : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
+            ::prctl(PR_CAPBSET_DROP, static_cast<unsigned long>(right), 0, 0, 0);
     ::signal(SIGPIPE, SIG_DFL);
     ::execve(words[0], words, environment);
     ::_exit(127);

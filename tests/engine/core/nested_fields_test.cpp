@@ -105,8 +105,8 @@ TEST(NestedFields, ACellOutOfRangeIsNamedByRowAndColumn)
 TEST(NestedFields, RowsAreTypedCellByCell)
 {
     const FieldInfo rods = infos<MachineSetup>()[5];
-    const Rows expected{{Row{{{"length_mm", 20.0}, {"diameter_mm", 8.0}, {"material", "brass"}}},
-                         Row{{{"length_mm", 30.0}}}}};
+    const Rows expected{
+        {Row{{{"length_mm", 20.0}, {"diameter_mm", 8.0}, {"material", "brass"}}}, Row{{{"length_mm", 30.0}}}}};
     EXPECT_EQ(parse(rods, "20,8,brass;30"), Value(expected));
     EXPECT_THROW(parse(rods, "20,8,brass,4"), Error);
     EXPECT_THROW(parse(rods, "x"), Error);

@@ -97,7 +97,8 @@ TEST(NonuniformFourier, SumsAreTheDefinition)
 TEST(NonuniformFourier, SeriesIsTheDefinition)
 {
     std::vector<Complex> coefficients;
-    for (std::uint64_t k = 0; k <= 120; ++k) coefficients.emplace_back(randomNormal(7, 0, k), k ? randomNormal(7, 1, k) : 0.0);
+    for (std::uint64_t k = 0; k <= 120; ++k)
+        coefficients.emplace_back(randomNormal(7, 0, k), k ? randomNormal(7, 1, k) : 0.0);
     std::vector<double> angle;
     for (std::uint64_t j = 0; j < 500; ++j) angle.push_back(turn * (2 * randomUniform(8, 0, j) - 1));
     const std::vector<double> found = fourierSeries(coefficients, angle);

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "engine/sample/sample_record.h"
+#include "engine/trajectory/trajectory_plots.h"
 #include "tests/widgets/core/drop_files.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"

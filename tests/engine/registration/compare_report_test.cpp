@@ -57,7 +57,7 @@ TEST(CompareReport, HoldsWhatAnAuditAsksFor)
                              "Roll about the axis is not determined",
                              "Unrolled surface: tolerance",
                              "Meridian",
-                             "copy, deviation × 10",
+                             "error drawn × 10",
                              "Histogram",
                              "Zones along the axis",
                              "8\u202F785\u202F428"})

@@ -4822,10 +4822,6 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::RowsEdit</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Add a row</source>
         <translation>Dodaj wiersz</translation>
     </message>

@@ -27,8 +27,10 @@ namespace lathelier {
 
 bool PanelBase::hasInputs() const
 {
-    return std::any_of(inputs_.roles.begin(), inputs_.roles.end(),
-                       [&](const InputRole& role) { return state_.inputs.count(role.role) > 0; });
+    // A panel that takes no files has all it needs in its parameters.
+    return inputs_.roles.empty() || std::any_of(inputs_.roles.begin(), inputs_.roles.end(), [&](const InputRole& role) {
+               return state_.inputs.count(role.role) > 0;
+           });
 }
 
 bool PanelBase::isComplete(const PanelState& state) const

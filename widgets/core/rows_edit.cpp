@@ -79,7 +79,8 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
     buttons->addStretch();
     table_->setColumnCount(static_cast<int>(info_.columns.size()));
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("0000000")));
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->installEventFilter(this);
@@ -234,8 +235,8 @@ void RowsEdit::check()
     }
     remove_->setEnabled(table_->rowCount() > static_cast<int>(info_.minimum));
     const int shown = std::clamp(table_->rowCount() + 1, leastRowsShown, mostRowsShown);
-    table_->setMinimumHeight(shown * table_->verticalHeader()->minimumSectionSize() +
-                             table_->horizontalHeader()->sizeHint().height());
+    table_->setFixedHeight(shown * table_->verticalHeader()->minimumSectionSize() +
+                           table_->horizontalHeader()->sizeHint().height());
     if (!sound || typed == announced_) return;
     announced_ = typed;
     if (!quiet) emit rowsChanged();
@@ -246,7 +247,8 @@ void RowsEdit::retranslate()
     QStringList head;
     for (const FieldInfo& one : info_.columns) {
         const QString unit = screenText(one.unit);
-        head << (unit.isEmpty() ? screenText(one.label) : tr("%1 (%2)").arg(screenText(one.label), unit));
+        head << (unit.isEmpty() ? screenText(one.label)
+                                : QStringLiteral("%1\n(%2)").arg(screenText(one.label), unit));  // columns are narrow
     }
     table_->setHorizontalHeaderLabels(head);
     for (int c = 0; c < table_->columnCount(); ++c)

@@ -51,7 +51,7 @@ private slots:
     {
         QCOMPARE(table()->rowCount(), 2);
         QCOMPARE(table()->item(1, 2)->text(), QString("35.5"));
-        QCOMPARE(table()->horizontalHeaderItem(0)->text(), QString("Length (mm)"));
+        QCOMPARE(table()->horizontalHeaderItem(0)->text(), QString("Length\n(mm)"));
         QVERIFY(changes_.empty());
     }
 

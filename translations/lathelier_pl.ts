@@ -2852,24 +2852,24 @@
         <translation>Okrąg</translation>
     </message>
     <message>
-        <source>Radius [mm]</source>
-        <translation>Promień [mm]</translation>
+        <source>Radius (mm)</source>
+        <translation>Promień (mm)</translation>
     </message>
     <message>
-        <source>Proved to [µm]</source>
-        <translation>Pewne do [µm]</translation>
+        <source>Proved to (µm)</source>
+        <translation>Pewne do (µm)</translation>
     </message>
     <message>
         <source>What the undulations say</source>
         <translation>Co mówią falistości</translation>
     </message>
     <message>
-        <source>Amplitude [µm]</source>
-        <translation>Amplituda [µm]</translation>
+        <source>Amplitude (µm)</source>
+        <translation>Amplituda (µm)</translation>
     </message>
     <message>
-        <source>Share [%]</source>
-        <translation>Udział [%]</translation>
+        <source>Share (%)</source>
+        <translation>Udział (%)</translation>
     </message>
     <message>
         <source>Usual cause</source>
@@ -2996,12 +2996,8 @@
         <translation>{label} {value} {unit}: źródło to {source}.</translation>
     </message>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
     </message>
     <message>
         <source>{path}: rows skipped: {count}.</source>
@@ -4975,28 +4971,28 @@ Wszystkie inne widoki działają.</translation>
         <translation>Przekrój</translation>
     </message>
     <message>
-        <source>z [mm]</source>
-        <translation>z [mm]</translation>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
     </message>
     <message>
         <source>Verdict</source>
         <translation>Ocena</translation>
     </message>
     <message>
-        <source>Diameter [mm]</source>
-        <translation>Średnica [mm]</translation>
+        <source>Diameter (mm)</source>
+        <translation>Średnica (mm)</translation>
     </message>
     <message>
-        <source>Centre x [µm]</source>
-        <translation>Środek x [µm]</translation>
+        <source>Centre x (µm)</source>
+        <translation>Środek x (µm)</translation>
     </message>
     <message>
-        <source>Centre y [µm]</source>
-        <translation>Środek y [µm]</translation>
+        <source>Centre y (µm)</source>
+        <translation>Środek y (µm)</translation>
     </message>
     <message>
-        <source>Run-out [µm]</source>
-        <translation>Bicie [µm]</translation>
+        <source>Run-out (µm)</source>
+        <translation>Bicie (µm)</translation>
     </message>
     <message>
         <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
@@ -5007,8 +5003,8 @@ Wszystkie inne widoki działają.</translation>
         <translation>Odniesiona do średnicy nominalnej</translation>
     </message>
     <message>
-        <source>Two-point [µm]</source>
-        <translation>Dwupunktowy [µm]</translation>
+        <source>Two-point (µm)</source>
+        <translation>Dwupunktowy (µm)</translation>
     </message>
     <message>
         <source>Turns</source>
@@ -5263,20 +5259,20 @@ Wszystkie inne widoki działają.</translation>
         <translation>Strefy wzdłuż osi</translation>
     </message>
     <message>
-        <source>From [mm]</source>
-        <translation>Od [mm]</translation>
+        <source>From (mm)</source>
+        <translation>Od (mm)</translation>
     </message>
     <message>
-        <source>To [mm]</source>
-        <translation>Do [mm]</translation>
+        <source>To (mm)</source>
+        <translation>Do (mm)</translation>
     </message>
     <message>
-        <source>Mean [mm]</source>
-        <translation>Średnia [mm]</translation>
+        <source>Mean (mm)</source>
+        <translation>Średnia (mm)</translation>
     </message>
     <message>
-        <source>Scatter [mm]</source>
-        <translation>Rozrzut [mm]</translation>
+        <source>Scatter (mm)</source>
+        <translation>Rozrzut (mm)</translation>
     </message>
     <message>
         <source>Points</source>

@@ -58,7 +58,7 @@ FileFacts readFacts(const std::string& path, const Request& request, InputFiles&
                     Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
-    const FileKind* kind = likeliestKind(knownKinds(), path, bytes, request.parameters);
+    const FileKind* kind = likeliestKind(knownKinds(), path, bytes, request.parameters).kind;
     FileFacts facts =
         (kind ? *kind : scanFiles()).facts({path, bytes, request.parameters, inputs, progress}, answer.notes);
     inputs.drop();

@@ -20,6 +20,16 @@
 #include "widgets/core/icons.h"
 
 namespace lathelier {
+namespace {
+
+FileKinds kindsOf(const std::vector<PanelFacts>& panels)
+{
+    FileKinds kinds;
+    for (const PanelFacts& panel : panels) unite(kinds, panel.kinds);
+    return kinds;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
                        const QString& recoveryFolder)
@@ -28,6 +38,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       settings_(readSettings()),
       files_(session, recoveryFolder, this),
       workspaces_(workspacesOf(panels)),
+      finder_(kindsOf(panels)),
       log_(new MessageLog),
       logDock_(new QDockWidget(this)),
       status_(new QLabel),
@@ -130,26 +141,13 @@ void MainWindow::openPaths(const QStringList& paths)
             others << path;
     }
     if (others.isEmpty()) return;
-    FileKinds kinds;
-    for (const PanelDock* dock : docks_) unite(kinds, dock->facts().kinds);
-    opening_.compute<FoundFile>(
-        [kinds, others, store = session_.stores().of<KindStore>()](const Progress& progress) {
-            for (const QString& path : others) {
-                progress.check();
-                store->find(kinds, path.toStdString());
-            }
-            return *store->known(others.front().toStdString());
-        },
-        [this, others](const FoundFile& first) {
-            goWhereItBelongs(first);
-            if (!activeDock()) return;
-            activeDock()->show();
-            activeDock()->raise();
-            activeDock()->panel().openFiles(others);
-        },
-        [this](const Error& error) {
-            announce({error, {}});
-        });
+    finder_.find(others, [this](const std::vector<FoundFile>& files) {
+        goWhereItBelongs(files.front());
+        if (!activeDock()) return;
+        activeDock()->show();
+        activeDock()->raise();
+        activeDock()->panel().openFound(files);
+    });
 }
 
 /// A file that is certainly, or in all likelihood, of a kind that another panel works on opens that panel.

@@ -11,10 +11,9 @@
 #include "app/gui/project_files.h"
 #include "app/gui/settings.h"
 #include "app/gui/workspaces.h"
-#include "widgets/core/kind_store.h"
+#include "widgets/core/kind_finder.h"
 #include "widgets/core/language.h"
 #include "widgets/core/message_log.h"
-#include "widgets/core/task.h"
 
 class QLabel;
 
@@ -33,7 +32,7 @@ public:
     /// A project is opened at once; other files go to the panel that works on their kind, else to the active one, as
     /// soon as their heads were looked at in the background.
     void openPaths(const QStringList& paths);
-    bool isOpening() const { return opening_.isBusy(); }  ///< files are still being looked at
+    bool isOpening() const { return finder_.isBusy(); }  ///< files are still being looked at
 
     void enterWorkspace(const std::string& id);
     PanelDock* activeDock() const;
@@ -76,6 +75,7 @@ private:
     Settings settings_;
     ProjectFiles files_;
     std::vector<Workspace> workspaces_;
+    KindFinder finder_;  ///< of all files that any panel works on
     std::vector<PanelDock*> docks_;
     MessageLog* log_;
     QDockWidget* logDock_;
@@ -88,7 +88,6 @@ private:
     QLabel* status_ = nullptr;
     HelpWindow* help_ = nullptr;
     bool presenting_ = false;
-    Task opening_;  ///< finds what kind of file was dropped
     QByteArray stateBeforePresenting_;
     QFont ordinaryFont_;
 };

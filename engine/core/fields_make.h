@@ -156,8 +156,8 @@ template <class P, class... Parts>
 std::vector<Field<P>> described(Parts... parts)
 {
     std::vector<Field<P>> result;
-    const auto add = [&result](auto&& part) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(part)>, Field<P>>)
+    const auto add = [&result](auto part) {
+        if constexpr (std::is_same_v<decltype(part), Field<P>>)
             result.push_back(std::move(part));
         else
             for (auto& field : part) result.push_back(std::move(field));

@@ -8,9 +8,6 @@
 
 namespace lathelier {
 
-/// Standard deviation of a normal distribution by its median absolute deviation: 1 / Φ⁻¹(3/4).
-inline constexpr double sigmaPerMedianDeviation = 1.4826022185056018;
-
 /// The value at rank floor(share · n) of `values`, share in 0…1, which are put into another order. NaN for no values.
 template <class T>
 T quantileInPlace(std::vector<T>& values, double share)

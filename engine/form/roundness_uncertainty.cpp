@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -13,16 +12,15 @@
 #include "engine/core/random.h"
 #include "engine/form/drawn_changes.h"
 #include "engine/form/linear_minimax.h"
-#include "engine/signal/fourier.h"
+#include "engine/form/noise_draws.h"
 
 namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::uint64_t seed = 12181;  ///< any; always the same
-constexpr double slack_sigma = 3;      ///< by which the edges of the zone may come inward in a draw
-constexpr double reach_sigma = 12;     ///< points further inside the zone than this touch it in no draw
+constexpr double slack_sigma = 3;   ///< by which the edges of the zone may come inward in a draw
+constexpr double reach_sigma = 12;  ///< points further inside the zone than this touch it in no draw
 
 /// So many draws that the work stays about the same.
 std::size_t drawsFor(std::size_t points)
@@ -49,119 +47,6 @@ std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNo
     }
     return points;
 }
-
-/// Filtered noise is smooth: of a long profile, 100 points to a wave of the cut-off tell its extremes.
-/// 1 where values are rounded or have spikes, which are drawn point by point.
-std::size_t strideOf(const PointNoise& noise, const signal::ProfileBand& band, std::size_t points)
-{
-    constexpr double pointsPerWave = 100;
-    constexpr std::size_t least = 8192;
-    if (!band.high_upr || !noise.spikes_um.empty() || noise.resolution_um > 0) return 1;
-    return std::max<std::size_t>(
-        1, points / std::max(least, static_cast<std::size_t>(std::ceil(pointsPerWave * *band.high_upr))));
-}
-
-/// Draws of noise on every `stride`th of the points, in mm, filtered. Nearly even spacing is enough for that.
-class NoiseDraws {
-public:
-    NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const signal::ProfileBand& band,
-               std::size_t stride)
-        : noise_(noise),
-          band_(band),
-          n_((prepared.distance_mm.size() + stride - 1) / stride),
-          by_orders_(stride > 1 || !noise.power_um2.empty()),
-          is_filtered_(stride > 1),
-          transform_(isPlain(noise, band) ? 1 : n_)
-    {
-        if (isPlain(noise, band)) return;
-        // The sequence of points covers the turn but for its gaps.
-        const double covered = 1 - prepared.sampling.missing_rad / (2 * std::numbers::pi);
-        for (std::size_t m = 0; m <= n_ / 2; ++m)
-            transmission_.push_back(m == 0 ? 1 : band.transmission(static_cast<double>(m) / covered));
-        if (!by_orders_) return;
-        const double share = noise.sigma_um > 0 ? noise.beyond_rounding_um / noise.sigma_um : 0;
-        const double white = 4 * noise.sigma_um * noise.sigma_um / static_cast<double>(prepared.distance_mm.size());
-        for (std::size_t m = 0; m <= n_ / 2; ++m) {
-            const double power = noise.power_um2.empty() ? white : noise.power_um2[m];
-            // Half the amplitude: the other half belongs to the conjugate order.
-            amplitude_mm_.push_back(share * std::sqrt(power / 2) / 2000 * (is_filtered_ ? transmission_[m] : 1));
-        }
-    }
-
-    /// Independent points without rounding, spikes and filter: each can be drawn by itself.
-    static bool isPlain(const PointNoise& noise, const signal::ProfileBand& band)
-    {
-        return band.isAll() && noise.power_um2.empty() && noise.spikes_um.empty() && noise.resolution_um == 0;
-    }
-
-    double plain_mm(std::uint64_t draw, std::size_t i) const
-    {
-        return noise_.beyond_rounding_um / 1000 * randomNormal(seed, draw, i);
-    }
-
-    /// The same where it may bring a point to touch the zone, else 0.
-    double plainBeyond_mm(std::uint64_t draw, std::size_t i, double rarity) const
-    {
-        return noise_.beyond_rounding_um / 1000 * randomNormalBeyond(seed, draw, i, rarity);
-    }
-
-    std::vector<double> operator()(std::uint64_t draw, const Progress& progress) const
-    {
-        progress.check();
-        std::vector<double> drawn(n_);
-        if (!by_orders_) {
-            for (std::size_t i = 0; i < n_; ++i) drawn[i] = plain_mm(draw, i);
-        } else {
-            std::vector<std::complex<double>> spectrum(amplitude_mm_.size());
-            for (std::size_t m = 0; m < spectrum.size(); ++m)
-                spectrum[m] = amplitude_mm_[m] * std::complex<double>(randomNormal(seed, draw, 2 * m),
-                                                                      randomNormal(seed, draw, 2 * m + 1));
-            drawn = transform_.series(spectrum);
-        }
-        progress.check();
-        if (!noise_.spikes_um.empty()) addSpikes(draw, drawn);
-        if (noise_.resolution_um > 0) roundOff(draw, drawn);
-        progress.check();
-        return band_.isAll() || is_filtered_ ? drawn : filtered(drawn, progress);
-    }
-
-private:
-    void addSpikes(std::uint64_t draw, std::vector<double>& drawn) const
-    {
-        const auto count = static_cast<double>(noise_.spikes_um.size());
-        for (std::size_t i = 0; i < n_; ++i) {
-            if (randomUniform(seed + 1, draw, i) >= count / static_cast<double>(n_)) continue;
-            const auto which = static_cast<std::size_t>(randomUniform(seed + 2, draw, i) * count);
-            drawn[i] += noise_.spikes_um[which] / 1000;
-        }
-    }
-
-    /// Values in steps that lie anywhere: what rounding does depends on how flat the form is at its extremes.
-    void roundOff(std::uint64_t draw, std::vector<double>& drawn) const
-    {
-        const double step = noise_.resolution_um / 1000, offset = step * randomUniform(seed + 3, draw, 0);
-        for (std::size_t i = 0; i < n_; ++i) {
-            const double form = noise_.form_um[i] / 1000 + offset;
-            drawn[i] = step * std::round((form + drawn[i]) / step) - form;
-        }
-    }
-
-    std::vector<double> filtered(const std::vector<double>& drawn, const Progress& progress) const
-    {
-        std::vector<std::complex<double>> spectrum = transform_.forward(drawn);
-        progress.check();
-        for (std::size_t m = 0; m < spectrum.size(); ++m) spectrum[m] *= transmission_[m] / static_cast<double>(n_);
-        return transform_.series(spectrum);
-    }
-
-    const PointNoise& noise_;
-    const signal::ProfileBand& band_;
-    std::size_t n_;
-    bool by_orders_;    ///< drawn as Fourier coefficients
-    bool is_filtered_;  ///< and these of the filtered noise
-    signal::FourierTransform transform_;
-    std::vector<double> amplitude_mm_, transmission_;
-};
 
 /// The zone about the circle found, linear in the step of the centre.
 struct Zone {
@@ -291,13 +176,13 @@ public:
         std::vector<double> means;
         if (which == ReferenceCircle::LSCI)
             for (std::size_t b = 0; b < count(); ++b)
-                means.push_back(sigma_mm / std::sqrt(width_) * randomNormal(seed + 1, draw, b));
+                means.push_back(sigma_mm / std::sqrt(width_) * randomNormal(drawSeed + 1, draw, b));
         std::vector<double> noise(edges_.near.size(), 0.0);
         std::vector<std::size_t> touching;
         for (const bool all : {false, true}) {
             touching.clear();
             for (const std::size_t i : edges_.near) {
-                const double uniform = randomUniform(seed, draw, i);
+                const double uniform = randomUniform(drawSeed, draw, i);
                 if (!all && uniform > edges_.rarity[i]) continue;
                 noise[i] = (i % 2 == 0 ? -sigma_mm : sigma_mm) * largest(1 - uniform);
                 touching.push_back(i);

@@ -78,25 +78,19 @@ std::vector<std::string> pairsOnce(const std::vector<std::string>& paths)
 
 }  // namespace
 
-const FileKind* likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head,
-                              const Values& reading)
+KindFound likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head, const Values& reading)
 {
-    const FileKind* found = nullptr;
-    Likeness best = Likeness::No;
+    KindFound best;
     for (const FileKind* kind : kinds)
-        if (const Likeness likeness = kind->sniff(path, head, reading); likeness > best) {
-            best = likeness;
-            found = kind;
-        }
-    return found;
+        if (const Likeness likeness = kind->sniff(path, head, reading); likeness > best.likeness)
+            best = {kind, likeness};
+    return best;
 }
 
 KindFound findKind(const FileKinds& kinds, const std::string& path, const Values& reading)
 {
     try {
-        const std::string head = fileHead(path, headForKind);
-        const FileKind* kind = likeliestKind(kinds, path, head, reading);
-        return {kind, kind ? kind->sniff(path, head, reading) : Likeness::No};
+        return likeliestKind(kinds, path, fileHead(path, headForKind), reading);
     } catch (const Error&) {
         return {};
     }

@@ -44,15 +44,14 @@ struct FileKind {
 
 using FileKinds = std::vector<const FileKind*>;
 
-/// The kind that the head of a file speaks for most, the first of equals; nullptr when all say no.
-const FileKind* likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head,
-                              const Values& reading);
-
-/// The same for a file on the disk, and how much it speaks for it. No where it cannot be read.
+/// The kind that the head of a file speaks for most, the first of equals, and how much; nullptr when all say no.
 struct KindFound {
-    const FileKind* kind = nullptr;    ///< nullptr: all say no
-    Likeness likeness = Likeness::No;  ///< how much the head speaks for `kind`
+    const FileKind* kind = nullptr;    ///< nullptr: none
+    Likeness likeness = Likeness::No;  ///< how much the head speaks for it
 };
+KindFound likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head, const Values& reading);
+
+/// The same for a file on the disk; none where it cannot be read.
 KindFound findKind(const FileKinds& kinds, const std::string& path, const Values& reading = {});
 
 /// Adds to `kinds` those of `more` that are not in it yet.

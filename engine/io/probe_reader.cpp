@@ -97,16 +97,6 @@ void requirePartner(const RecordFiles& files)
                 {{"path", given}, {"byte", std::int64_t{0}}, {"partner", partner.filename().string()}});
 }
 
-bool isProbeRecord(const std::string& path)
-{
-    try {
-        const std::string head = fileHead(path, headForKind);
-        return findRecordFiles(path, head).kind == RecordFiles::Kind::LGraph || isProbeTable(head);
-    } catch (const Error&) {
-        return false;
-    }
-}
-
 ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options, const RecorderOptions& recorder,
                           const Progress& progress)
 {

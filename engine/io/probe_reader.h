@@ -31,10 +31,6 @@ struct ProbeFile {
     Notes notes;
 };
 
-/// True when `path` looks like a probe record (for `inspect`): an L-Graph .par or its .dat, or a table whose headings
-/// are those of a record. Never throws for a file that is none.
-bool isProbeRecord(const std::string& path);
-
 /// The files that a record consists of.
 struct RecordFiles {
     enum class Kind { Table, LGraph };

@@ -108,15 +108,4 @@ bool isProfileTable(std::string_view bytes, const ImportOptions& options, Profil
     }
 }
 
-bool isProfile(const std::string& path)
-{
-    try {
-        refuseForeignName(path, true, expectedKind);
-        const std::string head = fileHead(path, headForKind);
-        return !hasScanFormat(head) && !isProbeRecord(path) && isProfileTable(head);
-    } catch (const Error&) {
-        return false;
-    }
-}
-
 }  // namespace lathelier

@@ -51,8 +51,4 @@ ProfileFile readProfile(const std::string& name, std::string_view bytes, const I
 bool isProfileTable(std::string_view bytes, const ImportOptions& options = {},
                     ProfileColumns columns = ProfileColumns::Auto);
 
-/// True when the file at `path` can only be a profile: such a table, and neither a cloud nor a probe record. Never
-/// throws for a file that is none.
-bool isProfile(const std::string& path);
-
 }  // namespace lathelier

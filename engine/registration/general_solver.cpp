@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 
 namespace lathelier::registration {
 namespace {
@@ -64,9 +65,8 @@ double robustSigma(const std::vector<Residual>& residuals)
     for (const Residual& r : residuals)
         if (!std::isnan(r.distance_mm)) sizes.push_back(std::abs(r.distance_mm));
     if (sizes.empty()) return 0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return mad_to_sigma * *middle;
+    const double middle = upperMedianInPlace(sizes);
+    return mad_to_sigma * middle;
 }
 
 double weightOf(const Residual& r, double reach_mm)

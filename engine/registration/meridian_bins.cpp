@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/quick_turn.h"
 
 namespace lathelier::registration {
@@ -21,13 +22,6 @@ struct MeridianPoint {
     double z;
     double r;
 };
-
-double medianOf(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// The points of each bin: those of bin b are items[first[b]] … items[first[b + 1] - 1].
 struct Sorted {
@@ -84,7 +78,7 @@ double typical(const std::vector<Scatter>& scatters)
     std::vector<double> values;
     values.reserve(scatters.size());
     for (const Scatter& s : scatters) values.push_back(s.sigma);
-    return values.empty() ? 0.0 : medianOf(values);
+    return values.empty() ? 0.0 : upperMedianInPlace(values);
 }
 
 /// Scatter of the quietest fifth of the bins when that is lower than the median by a third (then the median is that of
@@ -116,7 +110,7 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
             values.push_back(across(sorted.items[k]));
         bin.points = static_cast<double>(values.size());
         bin.active = bin.points >= least_points;
-        if (!values.empty()) bin.value = medianOf(values);
+        if (!values.empty()) bin.value = upperMedianInPlace(values);
     }
     const auto measure = [&] {
         std::vector<Scatter> scatters;
@@ -129,7 +123,7 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
                 const std::size_t i = sorted.items[k];
                 values.push_back(std::abs(across(i) - bin.value - bin.slope * (along(i) - bin.middle)));
             }
-            bin.sigma = bin.own_mm = kToSigma * medianOf(values) * bin.cosine;
+            bin.sigma = bin.own_mm = kToSigma * upperMedianInPlace(values) * bin.cosine;
             scatters.push_back({bin.sigma, bin.points});
         }
         return scatters;
@@ -159,7 +153,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
         std::vector<double> off;
         const double middle = radii[(from + to) / 2];
         for (std::size_t k = from; k < to; ++k) off.push_back(std::abs(radii[k] - middle));
-        return kToSigma * medianOf(off);
+        return kToSigma * upperMedianInPlace(off);
     };
     for (std::size_t b = 0; b < count; ++b) {
         const std::size_t from = by_z.first[b * merged];
@@ -248,7 +242,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         if (by_z.first[b + 1] > by_z.first[b]) filled.push_back(static_cast<double>(by_z.first[b + 1] - by_z.first[b]));
     const auto z_of = [&](std::size_t i) { return points[i].z; };
     const auto r_of = [&](std::size_t i) { return points[i].r; };
-    const double least = std::max(4.0, 0.15 * medianOf(filled));
+    const double least = std::max(4.0, 0.15 * upperMedianInPlace(filled));
     const double floor = 1e-5 * extent;  // exact meshes: no surface is worth more than this
     std::vector<Scatter> scatters =
         fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
@@ -258,7 +252,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         for (std::size_t b = 0; b < sides; ++b)
             if (bore.first[b + 1] > bore.first[b])
                 own_filled.push_back(static_cast<double>(bore.first[b + 1] - bore.first[b]));
-        const double own_least = std::max(4.0, 0.15 * medianOf(own_filled));
+        const double own_least = std::max(4.0, 0.15 * upperMedianInPlace(own_filled));
         const std::vector<Scatter> own =
             fillBins(result.bins.data() + sides, result.side_count, low, result.step_mm, bore, z_of, r_of, own_least);
         scatters.insert(scatters.end(), own.begin(), own.end());

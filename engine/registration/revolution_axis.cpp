@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/drawn_places.h"
 #include "engine/registration/meridian_bins.h"
 #include "engine/registration/revolution_step.h"
@@ -59,9 +60,8 @@ bool isFinerThanRows(const MeridianBins& bins)
     for (int i = 0; i < bins.side_count; ++i)
         if (const double points = bins.bins[static_cast<std::size_t>(i)].points; points > 0) counts.push_back(points);
     if (counts.empty()) return false;
-    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-    std::nth_element(counts.begin(), middle, counts.end());
-    const double least = 0.1 * *middle;
+    const double middle = upperMedianInPlace(counts);
+    const double least = 0.1 * middle;
     int runs = 0;
     int filled = 0;
     bool previous = false;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::registration {
 namespace {
 
@@ -49,10 +51,9 @@ bool centreOf(const std::vector<Residual>& section, double reach_mm, Centre& cen
         const Vector3d change = normal.ldlt().solve(right);
         if (!change.allFinite()) return false;
         value += change;
-        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-        std::nth_element(sizes.begin(), middle, sizes.end());
+        const double middle = upperMedianInPlace(sizes);
         const double before = scale;
-        scale = std::clamp(6 * 1.4826 * *middle, 1e-9 * reach_mm, reach_mm);
+        scale = std::clamp(6 * 1.4826 * middle, 1e-9 * reach_mm, reach_mm);
         // Done: another round would change no more than a hundredth of the standard error.
         const double error = scale / 6 / std::sqrt(static_cast<double>(section.size()));
         if (change.norm() < 0.01 * error && std::abs(scale - before) < 0.01 * scale) break;
@@ -120,9 +121,8 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     std::vector<double> scatters;
     scatters.reserve(centres.size());
     for (const Centre& centre : centres) scatters.push_back(centre.scatter);
-    const auto usual = scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2);
-    std::nth_element(scatters.begin(), usual, scatters.end());
-    bend.scatter_mm = *usual;
+    const double usual = upperMedianInPlace(scatters);
+    bend.scatter_mm = usual;
 
     // Robust over the sections: an eccentric collar is no bend.
     Eigen::Matrix3d normal;
@@ -147,9 +147,8 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
             sizes.push_back(off.norm() / std::sqrt(c.variance));
         }
         std::vector<double> sorted = sizes;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        scatter = std::max(1.0, *middle / 1.177);  // the median of a Rayleigh distribution
+        const double middle = upperMedianInPlace(sorted);
+        scatter = std::max(1.0, middle / 1.177);  // the median of a Rayleigh distribution
         for (std::size_t k = 0; k < centres.size(); ++k) {
             const double u = sizes[k] / (6 * scatter);
             weights[k] = u < 1 ? (1 - u * u) * (1 - u * u) : 0;

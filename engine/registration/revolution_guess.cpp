@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/neighbours.h"
 #include "engine/registration/revolution_axis.h"
 
@@ -138,8 +139,7 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     for (int k = 0; k < 3; ++k) {
         std::vector<double> values(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][k];
-        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-        centre[k] = values[values.size() / 2];
+        centre[k] = upperMedianInPlace(values);
     }
     Matrix3d scatter = Matrix3d::Zero();
     for (const Vector3d& p : points) scatter += (p - centre) * (p - centre).transpose();
@@ -167,9 +167,8 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     std::vector<double> scatters;
     scatters.reserve(oriented.size());
     for (const OrientedPoint& p : oriented) scatters.push_back(p.scatter_mm);
-    const auto middle = scatters.begin() + static_cast<std::ptrdiff_t>(scatters.size() / 2);
-    std::nth_element(scatters.begin(), middle, scatters.end());
-    result.noise_mm = *middle;
+    const double middle = upperMedianInPlace(scatters);
+    result.noise_mm = middle;
     for (const auto& [score, i] : order) {
         const Vector3d direction = lines[i].direction.normalized();
         const Vector3d foot = lines[i].point + direction * direction.dot(centre - lines[i].point);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/shoulder_rays.h"
 
 namespace lathelier::registration {
@@ -142,10 +143,9 @@ std::vector<Trial> coarseTrials(const Group& group, double finest, const Progres
 {
     std::vector<double> guesses;
     for (const Smear* smear : group) guesses.push_back(smear->widthGuess());
-    const auto middle = guesses.begin() + static_cast<std::ptrdiff_t>(guesses.size() / 2);
-    std::nth_element(guesses.begin(), middle, guesses.end());
+    const double middle = upperMedianInPlace(guesses);
     const double rung = std::log(3.0) / 5;
-    const double guess = std::round(std::log(std::max(*middle / finest, 1.0)) / rung) * rung + std::log(finest);
+    const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
     return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
 }
 

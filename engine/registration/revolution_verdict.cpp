@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/quick_turn.h"
 #include "engine/registration/revolution_axis.h"
 
@@ -13,14 +14,6 @@ namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
-
-double medianOf(std::vector<double>& values)
-{
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Degrees of the circle with points on the profile; a sector with only a few, spurious ones, does not count.
 double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample, std::vector<double>& errors)
@@ -78,7 +71,7 @@ bool isSphere(const std::vector<Vector3d>& sample, const Vector3d& middle, const
     off.reserve(sample.size());
     for (const Vector3d& point : sample)
         off.push_back(std::abs((point - middle - solved.head<3>()).norm() - std::sqrt(square)));
-    return 1.4826 * medianOf(off) < limit_mm;
+    return off.empty() || 1.4826 * upperMedianInPlace(off) < limit_mm;
 }
 
 /// Two or more groups of points, each with a seventh of them or more, that no chain of neighbouring cells connects.
@@ -141,7 +134,7 @@ NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Vector3d>& sampl
     if (!radii.empty()) fit.coverage_deg = coverageOf(fit, sample, errors);
 
     // A line of noise is a perfect cylinder of a radius little larger than its scatter.
-    if (!radii.empty() && medianOf(radii) < 5 * fit.sigma_mm) return NotTurned::Line;
+    if (!radii.empty() && upperMedianInPlace(radii) < 5 * fit.sigma_mm) return NotTurned::Line;
     const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));
     bool turned = fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03 && tilt < 0.01;
     if (turned && 3 * fit.sigma_mm > 0.02 * largest) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/neighbours.h"
 
 namespace lathelier::registration {
@@ -18,13 +19,6 @@ using Eigen::Vector3d;
 constexpr std::size_t kPlaces = 12;
 constexpr std::size_t kPatch = 1200;  // samples around each place
 constexpr std::size_t kNearest = 32;  // samples whose circle gives the area of one
-
-double medianOf(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 }  // namespace
 
@@ -84,8 +78,8 @@ SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighb
         }
     }
     if (area.empty()) return result;
-    const double cell = medianOf(area);
-    const double a = std::clamp(medianOf(nearest), 1e-3 * std::sqrt(cell), std::sqrt(cell));
+    const double cell = upperMedianInPlace(area);
+    const double a = std::clamp(upperMedianInPlace(nearest), 1e-3 * std::sqrt(cell), std::sqrt(cell));
     const double b = cell / a;
     result.rms_mm = std::sqrt((a * a + b * b) / 12);
     return result;

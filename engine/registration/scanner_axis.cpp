@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::registration {
 namespace {
 
@@ -20,13 +22,6 @@ struct NeighbourPair {
     Vector3d first;
     Vector3d step;
 };
-
-double medianOf(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 std::vector<NeighbourPair> neighboursOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& axis_T_scan)
 {
@@ -46,7 +41,7 @@ std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
     std::vector<double> lengths;
     lengths.reserve(pairs.size());
     for (const NeighbourPair& pair : pairs) lengths.push_back(pair.step.norm());
-    const double typical = medianOf(lengths);
+    const double typical = upperMedianInPlace(lengths);
     Vector3d normal = Vector3d::UnitZ();
     double least = 0;
     double width = std::numeric_limits<double>::infinity();
@@ -59,7 +54,7 @@ std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
         std::vector<double> off;
         off.reserve(pairs.size());
         for (const NeighbourPair& pair : pairs) off.push_back(std::abs(pair.step.dot(normal)));
-        least = medianOf(off);
+        least = upperMedianInPlace(off);
         width = 4 * least + 1e-12 * typical;
     }
     if (!(least < 0.01 * typical) || std::abs(normal.z()) < 0.5) return std::nullopt;
@@ -93,7 +88,7 @@ Place placeOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& s
         }
         if (round == 0) {
             std::vector<double> sorted = sizes;
-            step = medianOf(sorted);
+            step = upperMedianInPlace(sorted);
             if (!(step > 1e-6)) return Place{};
             scale = step;
         }
@@ -123,7 +118,7 @@ Place placeOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& s
         if (!(step > 1e-6)) return Place{};
         const Eigen::Matrix3d covariance = normal.inverse() * (squares / weights);
         place.sigma = std::sqrt(covariance(0, 0) + covariance(1, 1));
-        scale = std::clamp(6 * medianOf(residuals), 1e-9 * step, 0.5 * step);
+        scale = std::clamp(6 * upperMedianInPlace(residuals), 1e-9 * step, 0.5 * step);
         if (change.head<2>().norm() < 1e-3 * place.sigma + 1e-12) break;
     }
     if (!(scale < 0.3 * step)) return Place{};  // no common step
@@ -148,7 +143,7 @@ std::optional<ScannerAxis> findScannerAxis(const std::vector<Vector3d>& points, 
     std::vector<double> lengths;
     lengths.reserve(pairs.size());
     for (const NeighbourPair& pair : pairs) lengths.push_back(pair.step.norm());
-    const double typical = medianOf(lengths);
+    const double typical = upperMedianInPlace(lengths);
     std::vector<Vector2d> first, second;
     for (const NeighbourPair& pair : pairs) {
         if (pair.step.norm() > 3 * typical || std::abs(pair.step.dot(*normal)) > 0.05 * typical) continue;

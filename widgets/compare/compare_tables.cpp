@@ -44,7 +44,7 @@ void ZoneTable::setResult(const registration::CompareResult& result)
 {
     zones_ = result.zones;
     setHorizontalHeaderLabels(
-        {tr("From [mm]"), tr("To [mm]"), tr("Mean [mm]"), tr("Scatter [mm]"), tr("Points"), tr("Mean is")});
+        {tr("From (mm)"), tr("To (mm)"), tr("Mean (mm)"), tr("Scatter (mm)"), tr("Points"), tr("Mean is")});
     horizontalHeaderItem(3)->setToolTip(tr("Standard deviation of the single points in the zone"));
     setRowCount(static_cast<int>(zones_.size()));
     for (int row = 0; row < rowCount(); ++row) {

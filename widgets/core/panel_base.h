@@ -7,10 +7,9 @@
 #include <functional>
 #include <optional>
 
-#include "widgets/core/kind_store.h"
+#include "widgets/core/kind_finder.h"
 #include "widgets/core/message.h"
 #include "widgets/core/panel_facts.h"
-#include "widgets/core/task.h"
 #include "widgets/core/worker.h"
 
 class QSplitter;
@@ -35,7 +34,7 @@ public:
     ~PanelBase() override;
 
     const PanelFacts& facts() const { return facts_; }
-    bool isBusy() const { return poll_.isActive() || opening_.isBusy(); }
+    bool isBusy() const { return poll_.isActive() || finder_.isBusy(); }
     bool hasResult() const { return result_ != nullptr; }
     bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }  ///< it answers what is asked
     const std::optional<Error>& error() const { return error_; }
@@ -43,7 +42,8 @@ public:
     /// Gives `paths` to the inputs: empty ones first, in their order. One undo step. Where the panel works on several
     /// kinds of file, their heads are looked at first, in the background.
     void openFiles(const QStringList& paths);
-    void askForFiles();  ///< openFiles() with a file dialog
+    void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
+    void askForFiles();                                   ///< openFiles() with a file dialog
     void cancel();
     void recompute();  ///< again, although nothing changed (a file on disk may have)
 
@@ -125,7 +125,6 @@ private:
     void layOutAgain();
     void updateStack();
     void showFacts();
-    void assign(const std::vector<FoundFile>& files);
     bool hasInputs() const;
     bool isLate() const;
     void takeSources(const InputRole& role, const std::vector<Source>& sources, const QString& step);
@@ -153,7 +152,7 @@ private:
     QWidget* viewsPage_ = nullptr;
     Shade* shade_ = nullptr;
     ProgressRow* progress_ = nullptr;
-    Task opening_;
+    KindFinder finder_;
     QTimer poll_;
     QElapsedTimer asking_;  ///< since the newest request
     Worker worker_;         ///< last: stopped before anything else goes

@@ -83,33 +83,14 @@ void PanelBase::takeSources(const InputRole& role, const std::vector<Source>& so
 void PanelBase::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty()) return;
-    const auto store = session_.stores().of<KindStore>();
-    const FileKinds kinds = kindsOf(inputs_.roles);
+    if (finder_.isBusy() || kindsOf(inputs_.roles).size() > 1)
+        return finder_.find(paths, [this](const std::vector<FoundFile>& files) { openFound(files); });
     std::vector<FoundFile> files;
-    bool known = true;
-    for (const QString& path : paths) {
-        const std::string name = path.toStdString();
-        const auto found = kinds.size() > 1 ? store->known(name) : FoundFile{name};
-        known = known && found;
-        files.push_back(found.value_or(FoundFile{name}));
-    }
-    if (known) return assign(files);
-    opening_.compute<std::vector<FoundFile>>(
-        [files, kinds, store](const Progress& progress) {
-            std::vector<FoundFile> found;
-            for (const FoundFile& file : files) {
-                progress.check();
-                found.push_back(store->find(kinds, file.path));
-            }
-            return found;
-        },
-        [this](const std::vector<FoundFile>& found) { assign(found); },
-        [this](const Error& error) {
-            emit messageRaised({error, facts_.title});
-        });
+    for (const QString& path : paths) files.push_back({path.toStdString()});
+    openFound(files);
 }
 
-void PanelBase::assign(const std::vector<FoundFile>& files)
+void PanelBase::openFound(const std::vector<FoundFile>& files)
 {
     editState(tr("Open %1").arg(screenFileName(QString::fromStdString(files.front().path))),
               [&](PanelState& state) { assignFiles(state, files); });

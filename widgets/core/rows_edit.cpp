@@ -95,21 +95,17 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
 
 void RowsEdit::setRows(const Rows& rows)
 {
-    if (rows == announced_ && table_->rowCount() == static_cast<int>(rows.rows.size()) && isSound()) return;
-    const QSignalBlocker quiet(table_);
+    if (rows == announced_ && sound_ && table_->rowCount() == static_cast<int>(rows.rows.size())) return;
     announced_ = rows;
-    table_->setRowCount(0);
-    for (const Row& row : rows.rows) insertRow(table_->rowCount(), row);
-    check();
+    fill();
 }
 
-bool RowsEdit::isSound() const
+void RowsEdit::fill()
 {
-    QString problem;
-    for (int row = 0; row < table_->rowCount(); ++row)
-        for (int c = 0; c < table_->columnCount(); ++c)
-            if (!understand(row, c, problem)) return false;
-    return true;
+    const QSignalBlocker quiet(table_);
+    table_->setRowCount(0);
+    for (const Row& row : announced_.rows) insertRow(table_->rowCount(), row);
+    check();
 }
 
 void RowsEdit::setNames(const QString& name, const QString& help)
@@ -237,6 +233,7 @@ void RowsEdit::check()
     const int shown = std::clamp(table_->rowCount() + 1, leastRowsShown, mostRowsShown);
     table_->setFixedHeight(shown * table_->verticalHeader()->minimumSectionSize() +
                            table_->horizontalHeader()->sizeHint().height());
+    sound_ = sound;
     if (!sound || typed == announced_) return;
     announced_ = typed;
     if (!quiet) emit rowsChanged();
@@ -258,10 +255,7 @@ void RowsEdit::retranslate()
     paste_->setText(tr("Paste"));
     paste_->setToolTip(tr("Paste rows from a spreadsheet, from the current cell on"));
     for (QToolButton* one : {add_, remove_, paste_}) one->setAccessibleName(one->toolTip());
-    const Rows shown = announced_;
-    announced_ = {};
-    if (table_->rowCount() > 0 && isSound()) setRows(shown);
-    announced_ = shown;
+    if (sound_) fill();  // numbers and choices in the new language; what does not fit stays as it was typed
 }
 
 }  // namespace lathelier

@@ -22,7 +22,7 @@ public:
 
     Rows rows() const { return announced_; }  ///< the last ones that fit
     void setRows(const Rows& rows);           ///< announces nothing
-    bool isSound() const;                     ///< do all cells fit?
+    bool isSound() const { return sound_; }   ///< do all cells fit?
     void setNames(const QString& name, const QString& help);
     QTableWidget* table() const { return table_; }
 
@@ -41,6 +41,7 @@ private:
     const FieldInfo& column(int index) const { return info_.columns[static_cast<std::size_t>(index)]; }
     void setCell(int row, int column, const QString& text);
     void insertRow(int row, const Row& cells);
+    void fill();  ///< shows announced_
     void check();
     std::optional<Value> understand(int row, int column, QString& problem) const;
     void retranslate();
@@ -51,6 +52,7 @@ private:
     QToolButton* remove_;
     QToolButton* paste_;
     Rows announced_;
+    bool sound_ = true;
 };
 
 }  // namespace lathelier

@@ -23,10 +23,10 @@ void SectionTable::setResult(const trajectory::TrajectoryResult& result)
     setAccessibleName(tr("All sections against the tolerance"));
     const form::ReferenceCircle circle = result.parameters.form.circle;
     setHorizontalHeaderLabels(
-        {tr("Section"), tr("z [mm]"),
-         QString("RONt(%1) [µm]").arg(QString::fromLatin1(name(circle).data(), static_cast<int>(name(circle).size()))),
-         tr("Verdict"), tr("Diameter [mm]"), tr("Centre x [µm]"), tr("Centre y [µm]"), tr("Run-out [µm]"),
-         tr("Two-point [µm]"), tr("Turns")});
+        {tr("Section"), tr("z (mm)"),
+         QString("RONt(%1) (µm)").arg(QString::fromLatin1(name(circle).data(), static_cast<int>(name(circle).size()))),
+         tr("Verdict"), tr("Diameter (mm)"), tr("Centre x (µm)"), tr("Centre y (µm)"), tr("Run-out (µm)"),
+         tr("Two-point (µm)"), tr("Turns")});
     horizontalHeaderItem(7)->setToolTip(tr("Largest minus smallest radius about the spindle axis: the paper's value"));
     horizontalHeaderItem(8)->setToolTip(
         tr("Two-point range: largest minus smallest distance of opposite points; half of it: GOST"));

@@ -12,8 +12,8 @@ Table circleTable(const form::RoundnessResult& result)
 {
     Table table;
     table.title = LT_TEXT("Engine", "Reference circles");
-    table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt [µm]"),    LT_TEXT("Engine", "Radius [mm]"),
-                     LT_TEXT("Engine", "x [mm]"), LT_TEXT("Engine", "y [mm]"), LT_TEXT("Engine", "Proved to [µm]")};
+    table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt (µm)"),    LT_TEXT("Engine", "Radius (mm)"),
+                     LT_TEXT("Engine", "x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "Proved to (µm)")};
     table.decimals = {0, 3, 5, 5, 5, 6};
     for (const form::ReferenceCircle which : {form::ReferenceCircle::LSCI, form::ReferenceCircle::MZCI,
                                               form::ReferenceCircle::MICI, form::ReferenceCircle::MCCI}) {
@@ -30,7 +30,7 @@ Table hintTable(const form::RoundnessResult& result)
 {
     Table table;
     table.title = LT_TEXT("Engine", "What the undulations say");
-    table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude [µm]"), LT_TEXT("Engine", "Share [%]"),
+    table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude (µm)"), LT_TEXT("Engine", "Share (%)"),
                      LT_TEXT("Engine", "Usual cause")};
     table.decimals = {0, 3, 0, 0};
     for (const form::RoundnessHint& hint : result.hints)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "widgets/core/kind_store.h"
+#include "widgets/core/kind_finder.h"
 #include "widgets/core/panel_facts.h"
 
 namespace lathelier {

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "engine/core/statistics.h"
-
 namespace lathelier {
 namespace {
 
@@ -32,17 +30,6 @@ TEST(Conformity, TheWorstOfSeveralCounts)
     EXPECT_EQ(worse(Verdict::Pass, Verdict::Pass), Verdict::Pass);
     EXPECT_EQ(passed(Verdict::Undecided), std::nullopt);
     EXPECT_EQ(passed(Verdict::Fail), false);
-}
-
-TEST(Statistics, MedianAndQuantiles)
-{
-    EXPECT_EQ(median({3, 1, 2}), 2);
-    EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
-    EXPECT_TRUE(std::isnan(median({})));
-    std::vector<double> values{4, 1, 2, 3};
-    EXPECT_EQ(upperMedianInPlace(values), 3);
-    EXPECT_EQ(quantileInPlace(values, 0), 1);
-    EXPECT_EQ(quantileInPlace(values, 1), 4);
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/form/form_codes.h"
+#include "engine/form/roundness_quantities.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "engine/core/random.h"
 #include "engine/io/io_codes.h"
@@ -268,6 +270,19 @@ TEST(Roundness, TheMethodTableHoldsTheResultItself)
     for (const MethodRow& row : result.methods)
         for (const double RONt_um : row.RONt_um) EXPECT_GE(RONt_um, row.RONt_um[1] - 1e-6);
     EXPECT_LT(result.methods[1].RONt_um[1], result.methods[0].RONt_um[1]);
+}
+
+TEST(Roundness, WithoutTheMethodTableAllElseIsTheSame)
+{
+    const Profile profile = lobedProfile(evenAngles(400), {{2, .004, 1}, {30, .001, 0}}, {0, 0}, .0002);
+    RoundnessParameters parameters;
+    parameters.cutoff_upr = 50;
+    parameters.tolerance_um = 9;
+    Json whole = toJson(roundness(profile, parameters));
+    const Json less = toJson(roundness(profile, parameters, {}, MethodTable::LeftOut));
+    EXPECT_EQ(whole["methods"].size(), 8U);
+    whole["methods"] = Json::array();
+    EXPECT_EQ(whole, less);
 }
 
 TEST(Roundness, DecidesByTheRule)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/io/file_kind.h"
 #include "engine/io/lgraph_header.h"
 #include "engine/io/probe_reader.h"
 #include "tests/engine/io/reading.h"
@@ -210,7 +211,7 @@ TEST_F(LGraphFiles, eitherOfThePairInAnyCase)
     const std::string dat = write("run1.DAT", makeDat(100, 3));
     const std::string par = write("run1.PAR", makePar(setup));
     for (const std::string& path : {dat, par}) {
-        EXPECT_TRUE(isProbeRecord(path));
+        EXPECT_EQ(findKind({&probeRecordFiles()}, path).likeness, Likeness::Certain);
         EXPECT_EQ(record(readProbeRecord(path)).frames(), 100U);
     }
     write("run1.par", makePar({}).replace(0, 1, "9"));  // the partner in the same case comes first
@@ -225,7 +226,7 @@ TEST_F(LGraphFiles, aMissingPartnerIsNamed)
     const std::string dat = write("a.dat", makeDat(100, 3));
     const std::string par = write("b.par", makePar({}));
     for (const std::string& path : {dat, par}) {
-        EXPECT_TRUE(isProbeRecord(path));
+        EXPECT_EQ(findKind({&probeRecordFiles()}, path).kind, &probeRecordFiles());
         try {
             readProbeRecord(path);
             ADD_FAILURE();
@@ -242,7 +243,7 @@ TEST_F(LGraphFiles, aTextNamedDatIsATable)
     const std::string dat = write("table.dat", "t_s,X3_um,Y3_um\n0,1,2\n0.1,2,3\n0.2,3,4\n");
     EXPECT_EQ(record(readProbeRecord(dat)).channels.size(), 2U);
     const std::string cloud = write("cloud.dat", "1 2 3\n4 5 6\n7 8 9\n");
-    EXPECT_FALSE(isProbeRecord(cloud));
+    EXPECT_EQ(findKind({&probeRecordFiles()}, cloud).kind, nullptr);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(ProjectVersions, EachHasAFileThatIsRead)
         EXPECT_EQ(*find(project.panels.at("compare").parameters, "tolerance_mm"), Value(0.05));
         EXPECT_TRUE(project.panels.at("compare").inputs.at("copy").synthetic);
         EXPECT_EQ(project.report, std::vector<std::string>{"compare"});
-        EXPECT_EQ(parseProject(toJsonText(project, "/work"), "/work"), project);
+        EXPECT_EQ(parseProject(toJsonText(project, "/scans"), "/scans"), project);
     }
 }
 
@@ -46,7 +46,7 @@ TEST(ProjectItems, KnowWhetherTheirOriginChanged)
     Project project;
     PanelState& panel = project.panels["shaft"];
     panel.parameters = {{"bore_mm", 5.0}};
-    panel.inputs["scan"] = {.path = "/work/a.ply", .import = {}, .sha256 = "ab", .synthetic = false};
+    panel.inputs["scan"] = {.path = "/scans/a.ply", .import = {}, .sha256 = "ab", .synthetic = false};
     Item item{"shaft", toValues(Shaft{}), originOf(project, "shaft", "0.1.0")};
     EXPECT_EQ(item.origin.inputs, std::vector<std::string>{"ab"});
     EXPECT_FALSE(isOutdated(project, item));

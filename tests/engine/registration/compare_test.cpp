@@ -12,7 +12,9 @@
 #include "engine/io/file.h"
 #include "engine/io/scan_reader.h"
 #include "engine/registration/compare_json.h"
+#include "engine/registration/compare_report.h"
 #include "engine/registration/registration_codes.h"
+#include "engine/report/plain_text.h"
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
@@ -174,6 +176,23 @@ TEST(Compare, TakesAMeshAsTheCopy)
     EXPECT_LT(e.axial_um, 15);
     EXPECT_LT(e.radial_um, 1);
     EXPECT_EQ(result.deviation_mm.size(), shaftMesh(nominalShaft()).points_mm.size());
+}
+
+TEST(Compare, TheSummaryAloneSaysTheSame)
+{
+    const Pair pair = makePair(12);
+    CompareParameters parameters;
+    parameters.tolerance_mm = 0.1;
+    parameters.scanner_accuracy_mm = 0.05;
+    const CompareResult whole = compare(pair.reference, pair.copy, parameters);
+    const CompareResult less = compare(pair.reference, pair.copy, parameters, {}, CompareDetail::Summary);
+    EXPECT_EQ(toPlainText(compareSummary(whole)), toPlainText(compareSummary(less)));
+    EXPECT_EQ(whole.alignment.reference_T_copy.matrix(), less.alignment.reference_T_copy.matrix());
+    EXPECT_EQ(whole.statistics.rmse_mm, less.statistics.rmse_mm);
+    EXPECT_EQ(whole.used, less.used);
+    EXPECT_EQ(whole.verdict, less.verdict);
+    EXPECT_EQ(whole.notes.size(), less.notes.size());
+    EXPECT_TRUE(whole.unrolled && !whole.histogram.counts.empty());
 }
 
 TEST(Compare, LeavesOutExcludedZonesAndFarPoints)

@@ -12,6 +12,7 @@
 
 #include "engine/core/shaft.h"
 #include "widgets/core/form.h"
+#include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {
@@ -112,6 +113,29 @@ private slots:
         given.segments = {{20.125, 30, 30, 0, {}, ""}};
         form_->setValues(toValues(given));
         QCOMPARE(table()->item(0, 0)->text(), QString("20,125"));
+    }
+
+    void aNewLanguageShowsTheSameRows()
+    {
+        FieldInfo driven;
+        driven.key = "driven";
+        driven.kind = FieldInfo::Kind::Flag;
+        FieldInfo info;
+        info.key = "gears";
+        info.kind = FieldInfo::Kind::Rows;
+        info.maximum = 5;
+        info.columns = {driven};
+        RowsEdit edit(info);
+        const Rows rows{{Row{{{"driven", true}}}, Row{{{"driven", false}}}}};
+        edit.setRows(rows);
+        QCOMPARE(edit.table()->item(0, 0)->text(), QString("yes"));
+        Languages languages;
+        languages.use("pl");
+        QApplication::sendPostedEvents();
+        QCOMPARE(edit.table()->item(0, 0)->text(), QString("tak"));
+        QVERIFY(edit.isSound());
+        QCOMPARE(edit.rows(), rows);
+        languages.use("en");
     }
 
     void fieldsOfAnAbsentGroupAreDisabled()

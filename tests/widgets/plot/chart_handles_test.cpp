@@ -5,30 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/plot/chart_view.h"
+#include "tests/widgets/plot/chart_fixture.h"
 
 using namespace lathelier;
 
 namespace {
 
 /// A curve with a tolerance to drag.
-Plot parabola()
-{
-    Plot data;
-    data.title = "Parabola";
-    data.x = {"z", Text{"mm"}};
-    data.y = {"radius", Text{"mm"}};
-    Curve curve;
-    curve.name = "copy";
-    for (int i = 0; i <= 100; ++i) {
-        curve.x.push_back(i);
-        curve.y.push_back(0.01 * i * i);
-    }
-    data.curves.push_back(curve);
-    data.handles.push_back({"limit", Handle::Kind::Vertical, 80, 0, "+T"});
-    return data;
-}
-
 /// A limit over speed with the regions beside it and an operating point.
 Plot lobes()
 {
@@ -48,50 +31,21 @@ Plot lobes()
     return plot;
 }
 
-QWidget* surface(ChartView& view)
-{
-    return view.findChild<QWidget*>();
-}
-
-QPoint at(const ChartView& view, double x, double y)
-{
-    return view.pixelAt(x, y).toPoint();
-}
-
-void drag(QWidget* widget, QPoint from, QPoint to)
-{
-    QTest::mousePress(widget, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 5; ++i) {
-        QMouseEvent move(QEvent::MouseMove, from + (to - from) * i / 5, Qt::NoButton, Qt::LeftButton, {});
-        QApplication::sendEvent(widget, &move);
-    }
-    QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
-}
-
 }  // namespace
 
 class ChartHandlesTest : public QObject {
     Q_OBJECT
 
 private:
-    ChartView* view_ = nullptr;
+    std::unique_ptr<ChartView> view_;
 
 private slots:
-    void init()
-    {
-        QLocale::setDefault(QLocale::c());
-        view_ = new ChartView;
-        view_->setData(parabola());
-        view_->resize(600, 400);
-        view_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(view_));
-        QCoreApplication::processEvents();
-    }
-    void cleanup() { delete view_; }
+    void init() { view_ = shownParabola(); }
+    void cleanup() { view_.reset(); }
 
     void aHandleIsDraggedWithoutPanning()
     {
-        QSignalSpy moved(view_, &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
         const QRectF before = view_->visibleRange();
         drag(surface(*view_), at(*view_, 80, 40), at(*view_, 60, 40));
         QCOMPARE(view_->visibleRange(), before);
@@ -113,7 +67,7 @@ private slots:
         Plot without = parabola();
         without.handles.clear();
         view_->setData(without);
-        QSignalSpy moved(view_, &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
         QTest::mouseRelease(surface(*view_), Qt::LeftButton, {}, to);
         QCOMPARE(moved.count(), 0);  // it is gone
     }
@@ -124,7 +78,7 @@ private slots:
         QCoreApplication::processEvents();
         const double middle = (view_->pixelAt(100, 1).x() + view_->pixelAt(10000, 1).x()) / 2;
         QVERIFY(std::abs(view_->pixelAt(1000, 1).x() - middle) < 1);
-        QSignalSpy moved(view_, &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
         drag(surface(*view_), at(*view_, 1000, 1), at(*view_, 3000, 0.3));
         QCOMPARE(moved.last()[0].toString(), QString("operating"));
         QVERIFY2(std::abs(moved.last()[1].toDouble() / 3000 - 1) < 0.01, qPrintable(moved.last()[1].toString()));
@@ -142,18 +96,18 @@ private slots:
     {
         view_->setData(lobes());
         view_->setFocus();
-        QSignalSpy moved(view_, &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
         const QRectF before = view_->visibleRange();
-        QTest::keyClick(view_, Qt::Key_Tab);  // to the handle, not out of the chart
-        QTest::keyClick(view_, Qt::Key_Right);
+        QTest::keyClick(view_.get(), Qt::Key_Tab);  // to the handle, not out of the chart
+        QTest::keyClick(view_.get(), Qt::Key_Right);
         QCOMPARE(moved.count(), 2);
         QVERIFY(!moved[0][3].toBool() && moved[1][3].toBool());
         QVERIFY(std::abs(moved[1][1].toDouble() / (1000 * std::pow(100, 0.01)) - 1) < 1e-9);  // 1 % of two decades
-        QTest::keyClick(view_, Qt::Key_Down, Qt::ShiftModifier);
+        QTest::keyClick(view_.get(), Qt::Key_Down, Qt::ShiftModifier);
         QVERIFY(std::abs(moved.last()[2].toDouble() / std::pow(100, -0.001) - 1) < 1e-9);
         QCOMPARE(view_->visibleRange(), before);
-        QTest::keyClick(view_, Qt::Key_Escape);
-        QTest::keyClick(view_, Qt::Key_Right);  // pans again, by a factor
+        QTest::keyClick(view_.get(), Qt::Key_Escape);
+        QTest::keyClick(view_.get(), Qt::Key_Right);  // pans again, by a factor
         QVERIFY(std::abs(view_->visibleRange().left() / (before.left() * std::pow(100, 0.1)) - 1) < 1e-9);
         QVERIFY(std::abs(view_->visibleRange().right() / (before.right() * std::pow(100, 0.1)) - 1) < 1e-9);
     }

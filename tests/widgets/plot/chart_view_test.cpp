@@ -1,4 +1,4 @@
-#include "widgets/plot/chart_view.h"
+#include "tests/widgets/plot/chart_fixture.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -14,72 +14,15 @@
 
 using namespace lathelier;
 
-namespace {
-
-Plot parabola()
-{
-    Plot data;
-    data.title = "Parabola";
-    data.x = {"z", Text{"mm"}};
-    data.y = {"radius", Text{"mm"}};
-    Curve curve;
-    curve.name = "copy";
-    for (int i = 0; i <= 100; ++i) {
-        curve.x.push_back(i);
-        curve.y.push_back(0.01 * i * i);
-    }
-    data.curves.push_back(curve);
-    data.handles.push_back({"limit", Handle::Kind::Vertical, 80, 0, "+T"});
-    return data;
-}
-
-QWidget* surface(ChartView& view)
-{
-    return view.findChild<QWidget*>();
-}
-
-QPoint at(const ChartView& view, double x, double y)
-{
-    return view.pixelAt(x, y).toPoint();
-}
-
-/// Sent straight to the widget: QTest::mouseMove is silent when the pointer is there already.
-void hover(QWidget* widget, QPoint place)
-{
-    QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, {});
-    QApplication::sendEvent(widget, &move);
-}
-
-void drag(QWidget* widget, QPoint from, QPoint to)
-{
-    QTest::mousePress(widget, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 5; ++i) {
-        QMouseEvent move(QEvent::MouseMove, from + (to - from) * i / 5, Qt::NoButton, Qt::LeftButton, {});
-        QApplication::sendEvent(widget, &move);
-    }
-    QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
-}
-
-}  // namespace
-
 class ChartViewTest : public QObject {
     Q_OBJECT
 
 private:
-    ChartView* view_ = nullptr;
+    std::unique_ptr<ChartView> view_;
 
 private slots:
-    void init()
-    {
-        QLocale::setDefault(QLocale::c());
-        view_ = new ChartView;
-        view_->setData(parabola());
-        view_->resize(600, 400);
-        view_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(view_));
-        QCoreApplication::processEvents();
-    }
-    void cleanup() { delete view_; }
+    void init() { view_ = shownParabola(); }
+    void cleanup() { view_.reset(); }
 
     void showsTheWholeCurveAndTheLimit()
     {
@@ -124,7 +67,7 @@ private slots:
 
     void dragPansAndAClickPoints()
     {
-        QSignalSpy clicks(view_, &PlotCanvas::clicked);
+        QSignalSpy clicks(view_.get(), &PlotCanvas::clicked);
         const QRectF before = view_->visibleRange();
         const QPoint from = at(*view_, 20, 50), to = at(*view_, 40, 50);
         drag(surface(*view_), from, to);
@@ -139,11 +82,11 @@ private slots:
     void keyboardZoomsAndPans()
     {
         const QRectF before = view_->visibleRange();
-        QTest::keyClick(view_, Qt::Key_Plus);
+        QTest::keyClick(view_.get(), Qt::Key_Plus);
         QVERIFY(view_->visibleRange().width() < before.width());
-        QTest::keyClick(view_, Qt::Key_Right);
+        QTest::keyClick(view_.get(), Qt::Key_Right);
         QVERIFY(view_->visibleRange().center().x() > before.center().x());
-        QTest::keyClick(view_, Qt::Key_Home);
+        QTest::keyClick(view_.get(), Qt::Key_Home);
         QCOMPARE(view_->visibleRange(), before);
     }
 
@@ -162,7 +105,7 @@ private slots:
         };
         look();
         QContextMenuEvent key(QContextMenuEvent::Keyboard, {100, 100}, view_->mapToGlobal({100, 100}));
-        QApplication::sendEvent(view_, &key);
+        QApplication::sendEvent(view_.get(), &key);
         QVERIFY(offered.join('|').contains("Copy picture"));
         QVERIFY(offered.join('|').contains("CSV"));
         offered.clear();
@@ -264,7 +207,7 @@ private slots:
 
     void doubleClickTakesItsFirstClickBack()
     {
-        QSignalSpy clicked(view_, &PlotCanvas::clicked), back(view_, &PlotCanvas::clickTakenBack);
+        QSignalSpy clicked(view_.get(), &PlotCanvas::clicked), back(view_.get(), &PlotCanvas::clickTakenBack);
         const QPoint place = at(*view_, 30, 50);
         QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, place);
         QTest::mouseDClick(surface(*view_), Qt::LeftButton, {}, place);

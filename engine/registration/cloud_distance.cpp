@@ -43,7 +43,6 @@ std::vector<float> nearestDistances(const Neighbours& reference, const std::vect
             for (; i < end && count < bundle; ++i) {
                 if (!query_mm[order[i]].allFinite()) continue;
                 queries[count] = query_mm[order[i]];
-                found[count].place = Neighbours::Found::none;
                 targets[count++] = order[i];
             }
             reference.nearest(std::span(queries).first(count), limit, found);

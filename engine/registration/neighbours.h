@@ -36,9 +36,20 @@ public:
     /// The nearest point closer than sqrt(`limit_mm2`).
     Found nearest(const Eigen::Vector3d& query_mm, double limit_mm2 = std::numeric_limits<double>::infinity()) const;
 
-    /// The same for several queries that lie near each other, much faster than one by one; 8 are a good number. A place
-    /// expected near a query may stand in `found` on entry (else `none`): it only saves time.
+    /// The same for several queries that lie near each other, much faster than one by one; 8 are a good number.
     void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const;
+
+    /// What is known of a query that is asked again and again while it moves.
+    struct Trace {
+        std::uint32_t place = Found::none;  ///< its nearest point when it was looked for last
+        double others_mm = -1;              ///< every other point was at least so far then
+        Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();  ///< where it was
+    };
+
+    /// The same for queries that are asked again: nothing is looked for where no other point can have come nearer.
+    /// `traces` are those of the same queries the last time, empty ones at first.
+    void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Trace> traces,
+                 std::span<Found> found) const;
 
     /// The up to `count` nearest points closer than sqrt(`limit_mm2`), nearest first, into `found`.
     void nearest(const Eigen::Vector3d& query_mm, std::size_t count, double limit_mm2, std::vector<Found>& found) const;
@@ -60,6 +71,8 @@ private:
 
     void improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const;
     void complete(const Eigen::Vector3d& query_mm, Found& best) const;
+    Found nearestTwo(const Eigen::Vector3d& query_mm, std::uint32_t expected, double& second_mm2) const;
+    double squaredDistance(std::uint32_t place, const Eigen::Vector3d& query_mm) const;
     void leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const;
 
     std::vector<std::uint32_t> order_;

@@ -252,15 +252,16 @@ SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neigh
 }
 
 void CloudSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
-                         std::span<SurfacePlace> places, std::span<std::uint32_t> hints) const
+                         std::span<SurfacePlace> places, std::span<Trace> traces) const
 {
     std::array<Neighbours::Found, bundle> found;
     const double search = max_distance_mm + reach_mm_;  // the surface may be nearer than its points
-    for (std::size_t q = 0; q < queries_mm.size(); ++q) found[q].place = hints[q];
-    points_.nearest(queries_mm, search * search, found);
+    if (traces.empty())
+        points_.nearest(queries_mm, search * search, found);
+    else
+        points_.nearest(queries_mm, search * search, traces, found);
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
         places[q] = SurfacePlace();
-        hints[q] = found[q].place;
         if (found[q].place == Neighbours::Found::none) continue;
         places[q] = placeOne(queries_mm[q], found[q]);
         if (std::abs(places[q].distance_mm) > max_distance_mm) places[q] = SurfacePlace();

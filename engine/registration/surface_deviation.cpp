@@ -27,7 +27,6 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
         std::array<Eigen::Vector3d, Surface::bundle> queries;
         std::array<std::uint32_t, Surface::bundle> targets;
         std::array<SurfacePlace, Surface::bundle> places;
-        std::array<std::uint32_t, Surface::bundle> hints;
         for (std::size_t i = begin; i < end;) {
             std::size_t count = 0;
             for (; i < end && count < Surface::bundle; ++i) {
@@ -35,8 +34,7 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
                 queries[count] = points[order[i]] - origin_mm;
                 targets[count++] = order[i];
             }
-            hints.fill(Surface::no_hint);
-            surface.place(std::span(queries).first(count), max_distance_mm, places, hints);
+            surface.place(std::span(queries).first(count), max_distance_mm, places, {});
             for (std::size_t q = 0; q < count; ++q) {
                 const double d = places[q].distance_mm;
                 if (!(std::abs(d) <= max_distance_mm) || places[q].border) continue;

@@ -160,8 +160,8 @@ private:
         options.search_mm = search;
         options.tolerance_mm = 1e-6 * size_mm_;
         options.keep_residuals = true;
-        RefineResult home =
-            refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_, options, traces, progress);
+        RefineResult home = refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_,
+                                   options, traces, progress);
         if (home.converged && home.used_share > 0.95 * fine.used_share) fine = std::move(home);
     }
 

@@ -28,11 +28,12 @@ std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Ei
     traces.resize(copy_mm.size());
     std::vector<Residual> result(copy_mm.size());
     parallelFor(copy_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
-        std::array<Eigen::Vector3d, Surface::bundle> queries;
-        std::array<SurfacePlace, Surface::bundle> places;
-        std::array<Neighbours::Found, Surface::bundle> found;
-        for (std::size_t i = begin; i < end; i += Surface::bundle) {
-            const std::size_t count = std::min(Surface::bundle, end - i);
+        constexpr std::size_t bundle = 64;
+        std::array<Eigen::Vector3d, bundle> queries;
+        std::array<SurfacePlace, bundle> places;
+        std::array<Neighbours::Found, bundle> found;
+        for (std::size_t i = begin; i < end; i += bundle) {
+            const std::size_t count = std::min(bundle, end - i);
             for (std::size_t q = 0; q < count; ++q) queries[q] = pose * copy_mm[i + q];
             if (options.point_to_point) {
                 target.points->nearest(std::span(queries).first(count), options.search_mm * options.search_mm,

@@ -1,10 +1,12 @@
 #include "engine/registration/neighbours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {
 
@@ -30,17 +32,6 @@ Neighbours::Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Prog
     boxes_ = BoxTree(boxes, progress);
 }
 
-inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const
-{
-    const Leaf& points = leaves_[leaf];
-    for (std::uint32_t i = 0; i < leaf_size; ++i) {
-        const double dx = points.x[i] - query_mm.x();
-        const double dy = points.y[i] - query_mm.y();
-        const double dz = points.z[i] - query_mm.z();
-        squared[i] = dx * dx + dy * dy + dz * dz;
-    }
-}
-
 inline double Neighbours::squaredDistance(std::uint32_t place, const Eigen::Vector3d& query_mm) const
 {
     const Eigen::Vector3d p = point_mm(place);
@@ -50,26 +41,16 @@ inline double Neighbours::squaredDistance(std::uint32_t place, const Eigen::Vect
     return dx * dx + dy * dy + dz * dz;
 }
 
-inline void Neighbours::improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const
-{
-    alignas(64) double squared[leaf_size];
-    leafDistances(leaf, query_mm, squared);
-    const double low = std::min(std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3])),
-                                std::min(std::min(squared[4], squared[5]), std::min(squared[6], squared[7])));
-    if (!(low < best.squared_mm2)) return;
-    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leaf_size, low) - squared);
-    best = {leaf * leaf_size + at, low};
-}
-
 Neighbours::Found Neighbours::nearest(const Eigen::Vector3d& query_mm, double limit_mm2) const
 {
     Found best{Found::none, limit_mm2};
-    complete(query_mm, best);
+    complete(query_mm, Found::none, best);
     return best;
 }
 
-void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
+void Neighbours::complete(const Eigen::Vector3d& query_mm, std::uint32_t expected, Found& best) const
 {
+    if (expected < size()) improve(expected / leaf_size, query_mm, best);
     double bound = best.squared_mm2;
     boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
         improve(leaf, query_mm, best);
@@ -80,26 +61,31 @@ void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
 
 void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const
 {
-    Box box;
-    for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-        box.add(queries_mm[q]);
-        found[q] = {Found::none, limit_mm2};
-    }
-    double bound = limit_mm2;
-    int leaves_left = 24;  // queries far apart, or far from many points, do not gain by going together and go on alone
-    boxes_.visit(box, bound, [&](std::uint32_t leaf, double& limit) {
-        limit = 0;
-        for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-            improve(leaf, queries_mm[q], found[q]);
-            limit = std::max(limit, found[q].squared_mm2);
+    constexpr std::size_t together = 32;
+    Surroundings surroundings(*this);
+    std::uint32_t before = Found::none;  // what the query before found is near the next one
+    double expected_mm2 = 0;             // most of the next ones find theirs within this
+    for (std::size_t begin = 0; begin < queries_mm.size(); begin += together) {
+        const std::size_t end = std::min(begin + together, queries_mm.size());
+        Box box;
+        for (std::size_t q = begin; q < end; ++q) box.add(queries_mm[q]);
+        const double reach_mm2 = std::min(expected_mm2, limit_mm2);
+        const bool is_dense = surroundings.collect(box, reach_mm2, together);
+        for (std::size_t q = begin; q < end; ++q) {
+            found[q] = {Found::none, reach_mm2};
+            if (is_dense) surroundings.improve(queries_mm[q], found[q]);
+            if (found[q].place == Found::none) {
+                found[q].squared_mm2 = limit_mm2;
+                complete(queries_mm[q], before, found[q]);
+            }
+            if (found[q].place != Found::none) before = found[q].place;
         }
-        if (--leaves_left == 0) limit = 0;
-    });
-    for (std::size_t q = 0; q < queries_mm.size(); ++q)
-        if (leaves_left <= 0)
-            complete(queries_mm[q], found[q]);
-        else if (found[q].place == Found::none)
-            found[q].squared_mm2 = std::numeric_limits<double>::infinity();
+        std::array<double, together> sizes;
+        for (std::size_t q = begin; q < end; ++q) sizes[q - begin] = found[q].squared_mm2;
+        const auto most = sizes.begin() + static_cast<std::ptrdiff_t>((end - begin) * 15 / 16);
+        std::nth_element(sizes.begin(), most, sizes.begin() + static_cast<std::ptrdiff_t>(end - begin));
+        expected_mm2 = 1.3 * *most;
+    }
 }
 
 // The nearest point nearer than sqrt(second_mm2), which becomes the square of the distance of the second.

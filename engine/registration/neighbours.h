@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -36,13 +37,13 @@ public:
     /// The nearest point closer than sqrt(`limit_mm2`).
     Found nearest(const Eigen::Vector3d& query_mm, double limit_mm2 = std::numeric_limits<double>::infinity()) const;
 
-    /// The same for several queries that lie near each other, much faster than one by one; 8 are a good number.
+    /// The same for many queries that follow each other in space, as in Hilbert order: much faster than one by one.
     void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const;
 
     /// What is known of a query that is asked again and again while it moves.
     struct Trace {
-        std::uint32_t place = Found::none;  ///< its nearest point when it was looked for last
-        double others_mm = -1;              ///< every other point was at least so far then
+        std::uint32_t place = Found::none;                ///< its nearest point when it was looked for last
+        double others_mm = -1;                            ///< every other point was at least so far then
         Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();  ///< where it was
     };
 
@@ -60,6 +61,8 @@ public:
                          std::vector<Found>& found) const;
 
 private:
+    friend class Surroundings;
+
     static constexpr std::uint32_t leaf_size = 8;
 
     // Eight points side by side; absent ones are infinitely far.
@@ -70,7 +73,7 @@ private:
     };
 
     void improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const;
-    void complete(const Eigen::Vector3d& query_mm, Found& best) const;
+    void complete(const Eigen::Vector3d& query_mm, std::uint32_t expected, Found& best) const;
     Found nearestTwo(const Eigen::Vector3d& query_mm, std::uint32_t expected, double& second_mm2) const;
     double squaredDistance(std::uint32_t place, const Eigen::Vector3d& query_mm) const;
     void leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const;
@@ -79,5 +82,27 @@ private:
     std::vector<Leaf> leaves_;
     BoxTree boxes_;
 };
+
+inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const
+{
+    const Leaf& points = leaves_[leaf];
+    for (std::uint32_t i = 0; i < leaf_size; ++i) {
+        const double dx = points.x[i] - query_mm.x();
+        const double dy = points.y[i] - query_mm.y();
+        const double dz = points.z[i] - query_mm.z();
+        squared[i] = dx * dx + dy * dy + dz * dz;
+    }
+}
+
+inline void Neighbours::improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const
+{
+    alignas(64) double squared[leaf_size];
+    leafDistances(leaf, query_mm, squared);
+    const double low = std::min(std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3])),
+                                std::min(std::min(squared[4], squared[5]), std::min(squared[6], squared[7])));
+    if (!(low < best.squared_mm2)) return;
+    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leaf_size, low) - squared);
+    best = {leaf * leaf_size + at, low};
+}
 
 }  // namespace lathelier::registration

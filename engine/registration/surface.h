@@ -32,9 +32,8 @@ public:
 
     using Trace = Neighbours::Trace;
 
-    /// Where each of up to `bundle` queries (near each other, finite) lies; found only up to `max_distance_mm`. With
-    /// `traces`, given back for the same points a little moved, they are found faster again; none where they are asked
-    /// once.
+    /// Where each of the queries (finite, in Hilbert order) lies; found only up to `max_distance_mm`. With `traces`,
+    /// given back for the same points a little moved, they are found faster again; none where they are asked once.
     virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
                        std::span<SurfacePlace> places, std::span<Trace> traces) const = 0;
 
@@ -55,8 +54,6 @@ public:
 
     /// What was mended before the surface could be used.
     virtual Notes notes() const { return {}; }
-
-    static constexpr std::size_t bundle = 8;
 };
 
 /// Of a mesh the triangles, of a cloud the patches through its points. Throws Cancelled, and tooFewPoints for a cloud

@@ -42,6 +42,7 @@ private:
     }
     std::uint32_t groupEnd(std::uint32_t group) const;
     void gather(std::uint32_t centre, std::size_t count, Search& search) const;
+    void surround(std::size_t group, std::size_t end, Search& search) const;
     void fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const;
     std::vector<Member> fitAll(const Progress& progress) const;
     std::vector<Member> splitAtEdges(const std::vector<Member>& members, const Progress& progress) const;

@@ -95,7 +95,8 @@ private:
             options.reach_mm = 0.12 * size_mm_;
             options.max_iterations = 10;
             options.tolerance_mm = 1e-4 * size_mm_;
-            const RefineResult r = refine(target(), sample, poses[i], poses[i], options);
+            std::vector<Surface::Trace> traces;
+            const RefineResult r = refine(target(), sample, poses[i], poses[i], options, traces);
             fits.push_back({r.reference_T_copy, r.sigma_mm, 0, Eigen::AngleAxisd(r.reference_T_copy.linear()).angle()});
             if (r.sigma_mm > 0) sigma = std::min(sigma, r.sigma_mm);
             progress.report(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(poses.size()));
@@ -122,6 +123,7 @@ private:
         RefineResult fine;
         fine.reference_T_copy = start;
         std::size_t points = 0;
+        std::vector<Surface::Trace> traces;
         for (std::size_t level = 0; level < level_sizes.size(); ++level) {
             const bool last = level + 1 == level_sizes.size();
             RefineOptions options;
@@ -132,15 +134,18 @@ private:
             options.keep_residuals = last;
             options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
             const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
-            if (level == 0 || fine.sigma_mm < rough_share * size_mm_) points = level_sizes[level];
+            if (level == 0 || fine.sigma_mm < rough_share * size_mm_) {
+                points = level_sizes[level];
+                traces.clear();
+            }
             fine = refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, fine.reference_T_copy,
-                          options, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
+                          options, traces, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
             search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
                                 search);
         }
-        if (!fine.observability.free_motions.empty()) moveHome(fine, points, search, progress);
+        if (!fine.observability.free_motions.empty()) moveHome(fine, points, search, traces, progress);
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);
         describe(fine, points, alignment);
@@ -148,14 +153,15 @@ private:
     }
 
     // Along its free motions the part goes to where it came from; a motion that loses points on the way was not free.
-    void moveHome(RefineResult& fine, std::size_t points, double search, const Progress& progress) const
+    void moveHome(RefineResult& fine, std::size_t points, double search, std::vector<Surface::Trace>& traces,
+                  const Progress& progress) const
     {
         RefineOptions options;
         options.search_mm = search;
         options.tolerance_mm = 1e-6 * size_mm_;
         options.keep_residuals = true;
-        RefineResult home =
-            refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_, options, progress);
+        RefineResult home = refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, initial_,
+                                   options, traces, progress);
         if (home.converged && home.used_share > 0.95 * fine.used_share) fine = std::move(home);
     }
 
@@ -183,7 +189,9 @@ private:
         options.search_mm = 0.3 * std::sqrt(spacing[static_cast<std::size_t>(middle)]);
         options.tolerance_mm = 1e-12 * size_mm_;
         options.max_iterations = 6;
-        const RefineResult exact = refine(target(), everyNth(copy_.points_mm, 20000), pose, pose, options, progress);
+        std::vector<Surface::Trace> traces;
+        const RefineResult exact =
+            refine(target(), everyNth(copy_.points_mm, 20000), pose, pose, options, traces, progress);
         if (exact.sigma_mm < 1e-6 * size_mm_) pose = exact.reference_T_copy;
     }
 

@@ -24,23 +24,23 @@ struct Residual {
 
 std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
                                 const Eigen::Isometry3d& pose, const RefineOptions& options,
-                                std::vector<std::uint32_t>& hints, const Progress& progress)
+                                std::vector<Surface::Trace>& traces, const Progress& progress)
 {
-    hints.resize(copy_mm.size(), Surface::no_hint);
+    traces.resize(copy_mm.size());
     std::vector<Residual> result(copy_mm.size());
     parallelFor(copy_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
-        std::array<Eigen::Vector3d, Surface::bundle> queries;
-        std::array<SurfacePlace, Surface::bundle> places;
-        std::array<Neighbours::Found, Surface::bundle> found;
-        for (std::size_t i = begin; i < end; i += Surface::bundle) {
-            const std::size_t count = std::min(Surface::bundle, end - i);
+        constexpr std::size_t bundle = 64;
+        std::array<Eigen::Vector3d, bundle> queries;
+        std::array<SurfacePlace, bundle> places;
+        std::array<Neighbours::Found, bundle> found;
+        for (std::size_t i = begin; i < end; i += bundle) {
+            const std::size_t count = std::min(bundle, end - i);
             for (std::size_t q = 0; q < count; ++q) queries[q] = pose * copy_mm[i + q];
             if (options.point_to_point) {
-                for (std::size_t q = 0; q < count; ++q) found[q].place = hints[i + q];
-                target.points->nearest(std::span(queries).first(count), options.search_mm * options.search_mm, found);
+                target.points->nearest(std::span(queries).first(count), options.search_mm * options.search_mm,
+                                       std::span(traces).subspan(i, count), found);
                 for (std::size_t q = 0; q < count; ++q) {
                     places[q] = SurfacePlace();
-                    hints[i + q] = found[q].place;
                     if (found[q].place == Neighbours::Found::none) continue;
                     const Eigen::Vector3d offset = queries[q] - target.points->point_mm(found[q].place);
                     places[q].distance_mm = offset.norm();
@@ -48,7 +48,7 @@ std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Ei
                 }
             } else {
                 target.surface->place(std::span(queries).first(count), options.search_mm, places,
-                                      std::span(hints).subspan(i, count));
+                                      std::span(traces).subspan(i, count));
             }
             for (std::size_t q = 0; q < count; ++q)
                 result[i + q] = {queries[q], places[q].normal,
@@ -78,7 +78,7 @@ double weightOf(const Residual& r, double reach_mm)
 
 // What the uncertainty is found from.
 std::vector<MotionResidual> keep(const std::vector<Residual>& all, double reach_mm,
-                                 const std::vector<std::uint32_t>& places, const Neighbours* reference)
+                                 const std::vector<Surface::Trace>& traces, const Neighbours* reference)
 {
     std::vector<MotionResidual> result;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -87,7 +87,7 @@ std::vector<MotionResidual> keep(const std::vector<Residual>& all, double reach_
         const double t = all[i].distance_mm / reach_mm;
         MotionResidual r{all[i].point_mm, all[i].normal, all[i].distance_mm, w, (1 - t * t) * (1 - 5 * t * t)};
         r.copy_input = static_cast<std::uint32_t>(i);
-        if (reference != nullptr && places[i] != Surface::no_hint) r.reference_input = reference->input(places[i]);
+        if (reference != nullptr) r.reference_input = reference->input(traces[i].place);
         result.push_back(r);
     }
     return result;
@@ -214,18 +214,17 @@ MotionSystem assemble(const std::vector<Residual>& all, double reach_mm, const F
 
 RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
                     const Eigen::Isometry3d& start, const Eigen::Isometry3d& initial, const RefineOptions& options,
-                    const Progress& progress)
+                    std::vector<Surface::Trace>& traces, const Progress& progress)
 {
     RefineResult result;
     result.reference_T_copy = start;
     if (copy_mm.empty()) return result;
     double widest = options.reach_mm;
-    std::vector<std::uint32_t> hints;
     std::vector<Residual> all;
     double reach = 0;
     while (result.iterations < options.max_iterations) {
         progress.report(static_cast<double>(result.iterations) / options.max_iterations);
-        all = residuals(target, copy_mm, result.reference_T_copy, options, hints, progress);
+        all = residuals(target, copy_mm, result.reference_T_copy, options, traces, progress);
         // Not less than rounding leaves: exact data would otherwise weigh nothing.
         const double floor = 1e-9 * (1 + all[0].point_mm.norm()) + 1e-3 * options.tolerance_mm;
         const double sigma = std::max(robustSigma(all), floor);
@@ -257,7 +256,7 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
             break;
         }
     }
-    if (options.keep_residuals) result.residuals = keep(all, reach, hints, target.points);
+    if (options.keep_residuals) result.residuals = keep(all, reach, traces, target.points);
     return result;
 }
 
@@ -266,9 +265,9 @@ double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_m
 {
     RefineOptions options;
     options.search_mm = limit_mm;
-    std::vector<std::uint32_t> hints;
+    std::vector<Surface::Trace> traces;
     const std::vector<Residual> all =
-        residuals({&surface, nullptr}, copy_mm, reference_T_copy, options, hints, progress);
+        residuals({&surface, nullptr}, copy_mm, reference_T_copy, options, traces, progress);
     double sum = 0;
     for (const Residual& r : all) {
         const double t = r.distance_mm / limit_mm;

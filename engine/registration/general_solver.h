@@ -41,10 +41,11 @@ struct RefineTarget {
 };
 
 /// Moves `copy_mm` (in Hilbert order) from `start` onto the target. Motions that the data do not determine go toward
-/// `initial` instead. Never calls the end of its iterations convergence. Throws Cancelled.
+/// `initial` instead. Never calls the end of its iterations convergence. `traces`: empty, or from an earlier call with
+/// the same target and points; they save time. Throws Cancelled.
 RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
                     const Eigen::Isometry3d& start, const Eigen::Isometry3d& initial, const RefineOptions& options,
-                    const Progress& progress = {});
+                    std::vector<Surface::Trace>& traces, const Progress& progress = {});
 
 /// Mean of min(1, (distance / limit)²) over the copy's points: how badly a pose fits.
 double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_mm,

@@ -1,9 +1,12 @@
 #include "engine/registration/neighbours.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {
 
@@ -29,37 +32,25 @@ Neighbours::Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Prog
     boxes_ = BoxTree(boxes, progress);
 }
 
-inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const
+inline double Neighbours::squaredDistance(std::uint32_t place, const Eigen::Vector3d& query_mm) const
 {
-    const Leaf& points = leaves_[leaf];
-    for (std::uint32_t i = 0; i < leaf_size; ++i) {
-        const double dx = points.x[i] - query_mm.x();
-        const double dy = points.y[i] - query_mm.y();
-        const double dz = points.z[i] - query_mm.z();
-        squared[i] = dx * dx + dy * dy + dz * dz;
-    }
-}
-
-inline void Neighbours::improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const
-{
-    alignas(64) double squared[leaf_size];
-    leafDistances(leaf, query_mm, squared);
-    const double low = std::min(std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3])),
-                                std::min(std::min(squared[4], squared[5]), std::min(squared[6], squared[7])));
-    if (!(low < best.squared_mm2)) return;
-    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leaf_size, low) - squared);
-    best = {leaf * leaf_size + at, low};
+    const Eigen::Vector3d p = point_mm(place);
+    const double dx = p.x() - query_mm.x();
+    const double dy = p.y() - query_mm.y();
+    const double dz = p.z() - query_mm.z();
+    return dx * dx + dy * dy + dz * dz;
 }
 
 Neighbours::Found Neighbours::nearest(const Eigen::Vector3d& query_mm, double limit_mm2) const
 {
     Found best{Found::none, limit_mm2};
-    complete(query_mm, best);
+    complete(query_mm, Found::none, best);
     return best;
 }
 
-void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
+void Neighbours::complete(const Eigen::Vector3d& query_mm, std::uint32_t expected, Found& best) const
 {
+    if (expected < size()) improve(expected / leaf_size, query_mm, best);
     double bound = best.squared_mm2;
     boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
         improve(leaf, query_mm, best);
@@ -70,36 +61,78 @@ void Neighbours::complete(const Eigen::Vector3d& query_mm, Found& best) const
 
 void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const
 {
-    Box box;
-    double bound = 0;
-    bool is_expected = true;
-    for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-        box.add(queries_mm[q]);
-        const std::uint32_t expected = found[q].place;
-        found[q] = {Found::none, limit_mm2};
-        if (expected < size())
-            improve(expected / leaf_size, queries_mm[q], found[q]);
-        else
-            is_expected = false;
-        bound = std::max(bound, found[q].squared_mm2);
-    }
-    // Queries far apart, or far from many points, do not gain by going together and go on alone.
-    const bool is_wide = is_expected && (box.high_mm - box.low_mm).squaredNorm() > 16 * bound;
-    int leaves_left = is_wide ? 0 : 24;
-    if (!is_wide)
-        boxes_.visit(box, bound, [&](std::uint32_t leaf, double& limit) {
-            limit = 0;
-            for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-                improve(leaf, queries_mm[q], found[q]);
-                limit = std::max(limit, found[q].squared_mm2);
+    constexpr std::size_t together = 32;
+    Surroundings surroundings(*this);
+    std::uint32_t before = Found::none;  // what the query before found is near the next one
+    double expected_mm2 = 0;             // most of the next ones find theirs within this
+    for (std::size_t begin = 0; begin < queries_mm.size(); begin += together) {
+        const std::size_t end = std::min(begin + together, queries_mm.size());
+        Box box;
+        for (std::size_t q = begin; q < end; ++q) box.add(queries_mm[q]);
+        const double reach_mm2 = std::min(expected_mm2, limit_mm2);
+        const bool is_dense = surroundings.collect(box, reach_mm2, together);
+        for (std::size_t q = begin; q < end; ++q) {
+            found[q] = {Found::none, reach_mm2};
+            if (is_dense) surroundings.improve(queries_mm[q], found[q]);
+            if (found[q].place == Found::none) {
+                found[q].squared_mm2 = limit_mm2;
+                complete(queries_mm[q], before, found[q]);
             }
-            if (--leaves_left == 0) limit = 0;
-        });
-    for (std::size_t q = 0; q < queries_mm.size(); ++q)
-        if (leaves_left <= 0)
-            complete(queries_mm[q], found[q]);
-        else if (found[q].place == Found::none)
-            found[q].squared_mm2 = std::numeric_limits<double>::infinity();
+            if (found[q].place != Found::none) before = found[q].place;
+        }
+        std::array<double, together> sizes;
+        for (std::size_t q = begin; q < end; ++q) sizes[q - begin] = found[q].squared_mm2;
+        const auto most = sizes.begin() + static_cast<std::ptrdiff_t>((end - begin) * 15 / 16);
+        std::nth_element(sizes.begin(), most, sizes.begin() + static_cast<std::ptrdiff_t>(end - begin));
+        expected_mm2 = 1.3 * *most;
+    }
+}
+
+// The nearest point nearer than sqrt(second_mm2), which becomes the square of the distance of the second.
+Neighbours::Found Neighbours::nearestTwo(const Eigen::Vector3d& query_mm, std::uint32_t expected,
+                                         double& second_mm2) const
+{
+    Found best{Found::none, second_mm2};
+    const auto look = [&](std::uint32_t leaf, double& second) {
+        alignas(64) double squared[leaf_size];
+        leafDistances(leaf, query_mm, squared);
+        for (std::uint32_t i = 0; i < leaf_size; ++i) {
+            if (!(squared[i] < second)) continue;
+            if (squared[i] < best.squared_mm2) {
+                second = best.squared_mm2;
+                best = {leaf * leaf_size + i, squared[i]};
+            } else {
+                second = squared[i];
+            }
+        }
+    };
+    const std::uint32_t first = expected < size() ? expected / leaf_size : Found::none;
+    if (first != Found::none) look(first, second_mm2);
+    boxes_.visit(Box(query_mm), second_mm2, [&](std::uint32_t leaf, double& second) {
+        if (leaf != first) look(leaf, second);
+    });
+    if (best.place == Found::none) best.squared_mm2 = std::numeric_limits<double>::infinity();
+    return best;
+}
+
+void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Trace> traces,
+                         std::span<Found> found) const
+{
+    std::uint32_t before = Found::none;  // what the query before found is near the next one
+    for (std::size_t q = 0; q < queries_mm.size(); ++q) {
+        Trace& trace = traces[q];
+        const Eigen::Vector3d& query = queries_mm[q];
+        Found here;
+        if (trace.place != Found::none) here = {trace.place, squaredDistance(trace.place, query)};
+        const double nearest_mm = std::sqrt(std::min(here.squared_mm2, limit_mm2));
+        if (!(trace.others_mm - (query - trace.at_mm).norm() > nearest_mm * (1 + 1e-9))) {
+            double second_mm2 = limit_mm2;
+            here = nearestTwo(query, trace.place != Found::none ? trace.place : before, second_mm2);
+            trace = {here.place, std::sqrt(second_mm2), query};
+        }
+        found[q] = here.squared_mm2 < limit_mm2 ? here : Found();
+        if (here.place != Found::none) before = here.place;
+    }
 }
 
 void Neighbours::nearest(const Eigen::Vector3d& query_mm, std::size_t count, double limit_mm2,

@@ -40,6 +40,17 @@ public:
     template <class Leaf>
     void visit(const Box& query, double& limit, Leaf&& leaf) const;
 
+    Box leafBox(std::uint32_t leaf) const
+    {
+        const Node& node = levels_.front()[leaf / fan];
+        Box box;
+        for (int a = 0; a < 3; ++a) {
+            box.low_mm[a] = node.low[a][leaf % fan];
+            box.high_mm[a] = node.high[a][leaf % fan];
+        }
+        return box;
+    }
+
 private:
     static constexpr std::uint32_t fan = 8;
 
@@ -62,18 +73,13 @@ private:
 
 inline void BoxTree::childDistances(const Node& node, const Box& query, double* squared)
 {
-    for (std::uint32_t c = 0; c < fan; ++c) squared[c] = 0;
-    for (int a = 0; a < 3; ++a) {
-        const double low = query.low_mm[a];
-        const double high = query.high_mm[a];
-        for (std::uint32_t c = 0; c < fan; ++c) {
-            const double below = node.low[a][c] - high;
-            const double above = low - node.high[a][c];
-            const double twice = (below + std::abs(below)) + (above + std::abs(above));  // max(…, 0) without a branch
-            squared[c] += twice * twice;
-        }
-    }
-    for (std::uint32_t c = 0; c < fan; ++c) squared[c] *= 0.25;
+    using Eight = Eigen::Array<double, fan, 1>;
+    using Eights = Eigen::Map<const Eight, Eigen::Aligned64>;
+    const auto outside = [&](int a) {
+        return (Eights(node.low[a]) - query.high_mm[a]).max(query.low_mm[a] - Eights(node.high[a])).max(0.0);
+    };
+    Eigen::Map<Eight, Eigen::Aligned64> result(squared);
+    result = outside(0).square() + outside(1).square() + outside(2).square();
 }
 
 template <class Leaf>

@@ -30,12 +30,12 @@ class Surface {
 public:
     virtual ~Surface() = default;
 
-    static constexpr std::uint32_t no_hint = std::numeric_limits<std::uint32_t>::max();
+    using Trace = Neighbours::Trace;
 
-    /// Where each of up to `bundle` queries (near each other, finite) lies; found only up to `max_distance_mm`. `hints`
-    /// are no_hint at first; given back for the same points a little moved, they save time.
+    /// Where each of the queries (finite, in Hilbert order) lies; found only up to `max_distance_mm`. With `traces`,
+    /// given back for the same points a little moved, they are found faster again; none where they are asked once.
     virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
-                       std::span<SurfacePlace> places, std::span<std::uint32_t> hints) const = 0;
+                       std::span<SurfacePlace> places, std::span<Trace> traces) const = 0;
 
     /// Lets the normals point out of the material. False when inside and outside cannot be told.
     virtual bool orient(const Progress& progress) = 0;
@@ -54,8 +54,6 @@ public:
 
     /// What was mended before the surface could be used.
     virtual Notes notes() const { return {}; }
-
-    static constexpr std::size_t bundle = 8;
 };
 
 /// Of a mesh the triangles, of a cloud the patches through its points. Throws Cancelled, and tooFewPoints for a cloud

@@ -8,11 +8,13 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/surface_orientation.h"
+#include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t neighbourhood = 48;  // points to a patch
+constexpr std::uint32_t together = 4;      // groups whose neighbourhoods are looked for together
 constexpr std::size_t largest_neighbourhood = 768;
 constexpr double min_breadth = 0.25;    // narrower ones (single scan lines) are widened
 constexpr double edge_ratio = 1.35;     // of a patch's scatter to the usual one
@@ -59,6 +61,9 @@ struct CloudSurface::Search {
     std::vector<Eigen::Vector3d> points_mm;
     std::vector<double> weights;
     double expected_mm2 = 1;
+    Surroundings surroundings;
+
+    explicit Search(const Neighbours& points) : surroundings(points) {}
 };
 
 CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
@@ -90,9 +95,26 @@ bool CloudSurface::isSmooth(const SurfacePatch& patch) const
 
 void CloudSurface::gather(std::uint32_t centre, std::size_t count, Search& search) const
 {
-    points_.nearestUnsorted(points_.point_mm(centre), count, search.expected_mm2, search.found);
+    const Eigen::Vector3d at = points_.point_mm(centre);
+    if (search.surroundings.nearest(at, count, search.found)) {
+        search.expected_mm2 = 0;
+        for (const Neighbours::Found& f : search.found)
+            search.expected_mm2 = std::max(search.expected_mm2, 1.2 * f.squared_mm2);
+    } else {
+        points_.nearestUnsorted(at, count, search.expected_mm2, search.found);
+    }
     search.points_mm.clear();
     for (const Neighbours::Found& f : search.found) search.points_mm.push_back(points_.point_mm(f.place));
+}
+
+// Prepares the search for some groups from `group` on, not beyond `end`.
+void CloudSurface::surround(std::size_t group, std::size_t end, Search& search) const
+{
+    const auto first = static_cast<std::uint32_t>(group);
+    const auto last = static_cast<std::uint32_t>(std::min(group + together, end) - 1);
+    Box box;
+    for (std::uint32_t i = first * group_size; i < groupEnd(last); ++i) box.add(points_.point_mm(i));
+    search.surroundings.collect(box, 1.1 * search.expected_mm2, 256);
 }
 
 void CloudSurface::fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const
@@ -142,9 +164,11 @@ std::vector<CloudSurface::Member> CloudSurface::fitAll(const Progress& progress)
 {
     return parallelConcat<Member>(groupCount(), 128, progress,
                                   [&](std::size_t begin, std::size_t end, std::vector<Member>& members) {
-                                      Search search;
-                                      for (std::size_t g = begin; g < end; ++g)
+                                      Search search(points_);
+                                      for (std::size_t g = begin; g < end; ++g) {
+                                          if ((g - begin) % together == 0) surround(g, end, search);
                                           fitGroup(static_cast<std::uint32_t>(g), search, members);
+                                      }
                                   });
 }
 
@@ -161,7 +185,7 @@ std::vector<CloudSurface::Member> CloudSurface::splitAtEdges(const std::vector<M
     const Neighbours index(centres, progress);
     return parallelConcat<Member>(members.size(), 128, progress,
                                   [&](std::size_t begin, std::size_t end, std::vector<Member>& result) {
-                                      Search search;
+                                      Search search(points_);
                                       for (std::size_t i = begin; i < end; ++i)
                                           if (isSmooth(members[i].patch))
                                               result.push_back(members[i]);
@@ -252,15 +276,16 @@ SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neigh
 }
 
 void CloudSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
-                         std::span<SurfacePlace> places, std::span<std::uint32_t> hints) const
+                         std::span<SurfacePlace> places, std::span<Trace> traces) const
 {
-    std::array<Neighbours::Found, bundle> found;
+    std::vector<Neighbours::Found> found(queries_mm.size());
     const double search = max_distance_mm + reach_mm_;  // the surface may be nearer than its points
-    for (std::size_t q = 0; q < queries_mm.size(); ++q) found[q].place = hints[q];
-    points_.nearest(queries_mm, search * search, found);
+    if (traces.empty())
+        points_.nearest(queries_mm, search * search, found);
+    else
+        points_.nearest(queries_mm, search * search, traces, found);
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
         places[q] = SurfacePlace();
-        hints[q] = found[q].place;
         if (found[q].place == Neighbours::Found::none) continue;
         places[q] = placeOne(queries_mm[q], found[q]);
         if (std::abs(places[q].distance_mm) > max_distance_mm) places[q] = SurfacePlace();

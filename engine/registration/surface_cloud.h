@@ -18,7 +18,7 @@ public:
     CloudSurface(const Scan& cloud, const Progress& progress);
 
     void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm, std::span<SurfacePlace> places,
-               std::span<std::uint32_t> hints) const override;
+               std::span<Trace> traces) const override;
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return scatter_mm_; }
     std::size_t pointCount() const override { return points_.size(); }
@@ -42,6 +42,7 @@ private:
     }
     std::uint32_t groupEnd(std::uint32_t group) const;
     void gather(std::uint32_t centre, std::size_t count, Search& search) const;
+    void surround(std::size_t group, std::size_t end, Search& search) const;
     void fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const;
     std::vector<Member> fitAll(const Progress& progress) const;
     std::vector<Member> splitAtEdges(const std::vector<Member>& members, const Progress& progress) const;

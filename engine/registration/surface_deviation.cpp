@@ -1,7 +1,7 @@
 #include "engine/registration/surface_deviation.h"
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/registration/neighbours_order.h"
@@ -24,24 +24,19 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
     progress.report(0.4);
     result.deviation_mm.assign(order.size(), std::numeric_limits<float>::quiet_NaN());
     parallelFor(order.size(), 512, progress, [&](std::size_t begin, std::size_t end) {
-        std::array<Eigen::Vector3d, Surface::bundle> queries;
-        std::array<std::uint32_t, Surface::bundle> targets;
-        std::array<SurfacePlace, Surface::bundle> places;
-        std::array<std::uint32_t, Surface::bundle> hints;
-        for (std::size_t i = begin; i < end;) {
-            std::size_t count = 0;
-            for (; i < end && count < Surface::bundle; ++i) {
-                if (!points[order[i]].allFinite()) continue;
-                queries[count] = points[order[i]] - origin_mm;
-                targets[count++] = order[i];
-            }
-            hints.fill(Surface::no_hint);
-            surface.place(std::span(queries).first(count), max_distance_mm, places, hints);
-            for (std::size_t q = 0; q < count; ++q) {
-                const double d = places[q].distance_mm;
-                if (!(std::abs(d) <= max_distance_mm) || places[q].border) continue;
-                result.deviation_mm[targets[q]] = static_cast<float>(result.has_sign ? d : std::abs(d));
-            }
+        std::vector<Eigen::Vector3d> queries;
+        std::vector<std::uint32_t> targets;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!points[order[i]].allFinite()) continue;
+            queries.emplace_back(points[order[i]] - origin_mm);
+            targets.push_back(order[i]);
+        }
+        std::vector<SurfacePlace> places(queries.size());
+        surface.place(queries, max_distance_mm, places, {});
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            const double d = places[q].distance_mm;
+            if (!(std::abs(d) <= max_distance_mm) || places[q].border) continue;
+            result.deviation_mm[targets[q]] = static_cast<float>(result.has_sign ? d : std::abs(d));
         }
     });
     return result;

@@ -121,7 +121,7 @@ void MeshSurface::connect(const Progress& progress)
 SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_distance_mm, std::uint32_t& hint) const
 {
     TrianglePoint best{};
-    std::uint32_t where = no_hint;
+    std::uint32_t where = Neighbours::Found::none;
     double bound = std::nextafter(max_distance_mm * max_distance_mm, std::numeric_limits<double>::infinity());
     const auto look = [&](std::uint32_t leaf, double& limit) {
         const std::uint32_t end = std::min((leaf + 1) * leaf_size, static_cast<std::uint32_t>(triangles_.size()));
@@ -135,10 +135,10 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
             }
         }
     };
-    if (hint != no_hint) look(hint / leaf_size, bound);
+    if (hint != Neighbours::Found::none) look(hint / leaf_size, bound);
     boxes_.visit(Box(query_mm), bound, look);
     SurfacePlace place;
-    if (where == no_hint) return place;
+    if (where == Neighbours::Found::none) return place;
     hint = where;
     const Triangle& triangle = triangles_[where];
     const auto part = static_cast<std::size_t>(best.part);
@@ -164,13 +164,13 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
 }
 
 void MeshSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
-                        std::span<SurfacePlace> places, std::span<std::uint32_t> hints) const
+                        std::span<SurfacePlace> places, std::span<Trace> traces) const
 {
-    std::uint32_t last = no_hint;  // queries lie near each other
+    std::uint32_t hint = Neighbours::Found::none;  // queries lie near each other
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
-        if (hints[q] == no_hint) hints[q] = last;
-        places[q] = placeOne(queries_mm[q], max_distance_mm, hints[q]);
-        last = hints[q];
+        if (!traces.empty() && traces[q].place != Neighbours::Found::none) hint = traces[q].place;
+        places[q] = placeOne(queries_mm[q], max_distance_mm, hint);
+        if (!traces.empty()) traces[q].place = hint;
     }
 }
 

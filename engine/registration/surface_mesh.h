@@ -22,7 +22,7 @@ public:
     MeshSurface(const Scan& mesh, const Progress& progress);
 
     void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm, std::span<SurfacePlace> places,
-               std::span<std::uint32_t> hints) const override;
+               std::span<Trace> traces) const override;
     bool orient(const Progress& progress) override;
     double scatter_mm() const override { return 0; }
     std::size_t pointCount() const override { return 0; }

@@ -11,6 +11,7 @@
 #include "engine/registration/cloud_distance.h"
 #include "engine/registration/neighbours.h"
 #include "engine/registration/neighbours_order.h"
+#include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {
 namespace {
@@ -106,6 +107,55 @@ RC_GTEST_PROP(Neighbours, TheNearestSeveralEqualBruteForce, ())
     for (std::size_t i = 0; i < found.size(); ++i) {
         RC_ASSERT(std::abs(found[i].squared_mm2 - truth[i]) <= 1e-12 * truth[i]);
         RC_ASSERT(index.point_mm(found[i].place) == reference[index.input(found[i].place)]);
+    }
+}
+
+RC_GTEST_PROP(Neighbours, QueriesThatMoveFindTheirNearestAgain, ())
+{
+    const Points reference = unevenPoints(*rc::gen::arbitrary<unsigned>(), *rc::gen::inRange<std::size_t>(1, 500));
+    Points queries = unevenPoints(*rc::gen::arbitrary<unsigned>(), 40);
+    const double limit = *rc::gen::element(1e-6, 1.0, 1e12);
+    const Neighbours index(reference);
+    std::vector<Neighbours::Trace> traces(queries.size());
+    std::vector<Neighbours::Found> found(queries.size());
+    for (const double step : {0.0, 1e-6, 1e-3, 0.1, 10.0, 1e-3}) {
+        for (std::size_t q = 0; q < queries.size(); ++q)
+            queries[q] += step * Eigen::Vector3d(1, q % 2 == 0 ? -1 : 2, 0.5);
+        index.nearest(queries, limit, traces, found);
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            const Neighbours::Found alone = index.nearest(queries[q], limit);
+            RC_ASSERT(found[q].squared_mm2 == alone.squared_mm2);
+            RC_ASSERT((found[q].place == Neighbours::Found::none) == (alone.place == Neighbours::Found::none));
+        }
+    }
+}
+
+RC_GTEST_PROP(Surroundings, HoldTheNearestPointsWithinReach, ())
+{
+    const Points reference = unevenPoints(*rc::gen::arbitrary<unsigned>(), *rc::gen::inRange<std::size_t>(1, 500));
+    const Neighbours index(reference);
+    const auto begin = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(reference.size()));
+    const auto end = std::min(begin + 32, static_cast<std::uint32_t>(reference.size()));
+    const auto count = *rc::gen::inRange<std::size_t>(1, 30);
+    const double reach_mm2 = *rc::gen::element(1e-6, 1.0, 1e4, 1e12);
+    Box box;
+    for (std::uint32_t i = begin; i < end; ++i) box.add(index.point_mm(i));
+    Surroundings surroundings(index);
+    surroundings.collect(box, reach_mm2, 100);
+    std::vector<Neighbours::Found> found;
+    std::vector<Neighbours::Found> truth;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        index.nearest(index.point_mm(i), count, std::numeric_limits<double>::infinity(), truth);
+        const bool within = truth.size() == count && truth.back().squared_mm2 < reach_mm2;
+        RC_ASSERT(surroundings.nearest(index.point_mm(i), count, found) == within);
+        if (!within) continue;
+        RC_ASSERT(
+            std::is_sorted(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.place < b.place; }));
+        std::vector<double> distances;
+        for (const Neighbours::Found& f : found) distances.push_back(f.squared_mm2);
+        std::sort(distances.begin(), distances.end());
+        RC_ASSERT(distances.size() == count);
+        for (std::size_t k = 0; k < count; ++k) RC_ASSERT(distances[k] == truth[k].squared_mm2);
     }
 }
 

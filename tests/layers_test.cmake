@@ -7,8 +7,8 @@ function(plant)
     file(WRITE ${WORK_DIR}/engine/core/error.h "#include <string>\n")
     file(WRITE ${WORK_DIR}/engine/io/file.h "#include \"engine/core/error.h\"\n")
     file(WRITE ${WORK_DIR}/engine/form/circle.cpp "#include \"engine/core/error.h\"\n")
-    file(WRITE ${WORK_DIR}/widgets/core/form.h "#include <QWidget>\n")
-    file(WRITE ${WORK_DIR}/widgets/compare/panel.cpp "#include \"widgets/core/form.h\"\n")
+    file(WRITE ${WORK_DIR}/widgets/core/form/form.h "#include <QWidget>\n")
+    file(WRITE ${WORK_DIR}/widgets/compare/panel.cpp "#include \"widgets/core/form/form.h\"\n")
     file(WRITE ${WORK_DIR}/app/cli/main.cpp "#include \"engine/io/file.h\"\n")
 endfunction()
 
@@ -33,10 +33,10 @@ foreach(offence
         "engine/beam/a.cpp|engine/core/error.h|the room beam is missing"
         "engine/core/a.cpp|QString|the engine includes QString"
         "engine/core/a.h|fmt/format.h|a header shows fmt/format.h"
-        "engine/core/a.cpp|widgets/core/form.h|upward include of widgets/core/form.h"
+        "engine/core/a.cpp|widgets/core/form/form.h|upward include of widgets/core/form/form.h"
         "widgets/core/a.cpp|app/gui/main_window.h|upward include of app/gui/main_window.h"
         "widgets/roundness/a.cpp|widgets/compare/panel.h|a panel includes another panel"
-        "app/cli/a.cpp|widgets/core/form.h|the command line includes widgets/core/form.h")
+        "app/cli/a.cpp|widgets/core/form/form.h|the command line includes widgets/core/form/form.h")
     string(REPLACE "|" ";" parts "${offence}")
     list(GET parts 0 file)
     list(GET parts 1 included)

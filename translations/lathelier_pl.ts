@@ -816,14 +816,6 @@
         <translation>przesunięcie wzdłuż osi</translation>
     </message>
     <message>
-        <source>within tolerance</source>
-        <translation>w tolerancji</translation>
-    </message>
-    <message>
-        <source>out of tolerance</source>
-        <translation>poza tolerancją</translation>
-    </message>
-    <message>
         <source>tolerance</source>
         <translation>tolerancja</translation>
     </message>
@@ -1094,14 +1086,6 @@
     <message>
         <source>The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring points: even identical parts reach its floor. The deviation from the surface does not depend on it.</source>
         <translation>Wynik chmura–chmura miesza różnicę części z odległością sąsiednich punktów: nawet identyczne części osiągają jego dolną granicę. Odchyłka od powierzchni od tego nie zależy.</translation>
-    </message>
-    <message>
-        <source>mean {mean} mm</source>
-        <translation>średnia {mean} mm</translation>
-    </message>
-    <message>
-        <source>{share} % within ±{tolerance} mm</source>
-        <translation>{share} % w granicach ±{tolerance} mm</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1972,18 +1956,6 @@
         <translation>walec</translation>
     </message>
     <message>
-        <source>within {tolerance} µm</source>
-        <translation>w granicach {tolerance} µm</translation>
-    </message>
-    <message>
-        <source>above {tolerance} µm</source>
-        <translation>powyżej {tolerance} µm</translation>
-    </message>
-    <message>
-        <source>? not decided at {tolerance} µm</source>
-        <translation>? nierozstrzygnięte przy {tolerance} µm</translation>
-    </message>
-    <message>
         <source>ISO 12180: CYLt is the largest minus the smallest distance of the points from the axis of the reference cylinder. The minimum zone is locally optimal, found from several starts.</source>
         <translation>ISO 12180: CYLt to największa minus najmniejsza odległość punktów od osi walca odniesienia. Najmniejsza strefa jest lokalnie optymalna, znaleziona z kilku punktów startowych.</translation>
     </message>
@@ -2216,10 +2188,6 @@
         <translation>? nierozstrzygnięte: zbyt blisko tolerancji</translation>
     </message>
     <message>
-        <source>? not decided: {tolerance} µm is within the uncertainty of {uncertainty} µm</source>
-        <translation>? nierozstrzygnięte: {tolerance} µm leży w granicach niepewności {uncertainty} µm</translation>
-    </message>
-    <message>
         <source>{upr} UPR, {amplitude} µm: {meaning}.</source>
         <translation>{upr} UPR, {amplitude} µm: {meaning}.</translation>
     </message>
@@ -2282,10 +2250,6 @@
     <message>
         <source>second</source>
         <translation>drugi</translation>
-    </message>
-    <message>
-        <source>largest difference {largest} µm · mean {mean} µm</source>
-        <translation>największa różnica {largest} µm · średnia {mean} µm</translation>
     </message>
     <message>
         <source>Superimposed profiles</source>
@@ -2558,34 +2522,6 @@
     <message>
         <source>The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean hides what differs from turn to turn.</source>
         <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least} do {most} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
-    </message>
-    <message>
-        <source> (section {section} of {count})</source>
-        <translation> (przekrój {section} z {count})</translation>
-    </message>
-    <message>
-        <source> · taper {taper} µm on diameter</source>
-        <translation> · stożkowość {taper} µm na średnicy</translation>
-    </message>
-    <message>
-        <source> · saddle {size} µm</source>
-        <translation> · siodłowość {size} µm</translation>
-    </message>
-    <message>
-        <source> · barrel {size} µm</source>
-        <translation> · baryłkowość {size} µm</translation>
-    </message>
-    <message>
-        <source> · within {tolerance} µm</source>
-        <translation> · w granicach {tolerance} µm</translation>
-    </message>
-    <message>
-        <source> · above {tolerance} µm</source>
-        <translation> · powyżej {tolerance} µm</translation>
-    </message>
-    <message>
-        <source> · not decided: too near to {tolerance} µm</source>
-        <translation> · nie rozstrzygnięto: zbyt blisko {tolerance} µm</translation>
     </message>
     <message>
         <source>Trajectories and the machined surface</source>
@@ -3256,10 +3192,6 @@
         <translation>punkty zapisane jako tekst</translation>
     </message>
     <message>
-        <source> · form not measured</source>
-        <translation> · kształt niezmierzony</translation>
-    </message>
-    <message>
         <source>All sets are built in; no folder with further ones was named.</source>
         <translation>Wszystkie zestawy są wbudowane; nie wskazano folderu z dalszymi.</translation>
     </message>
@@ -3767,82 +3699,116 @@
         <source>synchronous motion of {probe}</source>
         <translation>ruch synchroniczny {probe}</translation>
     </message>
+    <message>
+        <source>CYLt(LSCY) {value} µm · {points} points</source>
+        <translation>CYLt(LSCY) {value} µm · punktów: {points}</translation>
+    </message>
+    <message>
+        <source>{filter}</source>
+        <translation>{filter}</translation>
+    </message>
+    <message>
+        <source>{filter} · other methods say {least} to {most} µm</source>
+        <translation>{filter} · inne metody dają od {least} do {most} µm</translation>
+    </message>
+    <message>
+        <source>{filter} · the limit lies within the uncertainty; {within} of {count} methods keep it</source>
+        <translation>{filter} · granica leży w przedziale niepewności; zachowuje ją {within} z {count} metod</translation>
+    </message>
+    <message>
+        <source>{filter} · within by all {count} methods</source>
+        <translation>{filter} · w granicy według wszystkich {count} metod</translation>
+    </message>
+    <message>
+        <source>{filter} · above by all {count} methods</source>
+        <translation>{filter} · powyżej granicy według wszystkich {count} metod</translation>
+    </message>
+    <message>
+        <source>{filter} · within by {within} of {count} methods: look at the filter</source>
+        <translation>{filter} · w granicy według {within} z {count} metod: sprawdź filtr</translation>
+    </message>
+    <message>
+        <source>Points that stand out: {count}; without them {value} µm</source>
+        <translation>Punkty odstające: {count}; bez nich {value} µm</translation>
+    </message>
+    <message>
+        <source>Largest difference of the profiles</source>
+        <translation>Największa różnica profili</translation>
+    </message>
+    <message>
+        <source>mean {mean} µm</source>
+        <translation>średnio {mean} µm</translation>
+    </message>
+    <message>
+        <source>RMS deviation</source>
+        <translation>Odchyłka RMS</translation>
+    </message>
+    <message>
+        <source>{method}</source>
+        <translation>{method}</translation>
+    </message>
+    <message>
+        <source>mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm</source>
+        <translation>średnio {mean} mm · {method} · {share} % punktów w ±{tolerance} mm</translation>
+    </message>
+    <message>
+        <source>mean {mean} mm · {method}</source>
+        <translation>średnio {mean} mm · {method}</translation>
+    </message>
+    <message>
+        <source>limit ±{limit}</source>
+        <translation>granica ±{limit}</translation>
+    </message>
+    <message>
+        <source>limits {lower} … {upper}</source>
+        <translation>granice {lower} … {upper}</translation>
+    </message>
+    <message>
+        <source>limit {limit}</source>
+        <translation>granica {limit}</translation>
+    </message>
+    <message>
+        <source>at least {limit}</source>
+        <translation>co najmniej {limit}</translation>
+    </message>
+    <message>
+        <source>no limit given</source>
+        <translation>nie podano granicy</translation>
+    </message>
+    <message>
+        <source>Motion of the workpiece axis</source>
+        <translation>Ruch osi przedmiotu</translation>
+    </message>
+    <message>
+        <source>Repeats with every turn {synchronous} µm, differs from turn to turn {asynchronous} µm · {turns} turns · probe X3</source>
+        <translation>Powtarzalny w każdym obrocie {synchronous} µm, zmienny między obrotami {asynchronous} µm · obrotów: {turns} · czujnik X3</translation>
+    </message>
+    <message>
+        <source>Form not measured: the noise hides it · {filter}</source>
+        <translation>Kształtu nie zmierzono: kryje go szum · {filter}</translation>
+    </message>
+    <message>
+        <source>Section {section} of {count} is the worst · {filter}</source>
+        <translation>Najgorszy przekrój: {section} z {count} · {filter}</translation>
+    </message>
+    <message>
+        <source>Taper {taper} µm on diameter, over the measured length</source>
+        <translation>Stożkowatość {taper} µm na średnicy, na zmierzonej długości</translation>
+    </message>
+    <message>
+        <source>Saddle {size} µm on radius</source>
+        <translation>Siodłowość {size} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>Barrel {size} µm on radius</source>
+        <translation>Baryłkowość {size} µm na promieniu</translation>
+    </message>
 </context>
 <context>
-    <name>lathelier::AngleBar</name>
+    <name>lathelier::AnswerStrip</name>
     <message>
-        <source>Play: run around the part by angle</source>
-        <translation>Odtwarzaj: obiegaj część według kąta</translation>
-    </message>
-    <message>
-        <source>Marked angle on the part</source>
-        <translation>Zaznaczony kąt na części</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::ChannelTable</name>
-    <message>
-        <source>not stated</source>
-        <translation>nie podano</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <translation>nieużywany</translation>
-    </message>
-    <message>
-        <source>revolution marker</source>
-        <translation>znacznik obrotu</translation>
-    </message>
-    <message>
-        <source>angle of an encoder</source>
-        <translation>kąt z enkodera</translation>
-    </message>
-    <message>
-        <source> (workpiece axis)</source>
-        <translation> (oś przedmiotu)</translation>
-    </message>
-    <message>
-        <source> (tool)</source>
-        <translation> (narzędzie)</translation>
-    </message>
-    <message>
-        <source>Channels of the record</source>
-        <translation>Kanały zapisu</translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation>Nr</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nazwa</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Jednostka</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Zakres</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Wzmocnienie</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Sygnał</translation>
-    </message>
-    <message>
-        <source>Signal of channel %1</source>
-        <translation>Sygnał kanału %1</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::ChartView</name>
-    <message>
-        <source>radius vector %1 %2</source>
-        <translation>promień wodzący %1 %2</translation>
+        <source>Assumed: %1 %2 %3</source>
+        <translation>Przyjęto: %1 %2 %3</translation>
     </message>
 </context>
 <context>
@@ -3854,140 +3820,6 @@
     <message>
         <source>Type what you want to do</source>
         <translation>Wpisz, co chcesz zrobić</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::ComparePanel</name>
-    <message>
-        <source>Change the tolerance</source>
-        <translation>Zmień tolerancję</translation>
-    </message>
-    <message>
-        <source>Swap reference and copy</source>
-        <translation>Zamień oryginał z kopią</translation>
-    </message>
-    <message>
-        <source>Deviations of all points (PLY)…</source>
-        <translation>Odchyłki wszystkich punktów (PLY)…</translation>
-    </message>
-    <message>
-        <source>Point cloud (*.ply)</source>
-        <translation>Chmura punktów (*.ply)</translation>
-    </message>
-    <message>
-        <source>Deviations of all points (CSV)…</source>
-        <translation>Odchyłki wszystkich punktów (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>⇅ Swap</source>
-        <translation>⇅ Zamień</translation>
-    </message>
-    <message>
-        <source>Reference and copy change places</source>
-        <translation>Oryginał i kopia zamieniają się miejscami</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::CompareViews</name>
-    <message>
-        <source>Reference</source>
-        <translation>Oryginał</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopia</translation>
-    </message>
-    <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
-        <source>deviation %1</source>
-        <translation>odchyłka %1</translation>
-    </message>
-    <message>
-        <source>this point was left out</source>
-        <translation>ten punkt pominięto</translation>
-    </message>
-    <message>
-        <source>mean around it %1</source>
-        <translation>średnia wokół %1</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Wszystko</translation>
-    </message>
-    <message>
-        <source>3-D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Mapa</translation>
-    </message>
-    <message>
-        <source>Meridian</source>
-        <translation>Zarys osiowy</translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation>Rozkład</translation>
-    </message>
-    <message>
-        <source>Zones</source>
-        <translation>Strefy</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Liczby</translation>
-    </message>
-    <message>
-        <source>Overlay</source>
-        <translation>Nałożenie</translation>
-    </message>
-    <message>
-        <source>The original blue, the copy red</source>
-        <translation>Oryginał niebieski, kopia czerwona</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Odchyłka</translation>
-    </message>
-    <message>
-        <source>The copy, coloured by its distance from the original&apos;s surface</source>
-        <translation>Kopia w barwach odległości od powierzchni oryginału</translation>
-    </message>
-    <message>
-        <source>Local mean</source>
-        <translation>Średnia lokalna</translation>
-    </message>
-    <message>
-        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
-        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
-    </message>
-    <message>
-        <source>Error ×</source>
-        <translation>Błąd ×</translation>
-    </message>
-    <message>
-        <source>How many times larger the meridian draws the deviation</source>
-        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
-    </message>
-    <message>
-        <source>Synthetic data</source>
-        <translation>Dane syntetyczne</translation>
-    </message>
-    <message>
-        <source>These scans were computed, not measured.</source>
-        <translation>Te skany obliczono, nie zmierzono.</translation>
-    </message>
-    <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
     </message>
 </context>
 <context>
@@ -4040,17 +3872,6 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::HeadlineLabel</name>
-    <message>
-        <source>✓ within tolerance</source>
-        <translation>✓ w tolerancji</translation>
-    </message>
-    <message>
-        <source>✗ out of tolerance</source>
-        <translation>✗ poza tolerancją</translation>
     </message>
 </context>
 <context>
@@ -4214,73 +4035,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
-    <name>lathelier::LimitEdit</name>
-    <message>
-        <source>The colour scale runs from minus to plus this many mm.</source>
-        <translation>Skala barw sięga od minus do plus tylu mm.</translation>
-    </message>
-    <message>
-        <source>Limit of the colour scale in mm</source>
-        <translation>Granica skali barw w mm</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::LongitudinalPanel</name>
-    <message>
-        <source>Table of all sections (CSV)…</source>
-        <translation>Tabela wszystkich przekrojów (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>For statistical process control (Q-DAS)…</source>
-        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
-    </message>
-    <message>
-        <source>Q-DAS (*.dfq)</source>
-        <translation>Q-DAS (*.dfq)</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::LongitudinalViews</name>
-    <message>
-        <source>deviation × %1</source>
-        <translation>odchyłka × %1</translation>
-    </message>
-    <message>
-        <source>Surface of all sections</source>
-        <translation>Powierzchnia wszystkich przekrojów</translation>
-    </message>
-    <message>
-        <source>section %1, angle %2°
-deviation %3 µm</source>
-        <translation>przekrój %1, kąt %2°
-odchyłka %3 µm</translation>
-    </message>
-    <message>
-        <source>form of each section only</source>
-        <translation>tylko kształt każdego przekroju</translation>
-    </message>
-    <message>
-        <source>Take out where each section lies and how large it is: what is left is its roundness</source>
-        <translation>Bez położenia i wymiaru przekrojów: zostaje sama okrągłość</translation>
-    </message>
-    <message>
-        <source>How many times larger the surface draws the deviation</source>
-        <translation>Ile razy powiększono odchyłkę na powierzchni</translation>
-    </message>
-    <message>
-        <source>Synthetic data</source>
-        <translation>Dane syntetyczne</translation>
-    </message>
-    <message>
-        <source>Deviation (µm)</source>
-        <translation>Odchyłka (µm)</translation>
-    </message>
-</context>
-<context>
     <name>lathelier::MainWindow</name>
     <message>
         <source>All files (*)</source>
@@ -4434,12 +4188,13 @@ odchyłka %3 µm</translation>
         <source>Open a project or measured files</source>
         <translation>Otwórz projekt lub pliki pomiarowe</translation>
     </message>
-</context>
-<context>
-    <name>lathelier::MapView</name>
     <message>
-        <source>no data</source>
-        <translation>brak danych</translation>
+        <source>&amp;Next panel</source>
+        <translation>&amp;Następny panel</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious panel</source>
+        <translation>&amp;Poprzedni panel</translation>
     </message>
 </context>
 <context>
@@ -4482,14 +4237,22 @@ odchyłka %3 µm</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::NotesLabel</name>
-    <message>
-        <source>Fewer notes</source>
-        <translation>Mniej uwag</translation>
+    <name>lathelier::NotesChips</name>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n ostrzeżenie</numerusform>
+            <numerusform>%n ostrzeżenia</numerusform>
+            <numerusform>%n ostrzeżeń</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 more</source>
-        <translation>jeszcze %1</translation>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n uwaga</numerusform>
+            <numerusform>%n uwagi</numerusform>
+            <numerusform>%n uwag</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4552,75 +4315,6 @@ odchyłka %3 µm</translation>
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::PlotWidget</name>
-    <message>
-        <source>Copy picture</source>
-        <translation>Kopiuj obraz</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Zapisz obraz…</translation>
-    </message>
-    <message>
-        <source>Save data as CSV…</source>
-        <translation>Zapisz dane jako CSV…</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Pokaż wszystko</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Zapisz obraz</translation>
-    </message>
-    <message>
-        <source>Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)</source>
-        <translation>Obraz skalowalny (*.svg);;PDF (*.pdf);;Obraz (*.png)</translation>
-    </message>
-    <message>
-        <source>Save data</source>
-        <translation>Zapisz dane</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::PolarView</name>
-    <message>
-        <source>Take the mark away</source>
-        <translation>Usuń znacznik</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::PolarWords</name>
-    <message>
-        <source>outer contact</source>
-        <translation>styk zewnętrzny</translation>
-    </message>
-    <message>
-        <source>inner contact</source>
-        <translation>styk wewnętrzny</translation>
-    </message>
-    <message>
-        <source>%1 µm/div</source>
-        <translation>%1 µm/dz.</translation>
-    </message>
-    <message>
-        <source>deviation × %1 · %2</source>
-        <translation>odchyłka × %1 · %2</translation>
-    </message>
-    <message>
-        <source>%1, inner circle</source>
-        <translation>%1, okrąg wewnętrzny</translation>
-    </message>
-    <message>
-        <source>%1, outer circle</source>
-        <translation>%1, okrąg zewnętrzny</translation>
     </message>
 </context>
 <context>
@@ -4748,71 +4442,13 @@ odchyłka %3 µm</translation>
         <source>Replace it</source>
         <translation>Zastąp</translation>
     </message>
-</context>
-<context>
-    <name>lathelier::RoundnessPanel</name>
     <message>
-        <source>Profile and circles as drawn (CSV)…</source>
-        <translation>Profil i okręgi jak na wykresie (CSV)…</translation>
+        <source>no files</source>
+        <translation>bez plików</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>For statistical process control (Q-DAS)…</source>
-        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
-    </message>
-    <message>
-        <source>Q-DAS (*.dfq)</source>
-        <translation>Q-DAS (*.dfq)</translation>
-    </message>
-    <message>
-        <source>section %1 of %2</source>
-        <translation>przekrój %1 z %2</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::RoundnessViews</name>
-    <message>
-        <source>largest difference %1 µm, mean %2 µm</source>
-        <translation>największa różnica %1 µm, średnia %2 µm</translation>
-    </message>
-    <message>
-        <source>Roundness</source>
-        <translation>Okrągłość</translation>
-    </message>
-    <message>
-        <source>The profile with its reference circles</source>
-        <translation>Profil z okręgami odniesienia</translation>
-    </message>
-    <message>
-        <source>Laid over</source>
-        <translation>Nałożone</translation>
-    </message>
-    <message>
-        <source>The profile and the trace over each other, and their difference</source>
-        <translation>Profil i wykres nałożone na siebie oraz ich różnica</translation>
-    </message>
-    <message>
-        <source>Synthetic data</source>
-        <translation>Dane syntetyczne</translation>
-    </message>
-    <message>
-        <source>Circles</source>
-        <translation>Okręgi</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Metody</translation>
-    </message>
-    <message>
-        <source>Undulations</source>
-        <translation>Falistości</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Liczby</translation>
+        <source>Kept on %1, with %2.</source>
+        <translation>Zachowano %1, z plikami: %2.</translation>
     </message>
 </context>
 <context>
@@ -4835,133 +4471,348 @@ odchyłka %3 µm</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SceneBar</name>
+    <name>lathelier::SettingsDialog</name>
     <message>
-        <source>Oblique</source>
-        <translation>Ukośnie</translation>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
     </message>
     <message>
-        <source>Side</source>
-        <translation>Z boku</translation>
+        <source>As the system</source>
+        <translation>Jak w systemie</translation>
     </message>
     <message>
-        <source>Top</source>
-        <translation>Z góry</translation>
+        <source> %</source>
+        <translation> %</translation>
     </message>
     <message>
-        <source>End</source>
-        <translation>Od czoła</translation>
+        <source>Type size in presenter mode</source>
+        <translation>Wielkość pisma w trybie prezentacji</translation>
     </message>
     <message>
-        <source>Parallel</source>
-        <translation>Równolegle</translation>
+        <source>Language</source>
+        <translation>Język</translation>
     </message>
     <message>
-        <source>Parallel projection: equal lengths look equal at any distance</source>
-        <translation>Rzut równoległy: równe długości wyglądają tak samo z każdej odległości</translation>
+        <source>Presenter type size</source>
+        <translation>Pismo prezentacji</translation>
     </message>
     <message>
-        <source>Whole</source>
-        <translation>Całość</translation>
+        <source>Light</source>
+        <translation>Jasny</translation>
     </message>
     <message>
-        <source>Cut along X</source>
-        <translation>Przekrój wzdłuż X</translation>
+        <source>Dark</source>
+        <translation>Ciemny</translation>
     </message>
     <message>
-        <source>Cut along Y</source>
-        <translation>Przekrój wzdłuż Y</translation>
-    </message>
-    <message>
-        <source>Cut along Z</source>
-        <translation>Przekrój wzdłuż Z</translation>
-    </message>
-    <message>
-        <source>Cut away one side of the part</source>
-        <translation>Odetnij jedną stronę części</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Przekrój</translation>
-    </message>
-    <message>
-        <source>Place of the section</source>
-        <translation>Miejsce przekroju</translation>
+        <source>Theme</source>
+        <translation>Motyw</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SceneRuler</name>
+    <name>lathelier::VerifyDialog</name>
     <message>
-        <source>Directions and length scale</source>
-        <translation>Kierunki i podziałka długości</translation>
+        <source>Write the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Verify installation</source>
+        <translation>Sprawdzenie instalacji</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Obliczanie…</translation>
+    </message>
+    <message>
+        <source>Kinds of reference data</source>
+        <translation>Rodzaje danych wzorcowych</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Raport…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Reference data with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
+        <translation>Na tym komputerze oblicza się dane odniesienia o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SceneView</name>
+    <name>lathelier::ViewFrame</name>
     <message>
-        <source>The 3-D view needs OpenGL, which is not available here.
-All other views work.</source>
-        <translation>Widok 3D wymaga OpenGL, który nie jest tu dostępny.
-Wszystkie inne widoki działają.</translation>
-    </message>
-    <message>
-        <source>3-D view</source>
-        <translation>Widok 3D</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Kopiuj obraz</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Zapisz obraz…</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Zapisz obraz</translation>
-    </message>
-    <message>
-        <source>Picture (*.png)</source>
-        <translation>Obraz (*.png)</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Pokaż całość</translation>
+        <source>Click: enlarge. Double click: all views.</source>
+        <translation>Kliknięcie powiększa. Podwójne kliknięcie: wszystkie widoki.</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SectionBar</name>
+    <name>lathelier::compare_panel::ComparePanel</name>
     <message>
-        <source>Section %1 of %2</source>
-        <translation>Przekrój %1 z %2</translation>
+        <source>Change the tolerance</source>
+        <translation>Zmień tolerancję</translation>
     </message>
     <message>
-        <source> · z %1 mm</source>
-        <translation> · z %1 mm</translation>
+        <source>Swap reference and copy</source>
+        <translation>Zamień oryginał z kopią</translation>
     </message>
     <message>
-        <source>The section before</source>
-        <translation>Poprzedni przekrój</translation>
+        <source>Deviations of all points (PLY)…</source>
+        <translation>Odchyłki wszystkich punktów (PLY)…</translation>
     </message>
     <message>
-        <source>The next section</source>
-        <translation>Następny przekrój</translation>
+        <source>Point cloud (*.ply)</source>
+        <translation>Chmura punktów (*.ply)</translation>
     </message>
     <message>
-        <source>The section that all panels of this workspace show</source>
-        <translation>Przekrój pokazywany we wszystkich panelach tej przestrzeni</translation>
+        <source>Deviations of all points (CSV)…</source>
+        <translation>Odchyłki wszystkich punktów (CSV)…</translation>
     </message>
     <message>
-        <source>worst</source>
-        <translation>najgorszy</translation>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
     </message>
     <message>
-        <source>Always the section with the largest roundness deviation</source>
-        <translation>Zawsze przekrój o największej odchyłce okrągłości</translation>
+        <source>⇅ Swap</source>
+        <translation>⇅ Zamień</translation>
+    </message>
+    <message>
+        <source>Reference and copy change places</source>
+        <translation>Oryginał i kopia zamieniają się miejscami</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SectionTable</name>
+    <name>lathelier::compare_panel::CompareViews</name>
+    <message>
+        <source>Reference</source>
+        <translation>Oryginał</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopia</translation>
+    </message>
+    <message>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>odchyłka %1</translation>
+    </message>
+    <message>
+        <source>this point was left out</source>
+        <translation>ten punkt pominięto</translation>
+    </message>
+    <message>
+        <source>mean around it %1</source>
+        <translation>średnia wokół %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Rozkład</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Strefy</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Nałożenie</translation>
+    </message>
+    <message>
+        <source>The original blue, the copy red</source>
+        <translation>Oryginał niebieski, kopia czerwona</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Odchyłka</translation>
+    </message>
+    <message>
+        <source>The copy, coloured by its distance from the original&apos;s surface</source>
+        <translation>Kopia w barwach odległości od powierzchni oryginału</translation>
+    </message>
+    <message>
+        <source>Local mean</source>
+        <translation>Średnia lokalna</translation>
+    </message>
+    <message>
+        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
+        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation>Błąd ×</translation>
+    </message>
+    <message>
+        <source>How many times larger the meridian draws the deviation</source>
+        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>These scans were computed, not measured.</source>
+        <translation>Te skany obliczono, nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Deviation (mm)</source>
+        <translation>Odchyłka (mm)</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Część</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabele</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::compare_panel::StatisticsTable</name>
+    <message>
+        <source>Statistics</source>
+        <translation>Statystyka</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::compare_panel::ZoneTable</name>
+    <message>
+        <source>Zones along the axis</source>
+        <translation>Strefy wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>From (mm)</source>
+        <translation>Od (mm)</translation>
+    </message>
+    <message>
+        <source>To (mm)</source>
+        <translation>Do (mm)</translation>
+    </message>
+    <message>
+        <source>Mean (mm)</source>
+        <translation>Średnia (mm)</translation>
+    </message>
+    <message>
+        <source>Scatter (mm)</source>
+        <translation>Rozrzut (mm)</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Mean is</source>
+        <translation>Średnia jest</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the single points in the zone</source>
+        <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
+    </message>
+    <message>
+        <source>▲ above</source>
+        <translation>▲ powyżej</translation>
+    </message>
+    <message>
+        <source>▼ below</source>
+        <translation>▼ poniżej</translation>
+    </message>
+    <message>
+        <source>✓ within</source>
+        <translation>✓ w tolerancji</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::longitudinal_panel::LongitudinalPanel</name>
+    <message>
+        <source>Table of all sections (CSV)…</source>
+        <translation>Tabela wszystkich przekrojów (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation>Q-DAS (*.dfq)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::longitudinal_panel::LongitudinalViews</name>
+    <message>
+        <source>deviation × %1</source>
+        <translation>odchyłka × %1</translation>
+    </message>
+    <message>
+        <source>Surface of all sections</source>
+        <translation>Powierzchnia wszystkich przekrojów</translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°
+deviation %3 µm</source>
+        <translation>przekrój %1, kąt %2°
+odchyłka %3 µm</translation>
+    </message>
+    <message>
+        <source>form of each section only</source>
+        <translation>tylko kształt każdego przekroju</translation>
+    </message>
+    <message>
+        <source>Take out where each section lies and how large it is: what is left is its roundness</source>
+        <translation>Bez położenia i wymiaru przekrojów: zostaje sama okrągłość</translation>
+    </message>
+    <message>
+        <source>How many times larger the surface draws the deviation</source>
+        <translation>Ile razy powiększono odchyłkę na powierzchni</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>Deviation (µm)</source>
+        <translation>Odchyłka (µm)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Kształt</translation>
+    </message>
+    <message>
+        <source>Along the axis</source>
+        <translation>Wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Przekroje</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::longitudinal_panel::SectionTable</name>
     <message>
         <source>All sections against the tolerance</source>
         <translation>Wszystkie przekroje względem tolerancji</translation>
@@ -5016,50 +4867,316 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SettingsDialog</name>
+    <name>lathelier::plot::ChartView</name>
     <message>
-        <source>Settings</source>
-        <translation>Ustawienia</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Jak w systemie</translation>
-    </message>
-    <message>
-        <source>never</source>
-        <translation>nigdy</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source>How often unsaved work is kept aside, in case the program ends unexpectedly</source>
-        <translation>Jak często odkładać niezapisaną pracę na wypadek nieoczekiwanego zakończenia programu</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Type size in presenter mode</source>
-        <translation>Wielkość pisma w trybie prezentacji</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Język</translation>
-    </message>
-    <message>
-        <source>Autosave every</source>
-        <translation>Autozapis co</translation>
-    </message>
-    <message>
-        <source>Presenter type size</source>
-        <translation>Pismo prezentacji</translation>
+        <source>radius vector %1 %2</source>
+        <translation>promień wodzący %1 %2</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::SpindlePanel</name>
+    <name>lathelier::plot::LimitEdit</name>
+    <message>
+        <source>The colour scale runs from minus to plus this many mm.</source>
+        <translation>Skala barw sięga od minus do plus tylu mm.</translation>
+    </message>
+    <message>
+        <source>Limit of the colour scale in mm</source>
+        <translation>Granica skali barw w mm</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::plot::MapView</name>
+    <message>
+        <source>no data</source>
+        <translation>brak danych</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::plot::PlotWidget</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>Kopiuj obraz</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Zapisz obraz…</translation>
+    </message>
+    <message>
+        <source>Save data as CSV…</source>
+        <translation>Zapisz dane jako CSV…</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Pokaż wszystko</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Zapisz obraz</translation>
+    </message>
+    <message>
+        <source>Scalable picture (*.svg);;PDF (*.pdf);;Picture (*.png)</source>
+        <translation>Obraz skalowalny (*.svg);;PDF (*.pdf);;Obraz (*.png)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Zapisz dane</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::plot::PolarView</name>
+    <message>
+        <source>Take the mark away</source>
+        <translation>Usuń znacznik</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::plot::PolarWords</name>
+    <message>
+        <source>outer contact</source>
+        <translation>styk zewnętrzny</translation>
+    </message>
+    <message>
+        <source>inner contact</source>
+        <translation>styk wewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1 µm/div</source>
+        <translation>%1 µm/dz.</translation>
+    </message>
+    <message>
+        <source>deviation × %1 · %2</source>
+        <translation>odchyłka × %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, inner circle</source>
+        <translation>%1, okrąg wewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1, outer circle</source>
+        <translation>%1, okrąg zewnętrzny</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::roundness_panel::RoundnessPanel</name>
+    <message>
+        <source>Profile and circles as drawn (CSV)…</source>
+        <translation>Profil i okręgi jak na wykresie (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation>Q-DAS (*.dfq)</translation>
+    </message>
+    <message>
+        <source>section %1 of %2</source>
+        <translation>przekrój %1 z %2</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::roundness_panel::RoundnessViews</name>
+    <message>
+        <source>largest difference %1 µm, mean %2 µm</source>
+        <translation>największa różnica %1 µm, średnia %2 µm</translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation>Okrągłość</translation>
+    </message>
+    <message>
+        <source>The profile with its reference circles</source>
+        <translation>Profil z okręgami odniesienia</translation>
+    </message>
+    <message>
+        <source>Laid over</source>
+        <translation>Nałożone</translation>
+    </message>
+    <message>
+        <source>The profile and the trace over each other, and their difference</source>
+        <translation>Profil i wykres nałożone na siebie oraz ich różnica</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Okręgi</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Metody</translation>
+    </message>
+    <message>
+        <source>Undulations</source>
+        <translation>Falistości</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Roundness plot</source>
+        <translation>Wykres okrągłości</translation>
+    </message>
+    <message>
+        <source>Harmonic content</source>
+        <translation>Zawartość harmonicznych</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabele</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::scene::SceneBar</name>
+    <message>
+        <source>Oblique</source>
+        <translation>Ukośnie</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Z boku</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Od czoła</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Równolegle</translation>
+    </message>
+    <message>
+        <source>Parallel projection: equal lengths look equal at any distance</source>
+        <translation>Rzut równoległy: równe długości wyglądają tak samo z każdej odległości</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Całość</translation>
+    </message>
+    <message>
+        <source>Cut along X</source>
+        <translation>Przekrój wzdłuż X</translation>
+    </message>
+    <message>
+        <source>Cut along Y</source>
+        <translation>Przekrój wzdłuż Y</translation>
+    </message>
+    <message>
+        <source>Cut along Z</source>
+        <translation>Przekrój wzdłuż Z</translation>
+    </message>
+    <message>
+        <source>Cut away one side of the part</source>
+        <translation>Odetnij jedną stronę części</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Miejsce przekroju</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::scene::SceneRuler</name>
+    <message>
+        <source>Directions and length scale</source>
+        <translation>Kierunki i podziałka długości</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::scene::SceneView</name>
+    <message>
+        <source>The 3-D view needs OpenGL, which is not available here.
+All other views work.</source>
+        <translation>Widok 3D wymaga OpenGL, który nie jest tu dostępny.
+Wszystkie inne widoki działają.</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>Widok 3D</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Kopiuj obraz</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Zapisz obraz…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Zapisz obraz</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Obraz (*.png)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Pokaż całość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::trajectory_common::AngleBar</name>
+    <message>
+        <source>Play: run around the part by angle</source>
+        <translation>Odtwarzaj: obiegaj część według kąta</translation>
+    </message>
+    <message>
+        <source>Marked angle on the part</source>
+        <translation>Zaznaczony kąt na części</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::trajectory_common::SectionBar</name>
+    <message>
+        <source>Section %1 of %2</source>
+        <translation>Przekrój %1 z %2</translation>
+    </message>
+    <message>
+        <source> · z %1 mm</source>
+        <translation> · z %1 mm</translation>
+    </message>
+    <message>
+        <source>The section before</source>
+        <translation>Poprzedni przekrój</translation>
+    </message>
+    <message>
+        <source>The next section</source>
+        <translation>Następny przekrój</translation>
+    </message>
+    <message>
+        <source>The section that all panels of this workspace show</source>
+        <translation>Przekrój pokazywany we wszystkich panelach tej przestrzeni</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>najgorszy</translation>
+    </message>
+    <message>
+        <source>Always the section with the largest roundness deviation</source>
+        <translation>Zawsze przekrój o największej odchyłce okrągłości</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::trajectory_common::SpindlePanel</name>
     <message>
         <source>%L1 points</source>
         <translation>punkty: %L1</translation>
@@ -5094,14 +5211,66 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::StatisticsTable</name>
+    <name>lathelier::trajectory_panel::ChannelTable</name>
     <message>
-        <source>Statistics</source>
-        <translation>Statystyka</translation>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nieużywany</translation>
+    </message>
+    <message>
+        <source>revolution marker</source>
+        <translation>znacznik obrotu</translation>
+    </message>
+    <message>
+        <source>angle of an encoder</source>
+        <translation>kąt z enkodera</translation>
+    </message>
+    <message>
+        <source> (workpiece axis)</source>
+        <translation> (oś przedmiotu)</translation>
+    </message>
+    <message>
+        <source> (tool)</source>
+        <translation> (narzędzie)</translation>
+    </message>
+    <message>
+        <source>Channels of the record</source>
+        <translation>Kanały zapisu</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Zakres</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Wzmocnienie</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Sygnał</translation>
+    </message>
+    <message>
+        <source>Signal of channel %1</source>
+        <translation>Sygnał kanału %1</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::TrajectoryCharts</name>
+    <name>lathelier::trajectory_panel::TrajectoryCharts</name>
     <message>
         <source>workpiece axis</source>
         <translation>oś przedmiotu</translation>
@@ -5124,7 +5293,7 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::TrajectoryPanel</name>
+    <name>lathelier::trajectory_panel::TrajectoryPanel</name>
     <message>
         <source>Change the channels</source>
         <translation>Zmień kanały</translation>
@@ -5137,13 +5306,9 @@ Wszystkie inne widoki działają.</translation>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
     </message>
-    <message>
-        <source>Spindle X3: %1 · %2 turns</source>
-        <translation>Wrzeciono X3: %1 · obroty: %2</translation>
-    </message>
 </context>
 <context>
-    <name>lathelier::TrajectoryViews</name>
+    <name>lathelier::trajectory_panel::TrajectoryViews</name>
     <message>
         <source>ISO 230-7, fixed sensitive direction, %1 revolutions: %2</source>
         <translation>ISO 230-7, stały kierunek czuły, obroty: %1: bicie %2</translation>
@@ -5212,91 +5377,13 @@ Wszystkie inne widoki działają.</translation>
         <source>section %1, angle %2°</source>
         <translation>przekrój %1, kąt %2°</translation>
     </message>
-</context>
-<context>
-    <name>lathelier::VerifyDialog</name>
     <message>
-        <source>Write the report</source>
-        <translation>Zapisz raport</translation>
+        <source>Error motion</source>
+        <translation>Ruch błędu</translation>
     </message>
     <message>
-        <source>HTML (*.html)</source>
-        <translation>HTML (*.html)</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Verify installation</source>
-        <translation>Sprawdzenie instalacji</translation>
-    </message>
-    <message>
-        <source>Computing…</source>
-        <translation>Obliczanie…</translation>
-    </message>
-    <message>
-        <source>Kinds of reference data</source>
-        <translation>Rodzaje danych wzorcowych</translation>
-    </message>
-    <message>
-        <source>Report…</source>
-        <translation>Raport…</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Zamknij</translation>
-    </message>
-    <message>
-        <source>Reference data with known answers are computed on this computer. The largest deviation of each kind has to stay below its limit.</source>
-        <translation>Na tym komputerze oblicza się dane odniesienia o znanych wynikach. Największa odchyłka każdego rodzaju musi być mniejsza od granicy.</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::ZoneTable</name>
-    <message>
-        <source>Zones along the axis</source>
-        <translation>Strefy wzdłuż osi</translation>
-    </message>
-    <message>
-        <source>From (mm)</source>
-        <translation>Od (mm)</translation>
-    </message>
-    <message>
-        <source>To (mm)</source>
-        <translation>Do (mm)</translation>
-    </message>
-    <message>
-        <source>Mean (mm)</source>
-        <translation>Średnia (mm)</translation>
-    </message>
-    <message>
-        <source>Scatter (mm)</source>
-        <translation>Rozrzut (mm)</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkty</translation>
-    </message>
-    <message>
-        <source>Mean is</source>
-        <translation>Średnia jest</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the single points in the zone</source>
-        <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
-    </message>
-    <message>
-        <source>▲ above</source>
-        <translation>▲ powyżej</translation>
-    </message>
-    <message>
-        <source>▼ below</source>
-        <translation>▼ poniżej</translation>
-    </message>
-    <message>
-        <source>✓ within</source>
-        <translation>✓ w tolerancji</translation>
+        <source>Coordinates</source>
+        <translation>Współrzędne</translation>
     </message>
 </context>
 </TS>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* deviationsOption = "--deviations";
 
-void runCompare(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
+void runCompare(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto deviations = request.outputs.find(deviationsOption);
     const bool wanted = deviations != request.outputs.end();
@@ -25,9 +25,10 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
                                                  {"found", deviations->second},
                                                  {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
     const Text reading = LT_TEXT("Engine", "Reading");
-    const ScanFile reference =
+    const io::ScanFile reference =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);
-    const ScanFile copy = readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
+    const io::ScanFile copy =
+        readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
     const auto result = std::make_shared<registration::CompareResult>();
     try {
         *result = compare(reference.scan, copy.scan, fromValues<registration::CompareParameters>(request.parameters),
@@ -42,7 +43,7 @@ void runCompare(const Request& request, InputFiles& inputs, const Progress& prog
     answerWith(
         answer, result, [](const auto& found) { return toJson(found); },
         [](const auto& found) { return compareReport(found, {}); },
-        [](const auto& found) { return toPlainText(compareSummary(found)); });
+        [](const auto& found) { return report::toPlainText(compareSummary(found)); });
     if (wanted)
         writeDeviations(deviations->second, copy.scan, *result,
                         progress.part(0.9, 1, LT_TEXT("Engine", "Writing deviations")));
@@ -56,7 +57,7 @@ Verb compareVerb()
             "Compare a copy with its original: alignment, signed surface deviation, verdict.",
             {{"REFERENCE", "The original: a point cloud or mesh."}, {"COPY", "The copy: a point cloud or mesh."}},
             optionsOf<registration::CompareParameters>(),
-            {&scanFiles()},
+            {&io::scanFiles()},
             {{deviationsOption, "Write every point of the copy with its deviation (FILE.ply or FILE.csv)."}},
             true,
             runCompare};

@@ -1,20 +1,20 @@
 // cylindricity FILE: how far a cloud of points is from a cylinder.
-#include "engine/form/cylindricity.h"
+#include "engine/form/cylinder/cylindricity.h"
 
 #include <nlohmann/json.hpp>
 
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
-#include "engine/form/cylindricity_quantities.h"
-#include "engine/form/roundness_report.h"
+#include "engine/form/cylinder/cylindricity_quantities.h"
+#include "engine/form/roundness/roundness_report.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {
 namespace {
 
-void runCylindricity(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
+void runCylindricity(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
-    const ScanFile file =
+    const io::ScanFile file =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
     const auto result = std::make_shared<form::CylindricityResult>(
         cylindricity(file.scan.points_mm, fromValues<form::CylindricityParameters>(request.parameters),
@@ -22,7 +22,7 @@ void runCylindricity(const Request& request, InputFiles& inputs, const Progress&
     answerWith(
         answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
         [](const auto& found) { return cylindricityReport(found, {}); },
-        [](const auto& found) { return toPlainText(cylindricitySummary(found)); });
+        [](const auto& found) { return report::toPlainText(cylindricitySummary(found)); });
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Verb cylindricityVerb()
             "Cylindricity of points: least-squares and minimum-zone cylinder, axis straightness, verdict.",
             {{"FILE", "Points x, y, z of a cylindrical surface: a cloud, a mesh, or stacked sections."}},
             optionsOf<form::CylindricityParameters>(),
-            {&scanFiles()},
+            {&io::scanFiles()},
             {},
             true,
             runCylindricity};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/verb.h"
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 
 namespace lathelier::cli {
 

@@ -16,9 +16,9 @@ std::string corner(const std::optional<std::array<double, 3>>& point)
 }
 
 /// The facts of one file as rows; what does not apply is left out.
-QuantityTable factsTable(const FileFacts& facts)
+report::QuantityTable factsTable(const io::FileFacts& facts)
 {
-    QuantityTable table{facts.path, {}};
+    report::QuantityTable table{facts.path, {}};
     const auto add = [&table](Text name, const Value& value) {
         const auto* word = std::get_if<std::string>(&value);
         if (!word || !word->empty()) table.rows.push_back({name, value, {}});
@@ -33,44 +33,44 @@ QuantityTable factsTable(const FileFacts& facts)
     for (const auto& [name, value] : facts.details) table.rows.push_back({name, value, {}});
     add(LT_TEXT("Engine", "Smallest x, y, z (mm)"), corner(facts.min_mm));
     add(LT_TEXT("Engine", "Largest x, y, z (mm)"), corner(facts.max_mm));
-    for (const SkippedRow& row : facts.skipped)
+    for (const io::SkippedRow& row : facts.skipped)
         table.rows.push_back(
             {fill(text(LT_TEXT("Engine", "Skipped line {line}")), {{"line", row.line}}), row.reason, {}});
     return table;
 }
 
-Section factsSection(const std::vector<FileFacts>& files)
+report::Section factsSection(const std::vector<io::FileFacts>& files)
 {
-    Section section{LT_TEXT("Engine", "Files"), {}};
-    for (const FileFacts& facts : files) section.blocks.push_back(factsTable(facts));
+    report::Section section{LT_TEXT("Engine", "Files"), {}};
+    for (const io::FileFacts& facts : files) section.blocks.push_back(factsTable(facts));
     return section;
 }
 
 /// All kinds of file that any verb reads; whatever looks like nothing else is a cloud.
-FileKinds knownKinds()
+io::FileKinds knownKinds()
 {
-    FileKinds kinds;
-    for (const Verb& verb : verbs()) unite(kinds, verb.kinds);
+    io::FileKinds kinds;
+    for (const Verb& verb : verbs()) io::unite(kinds, verb.kinds);
     return kinds;
 }
 
-FileFacts readFacts(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
-                    Answer& answer)
+io::FileFacts readFacts(const std::string& path, const Request& request, io::InputFiles& inputs,
+                        const Progress& progress, Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
-    const FileKind* kind = likeliestKind(knownKinds(), path, bytes, request.parameters).kind;
-    FileFacts facts =
-        (kind ? *kind : scanFiles()).facts({path, bytes, request.parameters, inputs, progress}, answer.notes);
+    const io::FileKind* kind = io::likeliestKind(knownKinds(), path, bytes, request.parameters).kind;
+    io::FileFacts facts =
+        (kind ? *kind : io::scanFiles()).facts({path, bytes, request.parameters, inputs, progress}, answer.notes);
     inputs.drop();
     return facts;
 }
 
-void runInspect(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
+void runInspect(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
-    auto files = std::make_shared<std::vector<FileFacts>>();
+    auto files = std::make_shared<std::vector<io::FileFacts>>();
     answer.json = [files] {
         Json result{{"files", Json::array()}};
-        for (const FileFacts& facts : *files) result["files"].push_back(toJson(facts));
+        for (const io::FileFacts& facts : *files) result["files"].push_back(toJson(facts));
         return result;
     };
     const double share = 1.0 / static_cast<double>(request.operands.size());
@@ -83,9 +83,9 @@ void runInspect(const Request& request, InputFiles& inputs, const Progress& prog
             answer.errors.push_back(error.with("path", request.operands[i]));
         }
     }
-    answer.summary = toPlainText(factsSection(*files));
+    answer.summary = report::toPlainText(factsSection(*files));
     answer.report = [files, notes = answer.notes] {
-        Document document;
+        report::Document document;
         document.title = LT_TEXT("Engine", "What was understood of the files");
         document.sections = {factsSection(*files)};
         if (!notes.empty()) document.sections[0].blocks.push_back(notes);
@@ -95,7 +95,7 @@ void runInspect(const Request& request, InputFiles& inputs, const Progress& prog
 
 }  // namespace
 
-Verb inspectVerb(const FileKinds& kinds)
+Verb inspectVerb(const io::FileKinds& kinds)
 {
     return {"inspect",
             "Say what was understood of files: format, units, columns, rows, extent.",

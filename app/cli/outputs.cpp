@@ -8,7 +8,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
-#include "engine/io/probe_reader.h"
+#include "engine/io/probe/probe_reader.h"
 
 namespace lathelier::cli {
 namespace {
@@ -70,7 +70,7 @@ std::vector<NamedFile> inputsOf(const Invocation& invocation)
     if (!areOutputs)
         for (const std::string& path : invocation.request.operands) {
             inputs.push_back(named({}, path));
-            for (const std::string& partner : recordPartners(path)) inputs.push_back(named({}, partner));
+            for (const std::string& partner : io::recordPartners(path)) inputs.push_back(named({}, partner));
         }
     for (const Option& option : invocation.verb->parameters) addFilesOf(option, invocation.request.parameters, inputs);
     return inputs;

@@ -10,24 +10,24 @@ void addNotes(const Notes& notes, Answer& answer)
 
 }  // namespace
 
-ProfileFile readProfile(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
-                        Answer& answer)
+io::ProfileFile readProfile(const std::string& path, const Request& request, io::InputFiles& inputs,
+                            const Progress& progress, Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
     const Values& given = request.parameters;
-    ProfileFile file = lathelier::readProfile(path, bytes, fromValues<ImportOptions>(given),
-                                              fromValues<ProfileOptions>(given), progress);
+    io::ProfileFile file = io::readProfile(path, bytes, fromValues<io::ImportOptions>(given),
+                                           fromValues<io::ProfileOptions>(given), progress);
     addNotes(file.notes, answer);
     return file;
 }
 
-ProbeFile readRecord(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
-                     Answer& answer)
+io::ProbeFile readRecord(const std::string& path, const Request& request, io::InputFiles& inputs,
+                         const Progress& progress, Answer& answer)
 {
     const std::string_view bytes = inputs.open(path, progress);
     const Values& given = request.parameters;
-    ProbeFile file = readProbeRecord(path, bytes, inputs, fromValues<ImportOptions>(given),
-                                     fromValues<RecorderOptions>(given), progress);
+    io::ProbeFile file = io::readProbeRecord(path, bytes, inputs, fromValues<io::ImportOptions>(given),
+                                             fromValues<io::RecorderOptions>(given), progress);
     addNotes(file.notes, answer);
     return file;
 }

@@ -1,5 +1,5 @@
 // roundness PROFILE...: form deviation by the four reference circles, harmonics, uncertainty and verdict.
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 
 #include <sys/stat.h>
 
@@ -9,10 +9,10 @@
 #include "app/cli/records.h"
 #include "app/cli/verbs.h"
 #include "engine/core/core_codes.h"
-#include "engine/form/roundness_dfq.h"
-#include "engine/form/roundness_quantities.h"
-#include "engine/form/roundness_report.h"
-#include "engine/form/superimpose.h"
+#include "engine/form/roundness/roundness_dfq.h"
+#include "engine/form/roundness/roundness_quantities.h"
+#include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/superimpose.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {
@@ -80,9 +80,9 @@ std::string summaryOf(const Found& found)
     std::string summary;
     for (std::size_t i = 0; i < found.results.size(); ++i) {
         if (found.results.size() > 1) summary += (i ? "\n" : "") + found.paths[i] + "\n";
-        summary += toPlainText(roundnessSummary(found.results[i]));
+        summary += report::toPlainText(roundnessSummary(found.results[i]));
     }
-    if (found.superimposed) summary += "\n" + toPlainText(superimposeSection(*found.superimposed));
+    if (found.superimposed) summary += "\n" + report::toPlainText(superimposeSection(*found.superimposed));
     return summary;
 }
 
@@ -93,16 +93,16 @@ std::vector<std::string> measuredTimes(const std::vector<std::string>& paths)
     for (const std::string& path : paths) {
         struct stat status {};
         const bool isFile = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-        times.push_back(isFile ? qdasTime(status.st_mtime) : std::string());
+        times.push_back(isFile ? io::qdasTime(status.st_mtime) : std::string());
     }
     return times;
 }
 
 void superimposeOther(const Request& request, const std::string& path, const Profile& first,
-                      const form::RoundnessParameters& parameters, InputFiles& inputs, const Progress& progress,
+                      const form::RoundnessParameters& parameters, io::InputFiles& inputs, const Progress& progress,
                       Answer& answer, Found& found)
 {
-    const ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
+    const io::ProfileFile other = readProfile(path, request, inputs, progress.part(0, 0.3), answer);
     form::SuperimposeParameters wanted;
     wanted.form = parameters;
     wanted.mirrored = isSet(request, mirroredKey);
@@ -116,7 +116,7 @@ void superimposeOther(const Request& request, const std::string& path, const Pro
     answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
 }
 
-void runRoundness(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
+void runRoundness(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<form::RoundnessParameters>(request.parameters);
     checkCombination(request, parameters);
@@ -129,7 +129,7 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
         const Progress part = progress.part(static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
         try {
             const std::size_t before = answer.notes.size();
-            const ProfileFile file =
+            const io::ProfileFile file =
                 readProfile(path, request, inputs, part.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
             form::RoundnessResult result =
                 roundness(file.profile, parameters, part.part(0.3, 1, LT_TEXT("Engine", "Evaluating")),
@@ -148,11 +148,11 @@ void runRoundness(const Request& request, InputFiles& inputs, const Progress& pr
         }
     }
     if (const auto dfq = request.outputs.find(dfqOption); dfq != request.outputs.end() && answer.errors.empty())
-        writeDfq(dfq->second, qdasFile(found->results, measuredTimes(found->paths)));
+        io::writeDfq(dfq->second, qdasFile(found->results, measuredTimes(found->paths)));
     answer.pass = verdictOf(found->results);
     answer.summary = summaryOf(*found);
     answer.report = [found] {
-        Document document = roundnessReport(found->results, {});
+        report::Document document = roundnessReport(found->results, {});
         if (found->superimposed) document.sections.push_back(superimposeSection(*found->superimposed));
         return document;
     };
@@ -182,7 +182,7 @@ Verb roundnessVerb()
             "Roundness of profiles: four reference circles, harmonics, uncertainty, verdict.",
             {{"PROFILE", "A measured profile: x,y or angle,radius in a text table.", true}},
             roundnessOptions(),
-            {&profileFiles()},
+            {&io::profileFiles()},
             {{dfqOption, "Write the deviations as Q-DAS characteristics (FILE.dfq)."}},
             true,
             runRoundness};

@@ -11,7 +11,7 @@
 #include "engine/core/failure.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
-#include "engine/io/units.h"
+#include "engine/io/text/units.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
 #include "engine/verify/verify_report.h"
@@ -49,14 +49,14 @@ void blame(Error& error, const Invocation& invocation)
     std::size_t which = paths.size() - 1;
     if (const Value* role = find(error.values(), "role"))
         for (std::size_t i = 0; i < operands.size(); ++i)
-            if (lowerCase(operands[i].name) == text(*role)) which = i;
+            if (io::lowerCase(operands[i].name) == text(*role)) which = i;
     error.with("path", paths.at(which));
 }
 
 /// What every verb's object begins and ends with.
-Json envelope(const Invocation& invocation, InputFiles& inputs, const Answer& answer)
+Json envelope(const Invocation& invocation, io::InputFiles& inputs, const Answer& answer)
 {
-    Json result = resultHead(invocation.verb->name, inputs.list(), invocation.request.parameters);
+    Json result = report::resultHead(invocation.verb->name, inputs.list(), invocation.request.parameters);
     Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
     if (!answer.errors.empty()) {
@@ -73,7 +73,7 @@ Json envelope(const Invocation& invocation, InputFiles& inputs, const Answer& an
 /// What is left of it when there is no memory, not even for the digests of the inputs.
 Json shortEnvelope(const Invocation& invocation, const Answer& answer)
 {
-    Json result = resultHead(invocation.verb->name, {}, invocation.request.parameters);
+    Json result = report::resultHead(invocation.verb->name, {}, invocation.request.parameters);
     for (const std::string& path : invocation.request.operands) result["inputs"].push_back({{"path", path}});
     result["error"] = toJson(answer.errors.back());
     result["notes"] = Json::array({result["error"]});
@@ -89,13 +89,13 @@ std::string now()
     return {buffer, std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%S%z", &local)};
 }
 
-void writeReport(const std::string& path, const Answer& answer, InputFiles& inputs, const Progress& progress)
+void writeReport(const std::string& path, const Answer& answer, io::InputFiles& inputs, const Progress& progress)
 {
-    Document document = answer.report();
+    report::Document document = answer.report();
     document.inputs = inputs.list();
     document.created = now();
-    quoteVerification(document, progress);
-    writeFile(path, toHtml(document));
+    verify::quoteVerification(document, progress);
+    io::writeFile(path, report::toHtml(document));
 }
 
 /// Calls `work`; an Error becomes part of the answer. Cancelled passes through.
@@ -113,7 +113,7 @@ void gather(Answer& answer, Work work)
 
 /// Hands the whole object to `write`. Where the memory is too short for that, the answer gives way to the error.
 template <class Write>
-void writeJson(const Invocation& invocation, InputFiles& inputs, Answer& answer, Write write)
+void writeJson(const Invocation& invocation, io::InputFiles& inputs, Answer& answer, Write write)
 {
     gather(answer, [&] {
         try {
@@ -141,7 +141,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
 {
     const CommonOptions& common = invocation.common;
     const ThreadLimit limit(common.threads);
-    InputFiles inputs(common.threads != 1);
+    io::InputFiles inputs(common.threads != 1);
     Answer answer;
     gather(answer, [&] { invocation.verb->run(invocation.request, inputs, progress, answer); });
     for (Error& error : answer.errors) blame(error, invocation);
@@ -154,8 +154,8 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
     const bool json_on_stdout = common.json == "-";
     if (!common.json.empty() && !json_on_stdout)
         writeJson(invocation, inputs, answer, [&](const Json& json) {
-            writeFile(common.json, [&](const Append& append) {
-                writeText(json, [&](std::string_view step) {
+            io::writeFile(common.json, [&](const io::Append& append) {
+                report::writeText(json, [&](std::string_view step) {
                     progress.check();
                     append(step);
                 });
@@ -165,7 +165,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
         gather(answer, [&] { print(json_on_stdout ? Stream::Errors : Stream::Answers, forPeople(answer), progress); });
     if (json_on_stdout)
         writeJson(invocation, inputs, answer, [&](const Json& json) {
-            writeText(json, [&](std::string_view step) { print(Stream::Answers, step, progress); });
+            report::writeText(json, [&](std::string_view step) { print(Stream::Answers, step, progress); });
         });
     for (const Error& error : answer.errors)
         print(Stream::Errors, std::string(programName) + ": " + text(error) + "\n");

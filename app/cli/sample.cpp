@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verbs.h"
-#include "engine/sample/sample.h"
+#include "engine/sample/sample_files.h"
 
 namespace lathelier {
 
@@ -21,11 +21,11 @@ const std::vector<Field<SampleParameters>>& fieldsOf(const SampleParameters*)
     return all;
 }
 
-void runSample(const Request& request, InputFiles&, const Progress& progress, Answer& answer)
+void runSample(const Request& request, io::InputFiles&, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<SampleParameters>(request.parameters);
     const std::vector<std::string> files =
-        writeSample(request.operands.at(0), static_cast<std::uint64_t>(parameters.seed), progress);
+        sample::writeSample(request.operands.at(0), static_cast<std::uint64_t>(parameters.seed), progress);
     answer.json = [files] { return Json{{"files", files}}; };
     for (const std::string& file : files) answer.summary += file + "\n";
 }

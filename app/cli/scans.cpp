@@ -2,11 +2,11 @@
 
 namespace lathelier::cli {
 
-ScanFile readScan(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
-                  Answer& answer)
+io::ScanFile readScan(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
+                      Answer& answer)
 {
-    const auto options = fromValues<ImportOptions>(request.parameters);
-    ScanFile file = lathelier::readScan(path, inputs.open(path, progress), options, progress);
+    const auto options = fromValues<io::ImportOptions>(request.parameters);
+    io::ScanFile file = io::readScan(path, inputs.open(path, progress), options, progress);
     inputs.drop();
     answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
     return file;

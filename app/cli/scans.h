@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/cli/verb.h"
-#include "engine/io/scan_reader.h"
+#include "engine/io/cloud/scan_reader.h"
 
 namespace lathelier::cli {
 
 /// Reads one scan as the request's options say; what the reader notes goes into the answer.
-ScanFile readScan(const std::string& path, const Request& request, InputFiles& inputs, const Progress& progress,
-                  Answer& answer);
+io::ScanFile readScan(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
+                      Answer& answer);
 
 }  // namespace lathelier::cli

@@ -38,7 +38,7 @@ void print(Stream stream, std::string_view text, const Progress& progress)
         if (count < 0) {
             if (stream == Stream::Errors) return;
             throw Error(errors::fileNotWritable,
-                        {{"path", std::string("standard output")}, {"reason", systemReason(errno)}});
+                        {{"path", std::string("standard output")}, {"reason", io::systemReason(errno)}});
         }
         text.remove_prefix(static_cast<std::size_t>(count));
     }

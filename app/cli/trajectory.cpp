@@ -24,11 +24,11 @@ std::vector<Option> trajectoryOptions()
     return options;
 }
 
-void runTrajectory(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer)
+void runTrajectory(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<trajectory::TrajectoryParameters>(request.parameters);
     checkNoFilter(request, parameters.form);
-    std::vector<ProbeFile> records;
+    std::vector<io::ProbeFile> records;
     const auto count = static_cast<double>(request.operands.size());
     for (const std::string& path : request.operands) {
         const auto done = static_cast<double>(records.size());
@@ -41,7 +41,7 @@ void runTrajectory(const Request& request, InputFiles& inputs, const Progress& p
     answerWith(
         answer, result, [](const auto& found) { return toJson(found); },
         [](const auto& found) { return trajectory::trajectoryReport(found, {}); },
-        [](const auto& found) { return toPlainText(trajectory::trajectorySummary(found)); });
+        [](const auto& found) { return report::toPlainText(trajectory::trajectorySummary(found)); });
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
         trajectory::writeSectionTable(table->second, *result);
     if (const auto image = request.outputs.find(imageOption); image != request.outputs.end())
@@ -56,7 +56,7 @@ Verb trajectoryVerb()
             "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.",
             {{"RECORD", "A probe record (CSV or L-Graph .dat/.par), or one for each section.", true}},
             trajectoryOptions(),
-            {&probeRecordFiles()},
+            {&io::probeRecordFiles()},
             {{tableOption, "Write the table of the sections as FILE.csv."},
              {imageOption, "Write the images of the surface, point by point, as FILE.csv."}},
             true,

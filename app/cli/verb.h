@@ -48,9 +48,9 @@ struct Request {
 
 /// What a verb found; filled as it goes, so that notes survive an error. JSON and report are built when asked for.
 struct Answer {
-    std::function<Json()> json;        ///< the verb's own result keys, an object
-    std::function<Document()> report;  ///< empty for verbs without one
-    std::string summary;               ///< for people
+    std::function<Json()> json;                ///< the verb's own result keys, an object
+    std::function<report::Document()> report;  ///< empty for verbs without one
+    std::string summary;                       ///< for people
     Notes notes;
     std::vector<Error> errors;   ///< inputs refused while others could be answered
     std::optional<bool> pass;    ///< the verdict, where there is one
@@ -62,10 +62,10 @@ struct Verb {
     std::string summary;
     std::vector<Operand> operands;
     std::vector<Option> parameters;
-    FileKinds kinds;  ///< of files that it reads: their reading options are options of the verb
+    io::FileKinds kinds;  ///< of files that it reads: their reading options are options of the verb
     std::vector<OutputOption> outputs;
     bool has_report = false;
-    void (*run)(const Request& request, InputFiles& inputs, const Progress& progress, Answer& answer);
+    void (*run)(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer);
 };
 
 /// Options that settle what the input files of a verb leave open.

@@ -8,8 +8,8 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),       compareVerb(),    roundnessVerb(),
                                 cylindricityVerb(), trajectoryVerb(), verifyVerb()};
-        FileKinds kinds{&qdasFiles()};  // inspect knows the files of all others
-        for (const Verb& verb : table) unite(kinds, verb.kinds);
+        io::FileKinds kinds{&io::qdasFiles()};  // inspect knows the files of all others
+        for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;
     }();
@@ -19,8 +19,8 @@ const std::vector<Verb>& verbs()
 std::vector<Option> readingOptions(const Verb& verb)
 {
     if (verb.kinds.empty()) return {};
-    std::vector<Option> options = optionsOf<ImportOptions>();
-    for (const FileKind* kind : verb.kinds)
+    std::vector<Option> options = optionsOf<io::ImportOptions>();
+    for (const io::FileKind* kind : verb.kinds)
         for (const FieldInfo& info : kind->reading) {
             const Value* standard = find(kind->reading_defaults, info.key);
             options.push_back({info, standard ? *standard : Value()});

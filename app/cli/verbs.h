@@ -6,7 +6,7 @@
 namespace lathelier::cli {
 
 Verb sampleVerb();
-Verb inspectVerb(const FileKinds& kinds);  ///< of all files that the others read
+Verb inspectVerb(const io::FileKinds& kinds);  ///< of all files that the others read
 Verb compareVerb();
 Verb roundnessVerb();
 Verb cylindricityVerb();

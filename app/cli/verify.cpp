@@ -13,17 +13,17 @@ namespace {
 
 constexpr const char* referenceKey = "reference_data";
 
-void runVerify(const Request& request, InputFiles&, const Progress& progress, Answer& answer)
+void runVerify(const Request& request, io::InputFiles&, const Progress& progress, Answer& answer)
 {
     const Value* directory = find(request.parameters, referenceKey);
     const auto* word = directory ? std::get_if<std::string>(directory) : nullptr;
-    const auto result = std::make_shared<VerifyResult>(
-        verify(verifyParts(), word ? *word : std::string(), progress.part(0, 1, LT_TEXT("Engine", "Verifying"))));
+    const auto result = std::make_shared<verify::VerifyResult>(verify::verify(
+        verify::verifyParts(), word ? *word : std::string(), progress.part(0, 1, LT_TEXT("Engine", "Verifying"))));
     answer.json = [result] { return toJson(*result); };
-    answer.report = [result] { return verifyReport(*result); };
+    answer.report = [result] { return verify::verifyReport(*result); };
     answer.pass = result->pass;
     answer.always_strict = true;
-    answer.summary = toPlainText(verifySummary(*result));
+    answer.summary = report::toPlainText(verify::verifySummary(*result));
 }
 
 Option referenceOption()

@@ -84,11 +84,11 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     useResources();
     QApplication::setWindowIcon(QIcon(":/icons/lathelier.svg"));
-    const Theme theme(application);
+    Theme theme(application);
 
     // Screenshots and reports neither use nor change the user's own settings.
     const bool apart = !arguments.shots.isEmpty() || !arguments.report.isEmpty();
-    std::optional<PartFolder> fresh;
+    std::optional<io::PartFolder> fresh;
     try {
         if (apart) fresh.emplace();
     } catch (const Error& error) {

@@ -17,15 +17,16 @@
 #include "app/gui/command_palette.h"
 #include "app/gui/help_window.h"
 #include "app/gui/settings_dialog.h"
+#include "app/gui/theme.h"
 #include "widgets/core/icons.h"
 
 namespace lathelier {
 namespace {
 
-FileKinds kindsOf(const std::vector<PanelFacts>& panels)
+io::FileKinds kindsOf(const std::vector<PanelFacts>& panels)
 {
-    FileKinds kinds;
-    for (const PanelFacts& panel : panels) unite(kinds, panel.kinds);
+    io::FileKinds kinds;
+    for (const PanelFacts& panel : panels) io::unite(kinds, panel.kinds);
     return kinds;
 }
 
@@ -64,13 +65,18 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     connect(&session_, &Session::workspaceChanged, this, [this] { enterWorkspace(session_.project().workspace); });
     connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
-    files_.setAutosave(settings_.autosave_min);
 
     const QSize frame(0, 2 * fontMetrics().height());  // the title bar, which counts on the screen as well
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(QSettings().value("geometry").toByteArray());
     enterWorkspace(session_.project().workspace);
     updateTitle();
+    useTheme();
+}
+
+void MainWindow::useTheme()
+{
+    if (auto* theme = qApp->findChild<Theme*>()) theme->choose(settings_.theme);
 }
 
 MainWindow::~MainWindow()
@@ -114,7 +120,7 @@ void MainWindow::enterWorkspace(const std::string& id)
     if (layouts_->workspace() != entered) {
         const auto active = lastActive_.find(entered);
         layouts_->enter(entered, active == lastActive_.end() ? nullptr : active->second);
-        for (PanelDock* dock : docks_) dock->toggleViewAction()->setVisible(isIn(dock->facts(), entered));
+        for (PanelDock* dock : docks_) dock->showAction().setVisible(isIn(dock->facts(), entered));
     }
     for (const auto& [name, action] : workspaceActions_) action->setChecked(name == entered);
     session_.setWorkspace(entered);
@@ -153,9 +159,9 @@ void MainWindow::openPaths(const QStringList& paths)
 /// A file that is certainly, or in all likelihood, of a kind that another panel works on opens that panel.
 void MainWindow::goWhereItBelongs(const FoundFile& file)
 {
-    if (file.likeness < Likeness::Likely) return;
+    if (file.likeness < io::Likeness::Likely) return;
     const auto takes = [&](const PanelDock* dock) {
-        const FileKinds& kinds = dock->facts().kinds;
+        const io::FileKinds& kinds = dock->facts().kinds;
         return std::find(kinds.begin(), kinds.end(), file.kind) != kinds.end();
     };
     if (activeDock() && takes(activeDock())) return;
@@ -190,7 +196,11 @@ void MainWindow::setPresenting(bool presenting)
 {
     if (presenting == presenting_) return;
     presenting_ = presenting;
-    if (presenting) stateBeforePresenting_ = saveState();
+    if (presenting) {
+        stateBeforePresenting_ = saveState();
+        wasFullScreen_ = isFullScreen();
+    }
+    if (isVisible() && !wasFullScreen_) setWindowState(windowState() ^ Qt::WindowFullScreen);
     QFont font = ordinaryFont_;
     if (presenting) font.setPointSizeF(font.pointSizeF() * settings_.presenter_percent / 100.0);
     QApplication::setFont(font);
@@ -200,6 +210,7 @@ void MainWindow::setPresenting(bool presenting)
         if (dock->madePanel()) dock->madePanel()->setPresenting(presenting);
     }
     logDock_->setVisible(!presenting && logDock_->isVisible());
+    menuBar()->setVisible(!presenting);
     bar_->setVisible(!presenting);
     statusBar()->setVisible(!presenting);
     if (!presenting) restoreState(stateBeforePresenting_);
@@ -214,7 +225,7 @@ void MainWindow::applySettings(const Settings& settings)
     settings_ = settings;
     writeSettings(settings);
     languages_.use(settings.language);
-    files_.setAutosave(settings.autosave_min);
+    useTheme();
     setPresenting(presenting);
 }
 
@@ -222,6 +233,26 @@ void MainWindow::askForSettings()
 {
     SettingsDialog dialog(settings_, this);
     if (dialog.exec() == QDialog::Accepted) applySettings(dialog.settings());
+}
+
+void MainWindow::showDock(PanelDock* dock)
+{
+    dock->show();
+    dock->raise();
+    dock->panel().setFocus();
+}
+
+/// The panels of the workspace in turn, those that were closed too.
+void MainWindow::stepPanel(int by)
+{
+    std::vector<PanelDock*> here;
+    for (PanelDock* dock : docks_)
+        if (isIn(dock->facts(), layouts_->workspace())) here.push_back(dock);
+    if (here.empty()) return;
+    const auto now = std::find(here.begin(), here.end(), activeDock());
+    const auto count = static_cast<std::ptrdiff_t>(here.size());
+    const std::ptrdiff_t place = now == here.end() ? 0 : now - here.begin();
+    showDock(here[static_cast<std::size_t>(((place + by) % count + count) % count)]);
 }
 
 void MainWindow::showPalette()

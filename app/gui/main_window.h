@@ -11,9 +11,9 @@
 #include "app/gui/project_files.h"
 #include "app/gui/settings.h"
 #include "app/gui/workspaces.h"
-#include "widgets/core/kind_finder.h"
+#include "widgets/core/files/kind_finder.h"
 #include "widgets/core/language.h"
-#include "widgets/core/message_log.h"
+#include "widgets/core/panel/message_log.h"
 
 class QLabel;
 
@@ -41,6 +41,7 @@ public:
     MessageLog& messages() { return *log_; }
     QAction* action(const QString& name) const;  ///< by object name: "undo"
     void setPresenting(bool presenting);
+    void stepPanel(int by);  ///< to the next panel of the workspace, or an earlier one, round about
     void applySettings(const Settings& settings);
 
 protected:
@@ -50,6 +51,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void useTheme();
+    void showDock(PanelDock* dock);
     void makeDocks(const std::vector<PanelFacts>& panels);
     void makeActions();
     void makeMenus();
@@ -88,6 +91,7 @@ private:
     QLabel* status_ = nullptr;
     HelpWindow* help_ = nullptr;
     bool presenting_ = false;
+    bool wasFullScreen_ = false;
     QByteArray stateBeforePresenting_;
     QFont ordinaryFont_;
 };

@@ -58,8 +58,12 @@ void MainWindow::makeActions()
         if (activeDock()) activeDock()->panel().recompute();
     });
     makeAction("cancel", "stop", {QKeySequence("Esc")}, [this] {
+        if (presenting_ && !(activeDock() && activeDock()->panel().isBusy())) return setPresenting(false);
         if (activeDock()) activeDock()->panel().cancel();
     });
+    makeAction("nextPanel", "", {QKeySequence("Ctrl+Tab"), QKeySequence("Ctrl+PgDown")}, [this] { stepPanel(1); });
+    makeAction("previousPanel", "", {QKeySequence("Ctrl+Shift+Tab"), QKeySequence("Ctrl+PgUp")},
+               [this] { stepPanel(-1); });
     makeAction("resetLayout", "layout", {}, [this] { layouts_->reset(activeDock()); });
     QAction* presenter =
         makeAction("presenter", "presenter", {QKeySequence("F9")}, [this] { setPresenting(!presenting_); });
@@ -94,7 +98,8 @@ void MainWindow::makeMenus()
     add("file", {"new", "open", "recent", "sample", "", "save", "saveAs", "", "reportHtml", "reportPdf", "", "quit"});
     add("edit", {"undo", "redo", "", "settings"});
     add("view", {"workspaces", ""});
-    for (PanelDock* dock : docks_) menus_["view"]->addAction(dock->toggleViewAction());
+    for (PanelDock* dock : docks_) menus_["view"]->addAction(&dock->showAction());
+    for (const char* name : {"nextPanel", "previousPanel"}) menus_["view"]->addAction(action(name));
     menus_["view"]->addAction(logDock_->toggleViewAction());
     logDock_->toggleViewAction()->setIcon(icon("log"));
     menus_["view"]->addSeparator();
@@ -119,6 +124,8 @@ void MainWindow::makeWorkspaceBar()
         group->addAction(enter);
         connect(enter, &QAction::triggered, this, [this, id = workspace.id] { enterWorkspace(id); });
         workspaceActions_[workspace.id] = enter;
+        if (const auto number = workspaceActions_.size(); number <= 9)
+            enter->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number)));
         menus_["workspaces"]->addAction(enter);
     }
     auto* space = new QWidget;
@@ -173,6 +180,8 @@ void MainWindow::retranslate()
     word("reportPdf", tr("Project report as &PDF…"));
     word("quit", tr("&Quit"));
     word("settings", tr("&Settings…"));
+    word("nextPanel", tr("&Next panel"));
+    word("previousPanel", tr("Pre&vious panel"));
     word("compute", tr("&Compute again"));
     word("cancel", tr("&Stop the computation"));
     word("resetLayout", tr("&Reset layout"));

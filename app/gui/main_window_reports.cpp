@@ -6,8 +6,8 @@
 #include <QProgressDialog>
 
 #include "app/gui/main_window.h"
-#include "widgets/core/number_edit.h"
-#include "widgets/core/report_files.h"
+#include "widgets/core/form/number_edit.h"
+#include "widgets/core/report/report_files.h"
 
 namespace lathelier {
 namespace {
@@ -45,7 +45,7 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
 {
     takeOverTyping(this);
     if (!waitForPanels(docks, this)) return;
-    std::vector<Document> parts;
+    std::vector<report::Document> parts;
     bool answered = false;
     for (PanelDock* dock : docks) {
         PanelBase& panel = dock->panel();

@@ -9,8 +9,13 @@
 namespace lathelier {
 
 PanelDock::PanelDock(Session& session, const PanelFacts& facts, QWidget* parent)
-    : QDockWidget(parent), session_(session), facts_(facts)
+    : QDockWidget(parent), session_(session), facts_(facts), show_(new QAction(this))
 {
+    connect(show_, &QAction::triggered, this, [this] {
+        show();
+        raise();
+        panel().setFocus();
+    });
     setObjectName(QString::fromStdString("dock_" + facts.id));  // saved layouts know it by this name
     setWindowIcon(icon(facts.icon));
     retranslate();
@@ -45,7 +50,8 @@ void PanelDock::showEvent(QShowEvent* event)
 void PanelDock::retranslate()
 {
     setWindowTitle(screenText(facts_.title));
-    toggleViewAction()->setIcon(icon(facts_.icon));
+    show_->setText(windowTitle());
+    show_->setIcon(icon(facts_.icon));
 }
 
 void PanelDock::changeEvent(QEvent* event)

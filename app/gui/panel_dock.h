@@ -1,9 +1,10 @@
 // A dock that holds one panel and makes it when it is first seen.
 #pragma once
 
+#include <QAction>
 #include <QDockWidget>
 
-#include "widgets/core/panel_base.h"
+#include "widgets/core/panel/panel_base.h"
 
 namespace lathelier {
 
@@ -16,6 +17,8 @@ public:
     PanelBase& panel();                              ///< makes it when needed
     PanelBase* madePanel() const { return panel_; }  ///< nullptr: never seen so far
     void setTitleSeen(bool seen);                    ///< presenter mode hides the title bar
+
+    QAction& showAction() { return *show_; }  ///< of the View menu: shows and raises, closes nothing
 
 signals:
     void panelMade(lathelier::PanelBase* panel);
@@ -30,6 +33,7 @@ private:
     Session& session_;
     PanelFacts facts_;
     PanelBase* panel_ = nullptr;
+    QAction* show_;
 };
 
 }  // namespace lathelier

@@ -9,8 +9,9 @@ namespace lathelier {
 
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{comparePanelFacts(), roundnessPanelFacts(), trajectoryPanelFacts(),
-                                               longitudinalPanelFacts()};
+    static const std::vector<PanelFacts> table{
+        compare_panel::comparePanelFacts(), roundness_panel::roundnessPanelFacts(),
+        trajectory_panel::trajectoryPanelFacts(), longitudinal_panel::longitudinalPanelFacts()};
     return table;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "widgets/core/panel_facts.h"
+#include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier {
 

@@ -3,6 +3,7 @@
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -10,23 +11,29 @@
 #include <algorithm>
 
 #include "app/gui/settings.h"
-#include "engine/sample/sample.h"
+#include "engine/sample/sample_files.h"
+#include "widgets/core/form/number_edit.h"
 #include "widgets/core/language.h"
-#include "widgets/core/number_edit.h"
-#include "widgets/core/task.h"
+#include "widgets/core/work/task.h"
 
 namespace lathelier {
 namespace {
 
 constexpr const char* suffix = "lathelier";
+constexpr int keepAfter_ms = 1000;
 
-}
+}  // namespace
 
 ProjectFiles::ProjectFiles(Session& session, const QString& recoveryFolder, QWidget* window)
     : QObject(window), session_(session), window_(window)
 {
     if (!recoveryFolder.isEmpty()) recovery_ = std::make_unique<Recovery>(recoveryFolder);
-    connect(&autosave_, &QTimer::timeout, this, &ProjectFiles::keepAside);
+    keeping_.setSingleShot(true);
+    keeping_.setInterval(keepAfter_ms);
+    connect(&keeping_, &QTimer::timeout, this, &ProjectFiles::keepAside);
+    connect(&session_, &Session::changed, this, [this] {
+        if (!keeping_.isActive()) keeping_.start();
+    });
     connect(&session_.watch(), &SourceWatch::found, this, [this](const Note& note) { emit messageRaised({note, {}}); });
 }
 
@@ -131,6 +138,10 @@ void ProjectFiles::offerLostWork()
         QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
                         tr("Lathelier ended unexpectedly. Unsaved work on %1 was kept.").arg(name),
                         QMessageBox::NoButton, window_);
+        const QString files = work.files.isEmpty() ? tr("no files") : work.files.join(", ");
+        box.setInformativeText(
+            tr("Kept on %1, with %2.").arg(QLocale().toString(work.kept, QLocale::ShortFormat), files));
+        box.setDetailedText(work.original);
         QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
         QPushButton* discard = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
         box.addButton(tr("Later"), QMessageBox::RejectRole);
@@ -149,18 +160,9 @@ void ProjectFiles::offerLostWork()
     }
 }
 
-void ProjectFiles::setAutosave(int minutes)
-{
-    if (minutes == 0)
-        autosave_.stop();
-    else
-        autosave_.start(minutes * 60 * 1000);
-}
-
 void ProjectFiles::keepAside()
 {
     if (!recovery_) return;
-    takeOverTyping(window_);
     try {
         recovery_->keep(session_);
     } catch (const Error& error) {
@@ -170,6 +172,7 @@ void ProjectFiles::keepAside()
 
 void ProjectFiles::leaveWithoutAsking()
 {
+    takeOverTyping(window_);
     keepAside();
     if (recovery_) recovery_->leave();
 }
@@ -177,7 +180,7 @@ void ProjectFiles::leaveWithoutAsking()
 QString ProjectFiles::makeSample()
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
-    const std::vector<std::string> names = sampleFileNames();
+    const std::vector<std::string> names = sample::sampleFileNames();
     const QString project = folder + "/" + QString::fromStdString(names.back());  // written last
     // A folder of an earlier version lacks what came later.
     if (std::all_of(names.begin(), names.end(), [&folder](const std::string& name) {
@@ -197,7 +200,7 @@ QString ProjectFiles::makeSample()
     std::optional<Worker::Outcome> outcome;
     task.start(
         [path = folder.toStdString()](const Progress& share) -> std::shared_ptr<const void> {
-            writeSample(path, 1, share);
+            sample::writeSample(path, 1, share);
             return nullptr;
         },
         [&](const Worker::Outcome& became) {

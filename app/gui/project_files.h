@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "app/gui/recovery.h"
-#include "widgets/core/message.h"
+#include "widgets/core/panel/message.h"
 #include "widgets/core/session.h"
 
 namespace lathelier {
@@ -30,8 +30,8 @@ public:
     /// Unsaved work of a run that ended unexpectedly: opened or thrown away as the user says.
     void offerLostWork();
 
-    void setAutosave(int minutes);  ///< 0: never
-    void keepAside();               ///< what autosave does
+    void
+    keepAside();  ///< what is done a second after each change: a copy for the next start, should this run not end well
 
     /// The program ends without a question (logout, shutdown): unsaved work is kept for the next start.
     void leaveWithoutAsking();
@@ -53,7 +53,7 @@ private:
     Session& session_;
     QWidget* window_;
     std::unique_ptr<Recovery> recovery_;
-    QTimer autosave_;
+    QTimer keeping_;  ///< since the first change that is not kept yet
 };
 
 }  // namespace lathelier

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QUuid>
 
 #include "engine/io/file.h"
@@ -54,13 +55,32 @@ void Recovery::keep(const Session& session)
         return;
     }
     session.saveCopy(file_);
-    writeFile(pathFile(file_).toStdString(), session.savedSha256() + "\n" + session.path().toStdString());
+    io::writeFile(pathFile(file_).toStdString(), session.savedSha256() + "\n" + session.path().toStdString());
 }
 
 void Recovery::forget()
 {
     if (!file_.isEmpty()) removeAll(file_);
 }
+
+namespace {
+
+/// Names of the inputs; none when the project cannot be read, which recovering it will say.
+QStringList filesOf(const QString& project)
+{
+    QStringList names;
+    try {
+        for (const auto& [id, panel] : project::readProject(project.toStdString()).project.panels)
+            for (const auto& [role, source] : panel.inputs)
+                if (!source.path.empty()) names << QFileInfo(QString::fromStdString(source.path)).fileName();
+    } catch (const Error&) {
+        return {};
+    }
+    names.removeDuplicates();
+    return names;
+}
+
+}  // namespace
 
 std::vector<LostWork> Recovery::lostWork() const
 {
@@ -79,7 +99,7 @@ std::vector<LostWork> Recovery::lostWork() const
             sha256 = path.readLine().trimmed().toStdString();
             original = QString::fromUtf8(path.readAll());
         }
-        result.push_back({file, original, sha256});
+        result.push_back({file, original, sha256, QFileInfo(file).lastModified(), filesOf(file)});
     }
     return result;
 }

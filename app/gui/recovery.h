@@ -1,8 +1,10 @@
 // Autosave and recovery: unsaved work is kept aside while the program runs, and found again after a crash.
 #pragma once
 
+#include <QDateTime>
 #include <QLockFile>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct LostWork {
     QString file;                 ///< the project as it was kept aside
     QString original;             ///< the project file it belongs to; empty: it had none
     std::string original_sha256;  ///< of that file when the work on it began
+    QDateTime kept;               ///< when it was kept aside last
+    QStringList files;            ///< names of the input files it works on
 };
 
 /// The place of this run's unsaved work inside `folder`. The files of a run are locked while it lives; what is there

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "engine/core/failure.h"
+#include "widgets/core/files/stores.h"
 #include "widgets/core/language.h"
-#include "widgets/core/report_files.h"
-#include "widgets/core/stores.h"
+#include "widgets/core/report/report_files.h"
 
 namespace lathelier {
 namespace {
@@ -24,7 +24,7 @@ int exitCode(ErrorKind kind)
 }
 
 /// Ids of panels: those the user put into the report, else all that have something to work on.
-std::vector<std::string> reported(const Project& project, const std::vector<PanelFacts>& panels)
+std::vector<std::string> reported(const project::Project& project, const std::vector<PanelFacts>& panels)
 {
     if (!project.report.empty()) return project.report;
     std::vector<std::string> all;
@@ -46,21 +46,22 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
         if (code == 0) code = exitCode(error.code().kind);
     };
     try {
-        const Project opened = readProject(QFileInfo(project).absoluteFilePath().toStdString()).project;
-        for (const Note& note : checkSources(opened)) say(screenText(note));
+        const project::Project opened =
+            project::readProject(QFileInfo(project).absoluteFilePath().toStdString()).project;
+        for (const Note& note : project::checkSources(opened)) say(screenText(note));
         Stores stores;
-        std::vector<Document> parts;
+        std::vector<report::Document> parts;
         bool answered = false;
         for (const std::string& id : reported(opened, panels)) {
             const auto facts =
                 std::find_if(panels.begin(), panels.end(), [&](const PanelFacts& panel) { return panel.id == id; });
             if (facts == panels.end()) continue;
-            const PanelState state = resolved(opened, facts->stateKey());
+            const project::PanelState state = project::resolved(opened, facts->stateKey());
             if (facts->missing && !facts->missing(state).empty()) {
                 parts.push_back(partWithoutAnswer(*facts, state, {}));
                 say(screenText(facts->title));
-                for (const Block& block : parts.back().sections.front().blocks)
-                    if (const auto* words = std::get_if<Paragraph>(&block))
+                for (const report::Block& block : parts.back().sections.front().blocks)
+                    if (const auto* words = std::get_if<report::Paragraph>(&block))
                         say("  " + QString::fromStdString(fill(screenText(words->pattern).toStdString(), words->values,
                                                                screenLanguage())));
                 if (code == 0) code = exitCode(ErrorKind::NoAnswer);

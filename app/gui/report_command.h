@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "widgets/core/panel_facts.h"
+#include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier {
 

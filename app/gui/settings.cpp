@@ -16,7 +16,7 @@ Settings readSettings()
     const QSettings stored;
     Settings result;
     result.language = stored.value("language").toString();
-    result.autosave_min = std::clamp(stored.value("autosave_min", result.autosave_min).toInt(), 0, 60);
+    result.theme = stored.value("theme").toString();
     result.presenter_percent =
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
     return result;
@@ -26,7 +26,7 @@ void writeSettings(const Settings& settings)
 {
     QSettings stored;
     stored.setValue("language", settings.language);
-    stored.setValue("autosave_min", settings.autosave_min);
+    stored.setValue("theme", settings.theme);
     stored.setValue("presenter_percent", settings.presenter_percent);
 }
 

@@ -8,7 +8,7 @@ namespace lathelier {
 
 struct Settings {
     QString language;             ///< "en", "pl"; empty: the system's
-    int autosave_min = 2;         ///< 0: never
+    QString theme;                ///< "light", "dark"; empty: the system's
     int presenter_percent = 150;  ///< type size in presenter mode
 };
 

@@ -10,19 +10,18 @@
 namespace lathelier {
 
 SettingsDialog::SettingsDialog(const Settings& settings, QWidget* parent)
-    : QDialog(parent), language_(new QComboBox), autosave_(new QSpinBox), presenter_(new QSpinBox)
+    : QDialog(parent), language_(new QComboBox), theme_(new QComboBox), presenter_(new QSpinBox)
 {
     setWindowTitle(tr("Settings"));
     language_->setObjectName("language");
     language_->addItem(tr("As the system"), QString());
     for (const QString& code : Languages::codes()) language_->addItem(Languages::name(code), code);
     language_->setCurrentIndex(std::max(0, language_->findData(settings.language)));
-    autosave_->setObjectName("autosave");
-    autosave_->setRange(0, 60);
-    autosave_->setSpecialValueText(tr("never"));
-    autosave_->setSuffix(tr(" min"));
-    autosave_->setValue(settings.autosave_min);
-    autosave_->setToolTip(tr("How often unsaved work is kept aside, in case the program ends unexpectedly"));
+    theme_->setObjectName("theme");
+    theme_->addItem(tr("As the system"), QString());
+    theme_->addItem(tr("Light"), QString("light"));
+    theme_->addItem(tr("Dark"), QString("dark"));
+    theme_->setCurrentIndex(std::max(0, theme_->findData(settings.theme)));
     presenter_->setObjectName("presenter");
     presenter_->setRange(100, 300);
     presenter_->setSingleStep(10);
@@ -35,14 +34,14 @@ SettingsDialog::SettingsDialog(const Settings& settings, QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QFormLayout(this);
     layout->addRow(tr("Language"), language_);
-    layout->addRow(tr("Autosave every"), autosave_);
+    layout->addRow(tr("Theme"), theme_);
     layout->addRow(tr("Presenter type size"), presenter_);
     layout->addRow(buttons);
 }
 
 Settings SettingsDialog::settings() const
 {
-    return {language_->currentData().toString(), autosave_->value(), presenter_->value()};
+    return {language_->currentData().toString(), theme_->currentData().toString(), presenter_->value()};
 }
 
 }  // namespace lathelier

@@ -18,7 +18,7 @@ public:
 
 private:
     QComboBox* language_;
-    QSpinBox* autosave_;
+    QComboBox* theme_;
     QSpinBox* presenter_;
 };
 

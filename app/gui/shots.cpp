@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
-#include <QTabWidget>
 #include <QTimer>
 #include <algorithm>
 #include <functional>
@@ -13,6 +12,7 @@
 
 #include "app/gui/help_window.h"
 #include "app/gui/verify_dialog.h"
+#include "widgets/core/panel/hero_views.h"
 
 namespace lathelier {
 namespace {
@@ -59,14 +59,14 @@ bool shootPanel(MainWindow& window, PanelDock& dock, const QDir& shots, const QS
     good = dock.panel().isCurrent() && good;
     good = write(window, shots.filePath("window_" + id + suffix)) && good;
     good = write(dock.panel(), shots.filePath(id + suffix)) && good;
-    auto* pages = dock.panel().findChild<QTabWidget*>("pages");
-    for (int page = 1; pages && page < pages->count(); ++page) {
-        if (!pages->isTabEnabled(page)) continue;
-        pages->setCurrentIndex(page);
+    auto* heroes = dock.panel().findChild<HeroViews*>();
+    const QStringList keys = heroes ? heroes->keys() : QStringList();
+    for (int view = 1; view < keys.size(); ++view) {
+        heroes->setHero(keys[view]);
         pause(settling_ms);
-        good = write(dock.panel(), shots.filePath(QString("%1_page%2%3").arg(id).arg(page).arg(suffix))) && good;
+        good = write(dock.panel(), shots.filePath(QString("%1_%2%3").arg(id, keys[view], suffix))) && good;
     }
-    if (pages) pages->setCurrentIndex(0);
+    if (!keys.isEmpty()) heroes->setHero(keys.front());
     return good;
 }
 

@@ -112,18 +112,28 @@ Theme::Theme(QApplication& application) : QObject(&application)
     QDBusConnection bus = QDBusConnection::sessionBus();
     const bool platformIsDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
     QApplication::setStyle(new CalmStyle);
-    apply(desktopIsDark(bus).value_or(platformIsDark));
+    desktopDark_ = desktopIsDark(bus).value_or(platformIsDark);
+    apply();
     bus.connect(service, path, settings, "SettingChanged", this, SLOT(desktopChanged(QString, QString, QDBusVariant)));
 }
 
 void Theme::desktopChanged(const QString& group, const QString& key, const QDBusVariant& value)
 {
     if (group != appearance || key != colourScheme) return;
-    apply(isDark(value.variant()).value_or(false));
+    desktopDark_ = isDark(value.variant()).value_or(false);
+    apply();
 }
 
-void Theme::apply(bool dark)
+void Theme::choose(const QString& wanted)
 {
+    if (wanted == wanted_) return;
+    wanted_ = wanted;
+    apply();
+}
+
+void Theme::apply()
+{
+    const bool dark = wanted_.isEmpty() ? desktopDark_ : wanted_ == "dark";
     QPalette palette = dark ? darkPalette() : lightPalette();
     withDisabled(palette);
     QApplication::setPalette(palette);

@@ -9,17 +9,23 @@ class QApplication;
 namespace lathelier {
 
 /// Sets Fusion with our palette: dark when the desktop asks for dark (freedesktop's colour-scheme, else the palette
-/// the platform started with), and changes with the desktop while the program runs.
+/// the platform started with), and changes with the desktop while the program runs, unless the user chose one.
 class Theme : public QObject {
     Q_OBJECT
 public:
     explicit Theme(QApplication& application);
 
+    /// "light" or "dark" whatever the desktop asks for; empty: as the desktop does.
+    void choose(const QString& wanted);
+
 private slots:
     void desktopChanged(const QString& group, const QString& key, const QDBusVariant& value);
 
 private:
-    void apply(bool dark);
+    void apply();
+
+    QString wanted_;
+    bool desktopDark_ = false;
 };
 
 }  // namespace lathelier

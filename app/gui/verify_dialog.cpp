@@ -9,9 +9,9 @@
 #include <QVBoxLayout>
 
 #include "engine/verify/verify_report.h"
-#include "widgets/core/copy_table.h"
 #include "widgets/core/language.h"
-#include "widgets/core/report_files.h"
+#include "widgets/core/panel/copy_table.h"
+#include "widgets/core/report/report_files.h"
 
 namespace lathelier {
 
@@ -53,23 +53,24 @@ VerifyDialog::VerifyDialog(QWidget* parent)
 
     connect(&task_, &Task::progressed, this,
             [this](const Worker::State& state) { bar_->setValue(static_cast<int>(state.fraction * 1000)); });
-    task_.compute<VerifyResult>([](const Progress& progress) { return verify(verifyParts(), {}, progress); },
-                                [this](const VerifyResult& found) {
-                                    bar_->hide();
-                                    result_ = std::make_shared<const VerifyResult>(found);
-                                    showResult();
-                                },
-                                [this](const Error& error) {
-                                    bar_->hide();
-                                    headline_->setText(screenText(error));
-                                });
+    task_.compute<verify::VerifyResult>(
+        [](const Progress& progress) { return verify::verify(verify::verifyParts(), {}, progress); },
+        [this](const verify::VerifyResult& found) {
+            bar_->hide();
+            result_ = std::make_shared<const verify::VerifyResult>(found);
+            showResult();
+        },
+        [this](const Error& error) {
+            bar_->hide();
+            headline_->setText(screenText(error));
+        });
 }
 
 void VerifyDialog::showResult()
 {
     if (!result_) return;
-    headline_->setText(QString::fromStdString(headline(*result_, screenLanguage()).text));
-    table_->setTable(verifyTable(*result_));
+    headline_->setText(QString::fromStdString(report::sentenceText(answer(*result_), screenLanguage())));
+    table_->setTable(verify::verifyTable(*result_));
     report_->setEnabled(true);
 }
 
@@ -79,7 +80,7 @@ void VerifyDialog::writeReportFile()
                                                       tr("HTML (*.html)") + ";;" + tr("PDF (*.pdf)"));
     if (path.isEmpty()) return;
     try {
-        writeReport(path, verifyReport(*result_, screenLanguage()));
+        writeReport(path, verify::verifyReport(*result_));
     } catch (const Error& error) {
         about_->setText(screenText(error));
     }

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "engine/verify/verify.h"
-#include "widgets/core/task.h"
+#include "widgets/core/work/task.h"
 
 class QLabel;
 class QProgressBar;
@@ -23,7 +23,7 @@ public:
     explicit VerifyDialog(QWidget* parent = nullptr);
 
     /// Null while it computes, or when it was stopped.
-    std::shared_ptr<const VerifyResult> result() const { return result_; }
+    std::shared_ptr<const verify::VerifyResult> result() const { return result_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -34,7 +34,7 @@ private:
     void showResult();
     void writeReportFile();
 
-    std::shared_ptr<const VerifyResult> result_;
+    std::shared_ptr<const verify::VerifyResult> result_;
     QLabel* headline_;
     QLabel* about_;
     CopyTable* table_;

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace lathelier {
+namespace lathelier::io {
 namespace {
 
 Json wordOrNull(const std::string& word)
@@ -37,4 +37,4 @@ Json toJson(const FileFacts& facts)
     return json;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

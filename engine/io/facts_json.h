@@ -4,10 +4,10 @@
 #include "engine/core/json.h"
 #include "engine/io/import.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 /// path, format, encoding, delimiter, decimal, unit, unit_source, rows, columns, skipped [{line, reason}], details;
 /// what does not apply is null.
 Json toJson(const FileFacts& facts);
 
-}  // namespace lathelier
+}  // namespace lathelier::io

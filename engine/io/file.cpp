@@ -22,7 +22,7 @@
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"
 
-namespace lathelier {
+namespace lathelier::io {
 namespace {
 
 constexpr std::size_t pipeLimit = std::size_t{4} << 30;
@@ -346,4 +346,4 @@ std::string fileSha256(const std::string& path, const Progress& progress)
     return first;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

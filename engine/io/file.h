@@ -9,7 +9,7 @@
 
 #include "engine/core/progress.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 /// The bytes of a file, copied into memory: what another program does to the file later changes nothing here.
 class FileBytes {
@@ -80,4 +80,4 @@ std::string sha256(std::string_view bytes, const Progress& progress = {},
 /// The same of a regular file, read in steps: any size will do. Errors as FileBytes without fileTooLarge.
 std::string fileSha256(const std::string& path, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -4,16 +4,16 @@
 #include <filesystem>
 
 #include "engine/core/error.h"
-#include "engine/io/dfq_writer.h"
-#include "engine/io/encoding.h"
+#include "engine/io/cloud/scan_reader.h"
 #include "engine/io/file.h"
-#include "engine/io/probe_reader.h"
-#include "engine/io/profile_reader.h"
-#include "engine/io/readable_text.h"
-#include "engine/io/scan_reader.h"
-#include "engine/io/units.h"
+#include "engine/io/probe/probe_reader.h"
+#include "engine/io/profile/profile_reader.h"
+#include "engine/io/qdas/dfq_writer.h"
+#include "engine/io/text/encoding.h"
+#include "engine/io/text/readable_text.h"
+#include "engine/io/text/units.h"
 
-namespace lathelier {
+namespace lathelier::io {
 namespace {
 
 template <class File>
@@ -165,4 +165,4 @@ const FileKind& qdasFiles()
     return kind;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -13,7 +13,7 @@
 #include "engine/io/import.h"
 #include "engine/io/input_files.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 /// How much the head of a file speaks for a kind. Possible: nothing speaks against it.
 enum class Likeness { No, Possible, Likely, Certain };
@@ -65,4 +65,4 @@ const FileKind& probeRecordFiles();
 /// Q-DAS characteristics.
 const FileKind& qdasFiles();
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace lathelier {
+namespace lathelier::io {
 
 Value systemReason(int error)
 {
@@ -26,4 +26,4 @@ Value systemReason(int error)
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -5,7 +5,7 @@
 
 #include "engine/core/value.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 /// Owns a POSIX file descriptor.
 class Descriptor {
@@ -33,4 +33,4 @@ private:
 /// The reason behind `errno`: a translatable phrase for the common ones, else the system's own words.
 Value systemReason(int error);
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -17,7 +17,7 @@
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"
 
-namespace lathelier {
+namespace lathelier::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,4 +199,4 @@ PartFolder::~PartFolder()
     fs::remove_all(path_, problem);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -1,6 +1,6 @@
 #include "engine/io/import.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*)
 {
@@ -38,4 +38,4 @@ const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*)
     return all;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

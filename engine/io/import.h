@@ -10,7 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 enum class Decimal { Auto, Point, Comma };
 enum class Delimiter { Auto, Space, Comma, Semicolon, Tab, Pipe };
@@ -51,4 +51,4 @@ struct FileFacts {
     std::optional<std::array<double, 3>> max_mm;  ///< largest coordinates
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::io

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-namespace lathelier {
+namespace lathelier::io {
 namespace {
 
 /// Tells how far a digest is; at its end, all.
@@ -36,7 +36,7 @@ std::string_view InputFiles::open(const std::string& path, const Progress& progr
     auto digest = [bytes, hashed, stop = progress.quiet()]() mutable {
         const std::shared_ptr<FileBytes> held = std::exchange(bytes, nullptr);
         const Passed passed{*hashed};  // also when it is stopped: nobody may wait for ever
-        return lathelier::sha256(held->view(), stop, [&passed](std::size_t count) { passed.tell(count); });
+        return io::sha256(held->view(), stop, [&passed](std::size_t count) { passed.tell(count); });
     };
     std::shared_future<std::string> sha256;
     if (beside_) {
@@ -76,4 +76,4 @@ std::vector<InputFile> InputFiles::list()
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::io

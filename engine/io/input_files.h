@@ -13,7 +13,7 @@
 #include "engine/core/input_file.h"
 #include "engine/io/file.h"
 
-namespace lathelier {
+namespace lathelier::io {
 
 /// Reads files for one computation. Digests are computed beside the parsing. Not for several threads at once.
 class InputFiles {
@@ -47,4 +47,4 @@ private:
     bool beside_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::io

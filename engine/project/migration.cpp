@@ -2,11 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-namespace lathelier {
+namespace lathelier::project {
 
 const std::vector<MigrationStep>& migrationSteps()
 {
-    static const std::vector<MigrationStep> steps{[](Json& json) { json["items"] = Json::object(); }};
+    static const std::vector<MigrationStep> steps{[](Json& json) { json["items"] = Json::object(); },
+                                                  [](Json& json) { json["views"] = Json::object(); }};
     return steps;
 }
 
@@ -17,4 +18,4 @@ void migrate(Json& json, int from, const std::vector<MigrationStep>& steps)
     json["version"] = last;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::project

@@ -5,10 +5,10 @@
 
 #include "engine/core/json.h"
 
-namespace lathelier {
+namespace lathelier::project {
 
 /// The format version this program writes. Raise it, and add a step, whenever an older program would misread the file.
-inline constexpr int projectVersion = 2;
+inline constexpr int projectVersion = 3;
 
 /// Turns one format version into the next.
 using MigrationStep = void (*)(Json&);
@@ -20,4 +20,4 @@ const std::vector<MigrationStep>& migrationSteps();
 /// Applies the steps from version `from` on and sets "version" to where they lead.
 void migrate(Json& json, int from, const std::vector<MigrationStep>& steps);
 
-}  // namespace lathelier
+}  // namespace lathelier::project

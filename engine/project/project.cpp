@@ -10,7 +10,7 @@
 #include "engine/project/project_codes.h"
 #include "engine/project/project_json.h"
 
-namespace lathelier {
+namespace lathelier::project {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,13 +27,13 @@ fs::path folderOf(const std::string& path)
 ProjectFile readProject(const std::string& path)
 {
     try {
-        const FileBytes bytes(path);
+        const io::FileBytes bytes(path);
         if (bytes.view().empty()) throw Error(errors::fileEmpty, {});
         if (bytes.view().size() > largestProject)
             throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(largestProject)},
                                             {"found", LT_TEXT("Engine", "more")},
                                             {"expected", LT_TEXT("Engine", "a project of at most 64 MB")}});
-        return {parseProject(bytes.view(), folderOf(path)), sha256(bytes.view())};
+        return {parseProject(bytes.view(), folderOf(path)), io::sha256(bytes.view())};
     } catch (Error& error) {
         throw error.with("path", path);
     }
@@ -42,8 +42,8 @@ ProjectFile readProject(const std::string& path)
 std::string writeProject(const std::string& path, const Project& project)
 {
     const std::string text = toJsonText(project, folderOf(path));
-    writeFile(path, text);
-    return sha256(text);
+    io::writeFile(path, text);
+    return io::sha256(text);
 }
 
 PanelState resolved(const Project& project, const std::string& id)
@@ -63,7 +63,7 @@ std::string stateDigest(const PanelState& state)
     for (const auto& [role, source] : state.inputs)
         json["inputs"][role] = {{"content", source.sha256.empty() ? source.path + source.item : source.sha256},
                                 {"import", toJson(source.import)}};
-    return sha256(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return io::sha256(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 Origin originOf(const Project& project, const std::string& id, const std::string& version)
@@ -97,9 +97,9 @@ Notes checkSources(const Project& project, const Progress& progress)
                 notes.push_back({notes::sourceMissing, {{"path", source.path}}});
                 continue;
             }
-            if (source.sha256.empty() || fs::file_size(source.path, unknown) > largestFile_bytes()) continue;
+            if (source.sha256.empty() || fs::file_size(source.path, unknown) > io::largestFile_bytes()) continue;
             try {
-                if (fileSha256(source.path, progress) != source.sha256)
+                if (io::fileSha256(source.path, progress) != source.sha256)
                     notes.push_back({notes::sourceChanged, {{"path", source.path}}});
             } catch (const Error&) {  // gone, locked or written to in this moment; opening it will say why
                 notes.push_back({notes::sourceMissing, {{"path", source.path}}});
@@ -108,4 +108,4 @@ Notes checkSources(const Project& project, const Progress& progress)
     return notes;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::project

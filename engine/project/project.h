@@ -9,7 +9,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/value.h"
 
-namespace lathelier {
+namespace lathelier::project {
 
 /// An input file of a panel, with the decisions made at import.
 struct Source {
@@ -52,6 +52,7 @@ struct Project {
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
     std::map<std::string, Item> items;         ///< by name
+    std::map<std::string, Values> views;       ///< by panel id: what is looked at, and how; computes nothing
     friend bool operator==(const Project&, const Project&) = default;
 };
 
@@ -87,4 +88,4 @@ Notes checkSources(const Project& project, const Progress& progress = {});
 /// fileNotWritable.
 std::string writeProject(const std::string& path, const Project& project);
 
-}  // namespace lathelier
+}  // namespace lathelier::project

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/io/json_document.h"
+#include "engine/io/json/json_document.h"
 #include "engine/project/migration.h"
 #include "engine/project/project_codes.h"
 
-namespace lathelier {
+namespace lathelier::project {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,10 +37,10 @@ std::string relativePath(const std::string& path, const fs::path& folder)
     return result.empty() ? path : result;
 }
 
-Source parseSource(const JsonCursor& cursor, const fs::path& folder)
+Source parseSource(const io::JsonCursor& cursor, const fs::path& folder)
 {
     Source source;
-    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "path")
             source.path = absolutePath(member.string(), folder);
         else if (key == "item")
@@ -57,12 +57,12 @@ Source parseSource(const JsonCursor& cursor, const fs::path& folder)
     return source;
 }
 
-PanelState parsePanel(const JsonCursor& cursor, const fs::path& folder)
+PanelState parsePanel(const io::JsonCursor& cursor, const fs::path& folder)
 {
     PanelState panel;
-    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "inputs")
-            member.members(mostInputs, [&](const std::string& role, const JsonCursor& source) {
+            member.members(mostInputs, [&](const std::string& role, const io::JsonCursor& source) {
                 panel.inputs[role] = parseSource(source, folder);
             });
         else if (key == "parameters")
@@ -73,10 +73,10 @@ PanelState parsePanel(const JsonCursor& cursor, const fs::path& folder)
     return panel;
 }
 
-Origin parseOrigin(const JsonCursor& cursor)
+Origin parseOrigin(const io::JsonCursor& cursor)
 {
     Origin origin;
-    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "panel")
             origin.panel = member.string();
         else if (key == "version")
@@ -84,17 +84,17 @@ Origin parseOrigin(const JsonCursor& cursor)
         else if (key == "state_sha256")
             origin.state_sha256 = member.string();
         else if (key == "inputs")
-            member.items(mostInputs, [&](const JsonCursor& input) { origin.inputs.push_back(input.string()); });
+            member.items(mostInputs, [&](const io::JsonCursor& input) { origin.inputs.push_back(input.string()); });
         else
             member.reject(oneOf("panel | version | state_sha256 | inputs"));
     });
     return origin;
 }
 
-Item parseItem(const JsonCursor& cursor)
+Item parseItem(const io::JsonCursor& cursor)
 {
     Item item;
-    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "kind")
             item.kind = member.string();
         else if (key == "values")
@@ -107,31 +107,35 @@ Item parseItem(const JsonCursor& cursor)
     return item;
 }
 
-Project parseBody(const JsonCursor& cursor, const fs::path& folder)
+Project parseBody(const io::JsonCursor& cursor, const fs::path& folder)
 {
     Project project;
-    cursor.members(mostParameters, [&](const std::string& key, const JsonCursor& member) {
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "title")
             project.title = member.string();
         else if (key == "workspace")
             project.workspace = member.string();
         else if (key == "panels")
-            member.members(mostPanels, [&](const std::string& id, const JsonCursor& panel) {
+            member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& panel) {
                 project.panels[id] = parsePanel(panel, folder);
             });
         else if (key == "items")
-            member.members(mostPanels, [&](const std::string& name, const JsonCursor& item) {
+            member.members(mostPanels, [&](const std::string& name, const io::JsonCursor& item) {
                 project.items[name] = parseItem(item);
             });
+        else if (key == "views")
+            member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& view) {
+                project.views[id] = view.values();
+            });
         else if (key == "report")
-            member.items(mostPanels, [&](const JsonCursor& id) { project.report.push_back(id.string()); });
+            member.items(mostPanels, [&](const io::JsonCursor& id) { project.report.push_back(id.string()); });
         else if (key != "format" && key != "version")
-            member.reject(oneOf("format | version | title | workspace | panels | items | report"));
+            member.reject(oneOf("format | version | title | workspace | panels | items | views | report"));
     });
     return project;
 }
 
-int readVersion(const JsonCursor& root)
+int readVersion(const io::JsonCursor& root)
 {
     const Value wanted = LT_TEXT("Engine", "a Lathelier project");
     if (!root.isObject()) root.reject(wanted);
@@ -178,7 +182,7 @@ Json toJson(const Item& item)
 
 Project parseProject(std::string_view text, const fs::path& folder)
 {
-    JsonDocument document{std::string(text)};
+    io::JsonDocument document{std::string(text)};
     const int version = readVersion(document.root());
     migrate(document.json(), version, migrationSteps());
     return parseBody(document.root(), folder);
@@ -199,8 +203,10 @@ std::string toJsonText(const Project& project, const fs::path& folder)
     }
     json["items"] = Json::object();
     for (const auto& [name, item] : project.items) json["items"][name] = toJson(item);
+    json["views"] = Json::object();
+    for (const auto& [id, view] : project.views) json["views"][id] = toJson(view);
     json["report"] = project.report;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::project

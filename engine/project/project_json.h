@@ -12,7 +12,7 @@
 
 #include "engine/project/project.h"
 
-namespace lathelier {
+namespace lathelier::project {
 
 /// Reads a project whose relative paths start at `folder`. Errors: malformed (line, column), versionTooNew.
 Project parseProject(std::string_view text, const std::filesystem::path& folder);
@@ -20,4 +20,4 @@ Project parseProject(std::string_view text, const std::filesystem::path& folder)
 /// Writes a project whose paths are to be relative to `folder`.
 std::string toJsonText(const Project& project, const std::filesystem::path& folder);
 
-}  // namespace lathelier
+}  // namespace lathelier::project

@@ -6,16 +6,16 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
-#include "engine/registration/cloud_figure.h"
 #include "engine/registration/default_reach.h"
-#include "engine/registration/facet_sagitta.h"
-#include "engine/registration/general.h"
+#include "engine/registration/general/general.h"
+#include "engine/registration/neighbours/cloud_figure.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
-#include "engine/registration/revolution_deviation.h"
+#include "engine/registration/revolution/revolution_deviation.h"
 #include "engine/registration/statistics.h"
-#include "engine/registration/surface_deviation.h"
-#include "engine/registration/surface_samples.h"
+#include "engine/registration/surface/facet_sagitta.h"
+#include "engine/registration/surface/surface_deviation.h"
+#include "engine/registration/surface/surface_samples.h"
 #include "engine/registration/verdict.h"
 
 namespace lathelier::registration {

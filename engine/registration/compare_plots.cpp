@@ -10,8 +10,8 @@ namespace lathelier::registration {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
-const lathelier::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), mm};
-const lathelier::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), mm};
+const report::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), mm};
+const report::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), mm};
 
 /// The share of the largest values that may run over the edge of a plot: single bins at shoulders.
 constexpr double ordinaryShare = 0.98;
@@ -52,13 +52,13 @@ double colourLimit_mm(const CompareResult& result, bool with_tolerance)
     // With a tolerance the band takes at most half of the scale.
     if (with_tolerance && result.parameters.tolerance_mm)
         wanted = std::max(wanted, 2 * *result.parameters.tolerance_mm);
-    return niceLimit(std::isfinite(wanted) && wanted > 0 ? wanted : 0.01);
+    return report::niceLimit(std::isfinite(wanted) && wanted > 0 ? wanted : 0.01);
 }
 
-ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
+report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
 {
     const UnrolledMap& source = *result.unrolled;
-    ColourMap map;
+    report::ColourMap map;
     map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
                                : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
     map.x = zAxis;
@@ -80,17 +80,17 @@ ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
     return map;
 }
 
-Plot deviationAlongAxis(const CompareResult& result, const Language& language)
+report::Plot deviationAlongAxis(const CompareResult& result, const Language& language)
 {
     const Meridian& meridian = *result.meridian;
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Deviation along the axis");
     plot.x = zAxis;
     plot.x.range = axisRange(result);
     plot.y = deviationAxis;
-    Curve band{LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, Curve::Style::Band};
-    Curve mean{LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm};
-    band.colour = mean.colour = ColourRole::Copy;
+    report::Curve band{LT_TEXT("Engine", "± one standard deviation"), meridian.z_mm, {}, report::Curve::Style::Band};
+    report::Curve mean{LT_TEXT("Engine", "mean"), meridian.z_mm, meridian.deviation_mm};
+    band.colour = mean.colour = report::ColourRole::Copy;
     std::vector<double> ends;
     for (std::size_t i = 0; i < meridian.z_mm.size(); ++i) {
         band.y.push_back(meridian.deviation_mm[i] + meridian.std_mm[i]);
@@ -102,7 +102,7 @@ Plot deviationAlongAxis(const CompareResult& result, const Language& language)
     if (const auto& tolerance_mm = result.parameters.tolerance_mm) {
         edge = std::max(edge, *tolerance_mm);
         for (const double limit_mm : {-*tolerance_mm, *tolerance_mm})
-            plot.limits.push_back({Limit::Direction::Horizontal, limit_mm, signedNumber(limit_mm, language)});
+            plot.limits.push_back({report::Limit::Direction::Horizontal, limit_mm, signedNumber(limit_mm, language)});
     }
     if (edge > 0) plot.y.range = Interval{-1.15 * edge, 1.15 * edge};
     return plot;
@@ -130,44 +130,46 @@ double magnification(const CompareResult& result)
     return power;
 }
 
-Plot magnifiedMeridian(const CompareResult& result, const Language& language, std::optional<double> wanted_factor)
+report::Plot magnifiedMeridian(const CompareResult& result, const Language& language,
+                               std::optional<double> wanted_factor)
 {
     const Meridian& meridian = *result.meridian;
     const double factor = wanted_factor.value_or(magnification(result));
     const auto& tolerance_mm = result.parameters.tolerance_mm;
     const std::vector<double>& radius_mm = meridian.reference_radius_mm;
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Meridian");
     plot.remark = fill(text(LT_TEXT("Engine", "error drawn × {factor}"), language), {{"factor", factor}}, language);
     plot.x = zAxis;
     plot.x.range = axisRange(result);
     plot.y = {LT_TEXT("Engine", "Radius"), mm};
     /// The original's radius with something of each place, magnified, on it.
-    const auto curve = [&](const Caption& name, Curve::Style style, ChartColour colour, const auto& added_mm) {
-        Curve drawn{name, meridian.z_mm, radius_mm, style, {}, colour};
+    const auto curve = [&](const report::Caption& name, report::Curve::Style style, report::ChartColour colour,
+                           const auto& added_mm) {
+        report::Curve drawn{name, meridian.z_mm, radius_mm, style, {}, colour};
         for (std::size_t i = 0; i < radius_mm.size(); ++i) drawn.y[i] += factor * added_mm(i);
-        if (style == Curve::Style::Band) drawn.y_low = radius_mm;
-        drawn.spoken = style == Curve::Style::Line;
+        if (style == report::Curve::Style::Band) drawn.y_low = radius_mm;
+        drawn.spoken = style == report::Curve::Style::Line;
         return drawn;
     };
     const auto deviation = [&](std::size_t i) { return meridian.deviation_mm[i]; };
-    plot.curves = {
-        curve(LT_TEXT("Engine", "excess"), Curve::Style::Band, ColourRole::Excess,
-              [&](std::size_t i) { return std::max(0.0, deviation(i)); }),
-        curve(LT_TEXT("Engine", "missing"), Curve::Style::Band, ColourRole::Missing,
-              [&](std::size_t i) { return std::min(0.0, deviation(i)); }),
-        curve(LT_TEXT("Engine", "original"), Curve::Style::Line, ColourRole::Original, [](std::size_t) { return 0; }),
-        curve(LT_TEXT("Engine", "copy"), Curve::Style::Line, ColourRole::Copy, deviation)};
+    plot.curves = {curve(LT_TEXT("Engine", "excess"), report::Curve::Style::Band, report::ColourRole::Excess,
+                         [&](std::size_t i) { return std::max(0.0, deviation(i)); }),
+                   curve(LT_TEXT("Engine", "missing"), report::Curve::Style::Band, report::ColourRole::Missing,
+                         [&](std::size_t i) { return std::min(0.0, deviation(i)); }),
+                   curve(LT_TEXT("Engine", "original"), report::Curve::Style::Line, report::ColourRole::Original,
+                         [](std::size_t) { return 0; }),
+                   curve(LT_TEXT("Engine", "copy"), report::Curve::Style::Line, report::ColourRole::Copy, deviation)};
     plot.curves.back().said = meridian.deviation_mm;
     plot.curves.back().said_unit = mm;
     if (tolerance_mm)
         for (const double sign : {1.0, -1.0})
             plot.curves.push_back(curve(sign > 0 ? "± " + text(Value(*tolerance_mm), language) + " mm" : std::string(),
-                                        Curve::Style::Dashed, ColourRole::Neutral,
+                                        report::Curve::Style::Dashed, report::ColourRole::Neutral,
                                         [&](std::size_t) { return sign * *tolerance_mm; }));
     for (const Interval& zone : result.parameters.exclude_z_mm)
-        plot.regions.push_back(
-            stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone, ColourRole::Neutral));
+        plot.regions.push_back(report::stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone,
+                                               report::ColourRole::Neutral));
 
     // Single bins at shoulders may run over the edge: they would press everything else flat.
     double ordinary_mm = 1.3 * quantileOfSize(meridian.deviation_mm, ordinaryShare);
@@ -181,17 +183,17 @@ Plot magnifiedMeridian(const CompareResult& result, const Language& language, st
     return plot;
 }
 
-Plot histogramPlot(const CompareResult& result, const Language& language, std::optional<double> limit_mm)
+report::Plot histogramPlot(const CompareResult& result, const Language& language, std::optional<double> limit_mm)
 {
     const Histogram& histogram = result.histogram;
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Histogram of the deviations");
     plot.x = deviationAxis;
     plot.y.title = LT_TEXT("Engine", "Points");
     if (histogram.counts.empty()) return plot;
     const auto& tolerance_mm = result.parameters.tolerance_mm;
-    const auto bars = [&](const Caption& name, ChartColour colour, const auto& belongs) {
-        Curve curve{name, histogram.edges_mm, {}, Curve::Style::Bars, {}, colour};
+    const auto bars = [&](const report::Caption& name, report::ChartColour colour, const auto& belongs) {
+        report::Curve curve{name, histogram.edges_mm, {}, report::Curve::Style::Bars, {}, colour};
         for (std::size_t i = 0; i < histogram.counts.size(); ++i)
             curve.y.push_back(belongs((histogram.edges_mm[i] + histogram.edges_mm[i + 1]) / 2)
                                   ? static_cast<double>(histogram.counts[i])
@@ -202,19 +204,19 @@ Plot histogramPlot(const CompareResult& result, const Language& language, std::o
     double reach = std::max(limit_mm.value_or(colourLimit_mm(result)), std::abs(s.mean_mm) + 4 * s.std_mm);
     if (tolerance_mm) {
         const double t = *tolerance_mm;
-        bars(LT_TEXT("Engine", "too small"), ColourRole::Missing, [t](double v) { return v < -t; });
-        bars(LT_TEXT("Engine", "within"), ColourRole::Within, [t](double v) { return std::abs(v) <= t; });
-        bars(LT_TEXT("Engine", "too large"), ColourRole::Excess, [t](double v) { return v > t; });
+        bars(LT_TEXT("Engine", "too small"), report::ColourRole::Missing, [t](double v) { return v < -t; });
+        bars(LT_TEXT("Engine", "within"), report::ColourRole::Within, [t](double v) { return std::abs(v) <= t; });
+        bars(LT_TEXT("Engine", "too large"), report::ColourRole::Excess, [t](double v) { return v > t; });
         for (const double place : {-t, t})
-            plot.handles.push_back(
-                {place < 0 ? "lower" : "upper", Handle::Kind::Vertical, place, 0, signedNumber(place, language)});
+            plot.handles.push_back({place < 0 ? "lower" : "upper", report::Handle::Kind::Vertical, place, 0,
+                                    signedNumber(place, language)});
         reach = std::max(reach, 1.3 * t);
     } else {
-        bars(LT_TEXT("Engine", "points"), ColourRole::Neutral, [](double) { return true; });
+        bars(LT_TEXT("Engine", "points"), report::ColourRole::Neutral, [](double) { return true; });
     }
     if (result.has_sign && s.std_mm > 0) {
-        Curve normal{LT_TEXT("Engine", "normal distribution")};
-        normal.colour = ColourRole::Neutral;
+        report::Curve normal{LT_TEXT("Engine", "normal distribution")};
+        normal.colour = report::ColourRole::Neutral;
         const double width = histogram.edges_mm[1] - histogram.edges_mm[0];
         const double peak = static_cast<double>(s.points_used) * width / (s.std_mm * std::sqrt(2 * std::numbers::pi));
         for (int i = -200; i <= 200; ++i) {

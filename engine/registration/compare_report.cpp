@@ -35,11 +35,11 @@ Value given(const std::optional<double>& value)
     return value ? Value(*value) : Value();
 }
 
-QuantityTable statisticsTable(const CompareResult& result)
+report::QuantityTable statisticsTable(const CompareResult& result)
 {
     const DeviationStatistics& s = result.statistics;
     const bool sign = result.has_sign;
-    QuantityTable table{
+    report::QuantityTable table{
         LT_TEXT("Engine", "Deviation of the copy from the original's surface"),
         {{LT_TEXT("Engine", "Root mean square"), s.rmse_mm, mm, 4},
          {LT_TEXT("Engine", "Mean"), signedValue(s.mean_mm, sign), mm, 4},
@@ -51,15 +51,16 @@ QuantityTable statisticsTable(const CompareResult& result)
          {LT_TEXT("Engine", "95 % of the points lie between"), signedValue(s.p2_5_mm, sign), mm, 4},
          {LT_TEXT("Engine", "… and"), signedValue(s.p97_5_mm, sign), mm, 4},
          {LT_TEXT("Engine", "95 % of the sizes lie below"), s.p95_abs_mm, mm, 4}}};
-    std::erase_if(table.rows, [](const Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
+    std::erase_if(table.rows,
+                  [](const report::Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
     return table;
 }
 
-QuantityTable verdictTable(const CompareResult& result)
+report::QuantityTable verdictTable(const CompareResult& result)
 {
     const DeviationStatistics& s = result.statistics;
     const CompareParameters& asked = result.parameters;
-    QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
+    report::QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     if (result.verdict) {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
         table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
@@ -83,19 +84,19 @@ QuantityTable verdictTable(const CompareResult& result)
     return table;
 }
 
-Table zonesTable(const CompareResult& result)
+report::Table zonesTable(const CompareResult& result)
 {
-    Table table{LT_TEXT("Engine", "Zones along the axis"),
-                {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
-                 LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
-                {},
-                {2, 2, 4, 4}};
+    report::Table table{LT_TEXT("Engine", "Zones along the axis"),
+                        {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
+                         LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
+                        {},
+                        {2, 2, 4, 4}};
     for (const Zone& zone : result.zones)
         table.rows.push_back({zone.z_start_mm, zone.z_end_mm, zone.mean_mm, zone.std_mm, zone.points});
     return table;
 }
 
-QuantityTable alignmentTable(const CompareResult& result)
+report::QuantityTable alignmentTable(const CompareResult& result)
 {
     const Alignment& alignment = result.alignment;
     const bool axial = alignment.reference_axis.has_value();
@@ -115,16 +116,16 @@ QuantityTable alignmentTable(const CompareResult& result)
               u.axis_deg, LT_TEXT("Engine", "°"), 5}}};
 }
 
-QuantityTable paperTable(const CompareResult& result)
+report::QuantityTable paperTable(const CompareResult& result)
 {
     return {LT_TEXT("Engine", "Nearest-point figure, as in the source paper"),
             {{LT_TEXT("Engine", "Cloud-to-cloud RMSE"), result.cloud_to_cloud_rmse_mm, mm, 4},
              {LT_TEXT("Engine", "Its floor: what sampling alone gives"), result.sampling_floor_mm, mm, 4}}};
 }
 
-Table freeMotionsTable(const CompareResult& result)
+report::Table freeMotionsTable(const CompareResult& result)
 {
-    Table table{
+    report::Table table{
         LT_TEXT("Engine", "Motions the geometry does not determine"),
         {LT_TEXT("Engine", "motion"), LT_TEXT("Engine", "direction x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"),
          LT_TEXT("Engine", "through x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "z (mm)")},
@@ -138,9 +139,9 @@ Table freeMotionsTable(const CompareResult& result)
     return table;
 }
 
-Table transformTable(const CompareResult& result)
+report::Table transformTable(const CompareResult& result)
 {
-    Table table{
+    report::Table table{
         LT_TEXT("Engine", "From the copy's coordinates to the original's"),
         {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"), LT_TEXT("Engine", "shift (mm)")},
         {},
@@ -151,18 +152,19 @@ Table transformTable(const CompareResult& result)
     return table;
 }
 
-Section whereSection(const CompareResult& result, const Language& language, std::vector<Picture> pictures)
+report::Section whereSection(const CompareResult& result, const Language& language,
+                             std::vector<report::Picture> pictures)
 {
-    Section section{LT_TEXT("Engine", "Deviation map"), {}};
+    report::Section section{LT_TEXT("Engine", "Deviation map"), {}};
     section.blocks.push_back(
         result.has_sign
-            ? Paragraph{LT_TEXT("Engine",
-                                "Deviations are measured along the normal of the original's surface; "
-                                "plus means material in excess."),
-                        {}}
-            : Paragraph{LT_TEXT("Engine", "Deviations are distances from the original's surface, without a sign."),
-                        {}});
-    for (Picture& picture : pictures) section.blocks.push_back(std::move(picture));
+            ? report::Paragraph{LT_TEXT("Engine",
+                                        "Deviations are measured along the normal of the original's surface; "
+                                        "plus means material in excess."),
+                                {}}
+            : report::Paragraph{
+                  LT_TEXT("Engine", "Deviations are distances from the original's surface, without a sign."), {}});
+    for (report::Picture& picture : pictures) section.blocks.push_back(std::move(picture));
     if (result.unrolled && result.parameters.tolerance_mm) section.blocks.push_back(unrolledMap(result, true));
     if (result.unrolled) section.blocks.push_back(unrolledMap(result, false));
     if (result.meridian) {
@@ -174,10 +176,10 @@ Section whereSection(const CompareResult& result, const Language& language, std:
     return section;
 }
 
-Section certaintySection(const CompareResult& result)
+report::Section certaintySection(const CompareResult& result)
 {
-    Section section{LT_TEXT("Engine", "Measurement uncertainty"), {alignmentTable(result), paperTable(result)}};
-    section.blocks.push_back(Paragraph{
+    report::Section section{LT_TEXT("Engine", "Measurement uncertainty"), {alignmentTable(result), paperTable(result)}};
+    section.blocks.push_back(report::Paragraph{
         LT_TEXT("Engine",
                 "The cloud-to-cloud figure mixes the difference of the parts with the distance between neighbouring "
                 "points: even identical parts reach its floor. The deviation from the surface does not depend on it."),
@@ -188,37 +190,41 @@ Section certaintySection(const CompareResult& result)
 
 }  // namespace
 
-Headline headline(const CompareResult& result, const Language& language)
+report::Answer answer(const CompareResult& result, const Language& language)
 {
     const DeviationStatistics& s = result.statistics;
-    std::string line = "RMS " + fixed(s.rmse_mm, 4, language) + " mm";
-    const auto add = [&](const std::string& part) { line += " · " + part; };
-    if (result.has_sign) {
-        const std::string plus = s.mean_mm > 0 ? "+" : "";
-        add(fill(text(LT_TEXT("Engine", "mean {mean} mm"), language), {{"mean", plus + fixed(s.mean_mm, 4, language)}},
-                 language));
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "RMS deviation");
+    answer.value = s.rmse_mm;
+    answer.unit = mm;
+    answer.decimals = 4;
+    answer.verdict = result.verdict;
+    answer.sentence =
+        !result.has_sign ? LT_TEXT("Engine", "{method}")
+        : result.within_tolerance_percent
+            ? LT_TEXT("Engine", "mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm")
+            : LT_TEXT("Engine", "mean {mean} mm · {method}");
+    const std::string plus = s.mean_mm > 0 ? "+" : "";
+    answer.values = {{"mean", plus + fixed(s.mean_mm, 4, language)}, {"method", methodName(result.method_used)}};
+    if (result.within_tolerance_percent && result.parameters.tolerance_mm) {
+        answer.values.emplace_back("share", fixed(*result.within_tolerance_percent, 1, language));
+        answer.values.emplace_back("tolerance", *result.parameters.tolerance_mm);
     }
-    add(text(methodName(result.method_used), language));
-    if (result.within_tolerance_percent && result.parameters.tolerance_mm)
-        add(fill(text(LT_TEXT("Engine", "{share} % within ±{tolerance} mm"), language),
-                 {{"share", fixed(*result.within_tolerance_percent, 1, language)},
-                  {"tolerance", *result.parameters.tolerance_mm}},
-                 language));
-    return {keptTogether(line), passed(result.verdict)};
+    return answer;
 }
 
-Section compareSummary(const CompareResult& result, const Language& language)
+report::Section compareSummary(const CompareResult& result, const Language& language)
 {
-    Section section{LT_TEXT("Engine", "Result"),
-                    {headline(result, language), statisticsTable(result), verdictTable(result)}};
+    report::Section section{LT_TEXT("Engine", "Result"),
+                            {answer(result, language), statisticsTable(result), verdictTable(result)}};
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }
 
-Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs, const Language& language,
-                       std::vector<Picture> pictures)
+report::Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs,
+                               const Language& language, std::vector<report::Picture> pictures)
 {
-    Document document;
+    report::Document document;
     document.title = LT_TEXT("Engine", "Comparison of a copy with its original");
     document.verification = {&registrationVerification()};
     document.inputs = inputs;
@@ -227,7 +233,7 @@ Document compareReport(const CompareResult& result, const std::vector<InputFile>
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),
                          {LT_TEXT("Engine", "Method and parameters"),
-                          {parametersTable(result.parameters, language), transformTable(result)}}};
+                          {report::parametersTable(result.parameters, language), transformTable(result)}}};
     return document;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/registration/general_reference.h"
+#include "engine/registration/general/general_reference.h"
 
 namespace lathelier::registration {
 namespace {

@@ -93,7 +93,7 @@ void writeDeviations(const std::string& path, const Scan& copy, const CompareRes
         }
         return out;
     };
-    writeFile(path, [&](const std::function<void(std::string_view)>& append) {
+    io::writeFile(path, [&](const std::function<void(std::string_view)>& append) {
         append(header(binary, rows));
         for (std::size_t begin = 0; begin < rows; begin += chunkRows * chunksAtOnce) {
             const std::size_t count = std::min(rows - begin, chunkRows * chunksAtOnce);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/core/statistics.h"
-#include "engine/registration/neighbours.h"
+#include "engine/registration/neighbours/neighbours.h"
 
 namespace lathelier::registration {
 namespace {

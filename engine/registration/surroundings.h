@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/registration/neighbours.h"
+#include "engine/registration/neighbours/neighbours.h"
 
 namespace lathelier::registration {
 

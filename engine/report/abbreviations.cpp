@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 const std::vector<Abbreviation>& known()
@@ -61,4 +61,4 @@ std::string expansion(const std::string& line, const Language& language)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -6,7 +6,7 @@
 
 #include "engine/core/texts.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 struct Abbreviation {
     std::string letters;  ///< "RONt"
@@ -19,4 +19,4 @@ std::vector<Abbreviation> abbreviationsIn(const std::string& text);
 /// One line for each abbreviation in `text`: "RMS: root mean square"; empty when there is none.
 std::string expansion(const std::string& text, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -7,7 +7,7 @@
 #include "engine/core/text.h"
 #include "engine/core/texts.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// The heading of a column of numbers.
 struct Labelled {
@@ -21,4 +21,4 @@ using Caption = std::variant<Text, std::string, Labelled>;
 
 std::string captionText(const Caption& caption, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

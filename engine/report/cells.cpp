@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 std::string grouped(std::int64_t number)
@@ -49,13 +49,6 @@ bool isNumeric(const Value& value)
            std::holds_alternative<std::monostate>(value);
 }
 
-std::string verdictText(const Headline& headline, const Language& language)
-{
-    if (!headline.verdict) return {};
-    return *headline.verdict ? "✓ " + text(LT_TEXT("Engine", "within tolerance"), language)
-                             : "✗ " + text(LT_TEXT("Engine", "out of tolerance"), language);
-}
-
 std::string keptTogether(std::string line)
 {
     for (const std::string unit : {" mm", " µm", " %", " UPR"})
@@ -64,4 +57,4 @@ std::string keptTogether(std::string line)
     return line;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -5,9 +5,8 @@
 
 #include "engine/core/texts.h"
 #include "engine/core/value.h"
-#include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Numbers with `decimals`, whole numbers in groups of three (narrow no-break space), "–" for what does not exist.
 std::string cellText(const Value& value, int decimals, const Language& language);
@@ -18,10 +17,7 @@ std::string csvCell(const Value& value);
 /// Numbers are set to the right.
 bool isNumeric(const Value& value);
 
-/// "✓ within tolerance", "✗ out of tolerance", or empty without a verdict. Never colour alone.
-std::string verdictText(const Headline& headline, const Language& language);
-
 /// A line break must not part a number from its unit: no-break spaces between them.
 std::string keptTogether(std::string line);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

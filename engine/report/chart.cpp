@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -152,4 +152,4 @@ double ColourMap::at(double x_place, double y_place) const
         values[static_cast<std::size_t>(v) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(u)]);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -10,7 +10,7 @@
 #include "engine/report/caption.h"
 #include "engine/report/colours.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 struct Axis {
     Caption title{};  ///< of the quantity, without unit
@@ -149,4 +149,4 @@ struct PolarPlot {
     std::optional<double> magnification{};
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::report

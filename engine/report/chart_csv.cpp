@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 template <class T>
@@ -101,4 +101,4 @@ std::string toCsv(const ColourMap& map, const Language& language)
     return out;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -5,7 +5,7 @@
 
 #include "engine/report/chart.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Curves side by side, those that share x share its column. A plot whose curves are paths (`along`) has a line for
 /// each sample instead: curve, along, x, y.
@@ -14,4 +14,4 @@ std::string toCsv(const Plot& plot, const Language& language = {});
 /// One line for each cell with data: x, y, value.
 std::string toCsv(const ColourMap& map, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 struct Oklab {
@@ -112,4 +112,4 @@ double niceLimit(double largest_mm)
     return 10 * decade;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

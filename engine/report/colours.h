@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace lathelier {
+namespace lathelier::report {
 
 struct Rgb {
     std::uint8_t red = 0;    ///< 0 to 255
@@ -68,4 +68,4 @@ struct DeviationColours {
 /// below it.
 double niceLimit(double largest_mm);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -2,7 +2,7 @@
 
 #include "engine/core/visible.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 std::string captionText(const Caption& caption, const Language& language)
 {
@@ -14,4 +14,4 @@ std::string captionText(const Caption& caption, const Language& language)
     return visible(std::get<std::string>(caption));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

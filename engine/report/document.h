@@ -11,12 +11,15 @@
 #include "engine/core/input_file.h"
 #include "engine/core/text.h"
 #include "engine/core/value.h"
+#include "engine/report/answer.h"
 #include "engine/report/caption.h"
 #include "engine/report/chart.h"
 
 namespace lathelier {
-
 struct VerifyPart;
+}
+
+namespace lathelier::report {
 
 /// One line of a two-column table: name, value, unit.
 struct Quantity {
@@ -52,13 +55,7 @@ struct Picture {
     std::string png;  ///< content of the file
 };
 
-/// The answer in large type, as the headline of the panel.
-struct Headline {
-    std::string text;             ///< already filled and in the reader's language
-    std::optional<bool> verdict;  ///< nullopt: none
-};
-
-using Block = std::variant<Headline, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;
+using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;
 
 struct Section {
     Caption title;              ///< heading
@@ -76,4 +73,4 @@ struct Document {
     std::string created;               ///< ISO 8601, empty leaves it out (golden tests)
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/report/abbreviations.h"
+#include "engine/report/answer_ruler.h"
 #include "engine/report/cells.h"
 #include "engine/report/html_style.h"
 #include "engine/report/plot_svg.h"
@@ -10,7 +11,7 @@
 #include "engine/report/polar_svg.h"
 #include "engine/report/svg.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr std::size_t longTable = 24;  ///< rows; longer tables of few columns stand in several columns
@@ -26,14 +27,26 @@ class Writer {
 public:
     explicit Writer(const Language& language) : language_(language) {}
 
-    std::string operator()(const Headline& headline) const
+    std::string operator()(const Answer& answer) const
     {
-        const std::string kind = !headline.verdict ? "" : *headline.verdict ? " pass" : " fail";
-        const std::string verdict = verdictText(headline, language_);
-        const std::string words = expansion(headline.text, language_);
-        return "<p class=\"headline" + kind + "\"" + (words.empty() ? "" : " title=\"" + escaped(words) + "\"") + ">" +
-               escaped(headline.text) +
-               (verdict.empty() ? "" : " <span class=\"verdict\">" + escaped(verdict) + "</span>") + "</p>\n";
+        const std::string line = valueLine(answer, language_);
+        const std::string words = expansion(line, language_);
+        std::string head = "<span class=\"verdict\">" + escaped(verdictText(answer, language_)) + "</span>";
+        head += " <span class=\"value\"" + (words.empty() ? "" : " title=\"" + escaped(words) + "\"") + ">" +
+                escaped(line) + "</span>";
+        if (answer.verdict) head += " <span class=\"limit\">" + escaped(limitText(answer, language_)) + "</span>";
+        std::string body = rulerSvg(answer, language_);
+        if (const std::string sentence = sentenceText(answer, language_); !sentence.empty())
+            body += element("p", escaped(sentence));
+        std::string findings;
+        for (const Finding& finding : answer.findings) {
+            std::string said = escaped(findingText(finding, language_));
+            if (finding.verdict) said += " <b>" + escaped(text(shortName(*finding.verdict), language_)) + "</b>";
+            findings += element("li", said);
+        }
+        if (!findings.empty()) body += element("ul", findings);
+        const std::string kind = answer.verdict ? std::string(key(*answer.verdict)) : "open";
+        return "<div class=\"answer " + kind + "\"><p class=\"head\">" + head + "</p>\n" + body + "</div>\n";
     }
 
     std::string operator()(const Paragraph& paragraph) const
@@ -182,4 +195,4 @@ std::string toHtml(const Document& document, const Language& language)
     return result + writer.inputs(document.inputs) + "</body>\n</html>\n";
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

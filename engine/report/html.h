@@ -5,9 +5,9 @@
 
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// The same document gives the same bytes.
 std::string toHtml(const Document& document, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace lathelier {
+namespace lathelier::report {
 
 inline constexpr std::string_view reportStyle = R"css(
 :root { color-scheme: light; }
@@ -19,12 +19,17 @@ p { margin: 8px 0; }
 .origin { text-align: right; margin: 0; color: #52606d; white-space: nowrap; }
 .synthetic { display: inline-block; margin: 8px 0 0; padding: 2px 10px; border: 1px solid #b7791f; border-radius: 3px;
   background: #fff8e6; color: #7b4a00; font-size: 14px; }
-.headline { font-size: 21px; line-height: 1.35; font-weight: 600; margin: 0 0 18px; padding: 14px 18px;
-  background: #f0f4f8; border-left: 6px solid #829ab1; }
-.verdict { display: inline-block; margin-left: 6px; padding: 0 12px; border-radius: 4px; color: #fff; white-space: nowrap; }
-.pass .verdict { background: #177a53; } .fail .verdict { background: #b3261e; }
-.headline.pass { background: #e6f6ef; border-color: #1f9d6b; }
-.headline.fail { background: #fdecea; border-color: #c0362c; }
+.answer { margin: 0 0 18px; padding: 14px 18px; background: #f0f4f8; border-left: 6px solid #829ab1; break-inside: avoid; }
+.answer .head { font-size: 21px; line-height: 1.35; font-weight: 600; margin: 0; }
+.answer .limit { font-size: 15px; font-weight: 400; color: #52606d; margin-left: 8px; }
+.answer p { margin: 6px 0 0; } .answer ul { margin: 6px 0 0; padding-left: 20px; }
+.answer .ruler { margin: 8px 0 0; max-width: 620px; }
+.verdict { display: inline-block; margin-right: 8px; padding: 0 12px; border-radius: 4px; color: #fff; white-space: nowrap;
+  background: #52606d; }
+.pass .verdict { background: #177a53; } .fail .verdict { background: #b3261e; } .undecided .verdict { background: #8a5a00; }
+.answer.pass { background: #e6f6ef; border-color: #1f9d6b; }
+.answer.fail { background: #fdecea; border-color: #c0362c; }
+.answer.undecided { background: #fff8e6; border-color: #b7791f; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(420px, 1fr)); gap: 10px 36px; align-items: start; }
 .table { margin-bottom: 14px; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; }
@@ -53,10 +58,10 @@ figcaption { color: #52606d; font-size: 13px; margin-top: 4px; }
 @media print {
   body { padding: 0; max-width: none; font-size: 10pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   h1 { font-size: 17pt; } h2 { font-size: 12.5pt; break-after: avoid; } h3 { break-after: avoid; }
-  .headline { font-size: 13.5pt; } table { font-size: 9pt; } .digest { font-size: 7.5pt; }
+  .answer .head { font-size: 13.5pt; } table { font-size: 9pt; } .digest { font-size: 7.5pt; }
   .grid { grid-template-columns: 1fr 1fr; gap: 6px 24px; }
   figure, .notes, .quantities, tr { break-inside: avoid; }
 }
 )css";
 
-}  // namespace lathelier
+}  // namespace lathelier::report

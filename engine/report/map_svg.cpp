@@ -6,7 +6,7 @@
 #include "engine/report/plot_svg.h"
 #include "engine/report/png.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double mapHeight = 350;
@@ -127,4 +127,4 @@ std::string toSvg(const ColourMap& map, const Language& language)
     return svg.finish();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -1,6 +1,6 @@
 #include "engine/report/parameters_table.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values& values, const Language& language)
 {
@@ -19,4 +19,4 @@ QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values&
     return table;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

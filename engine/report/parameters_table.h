@@ -5,7 +5,7 @@
 #include "engine/core/texts.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// `values` by key, as toValues() makes them.
 QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values& values, const Language& language);
@@ -16,4 +16,4 @@ QuantityTable parametersTable(const P& parameters, const Language& language)
     return parametersTable(infos<P>(), toValues(parameters), language);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

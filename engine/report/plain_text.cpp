@@ -5,7 +5,7 @@
 #include "engine/core/utf8.h"
 #include "engine/report/cells.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 std::string spaces(std::size_t wanted, std::size_t used)
@@ -66,8 +66,8 @@ std::string toPlainText(const Section& section, const Language& language)
     std::string result;
     for (const Block& block : section.blocks) {
         std::string piece;
-        if (const auto* headline = std::get_if<Headline>(&block))
-            piece = headline->text + "  " + verdictText(*headline, language) + "\n";
+        if (const auto* answer = std::get_if<Answer>(&block))
+            piece = plainText(*answer, language);
         else if (const auto* paragraph = std::get_if<Paragraph>(&block))
             piece = fill(text(paragraph->pattern, language), paragraph->values, language) + "\n";
         else if (const auto* quantities = std::get_if<QuantityTable>(&block))
@@ -79,4 +79,4 @@ std::string toPlainText(const Section& section, const Language& language)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

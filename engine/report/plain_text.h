@@ -5,9 +5,9 @@
 
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Headlines, paragraphs and tables of one section as aligned UTF-8 text; plots, maps, pictures and notes are left out.
 std::string toPlainText(const Section& section, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr std::string_view gridColour = "#e3e7eb";
@@ -45,4 +45,4 @@ void drawOutline(Svg& svg, const PlotFrame& frame)
     svg.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, "none", frameColour);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -8,7 +8,7 @@
 #include "engine/report/svg.h"
 #include "engine/report/ticks.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 inline constexpr double sheetWidth = 960;  ///< of every plot, so that plots below each other line up
 inline constexpr double frameLeft = 78;
@@ -54,4 +54,4 @@ void drawFrame(Svg& svg, const PlotFrame& frame, const FrameWords& words, const 
 /// The outline, drawn after the data.
 void drawOutline(Svg& svg, const PlotFrame& frame);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

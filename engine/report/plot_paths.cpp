@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double farAway = 1e5;  ///< px: beyond every frame, near enough for differences
@@ -192,4 +192,4 @@ std::string regionPath(const PlotFrame& frame, const Region& region)
     return polygon.size() < 3 ? std::string() : moves(polygon) + "Z";
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -5,7 +5,7 @@
 
 #include "engine/report/plot_frame.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// The points a curve can be drawn from.
 std::size_t lengthOf(const Curve& curve);
@@ -24,4 +24,4 @@ std::string regionPath(const PlotFrame& frame, const Region& region);
 
 std::string discPath(double x, double y, double radius_px);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -5,7 +5,7 @@
 
 #include "engine/report/plot_paths.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double plotHeight = 330;
@@ -189,4 +189,4 @@ std::string toSvg(const Plot& plot, const Language& language)
     return svg.finish();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -5,7 +5,7 @@
 
 #include "engine/report/chart.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Curves are thinned to what a sheet can show: first, lowest, highest and last value in each column of pixels.
 std::string toSvg(const Plot& plot, const Language& language = {});
@@ -13,4 +13,4 @@ std::string toSvg(const Plot& plot, const Language& language = {});
 /// The cells as one embedded picture, at most 900 × 450 of them (larger grids are averaged), with axes and scale.
 std::string toSvg(const ColourMap& map, const Language& language = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::report

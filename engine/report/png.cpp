@@ -4,7 +4,7 @@
 
 #include <new>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 void appendNumber(std::string& out, std::uint32_t number)
@@ -80,4 +80,4 @@ std::string base64(std::string_view bytes)
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -8,7 +8,7 @@
 
 #include "engine/report/colours.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 struct IndexedImage {
     int width = 0;                     ///< in pixels
@@ -22,4 +22,4 @@ std::string encodePng(const IndexedImage& image);
 
 std::string base64(std::string_view bytes);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

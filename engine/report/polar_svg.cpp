@@ -10,7 +10,7 @@
 
 #include "engine/report/plot_frame.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double sheetHeight = 640;
@@ -390,4 +390,4 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     return svg.finish();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

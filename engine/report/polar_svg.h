@@ -7,7 +7,7 @@
 
 #include "engine/report/chart.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Deviations drawn around the base circle with grid circles and degrees; the magnification, and what a grid division
 /// is, are stated beside it with the legend. Long traces are thinned to the smallest and largest value in each quarter
@@ -34,4 +34,4 @@ void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlac
 /// the rim. 1 for a plot without deviations.
 double fittingMagnification(const PolarPlot& plot);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -10,7 +10,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Name, value, unit of the quantities `keys` of one result. A key that R has not is std::logic_error.
 template <class R>
@@ -73,4 +73,4 @@ std::string csvOf(std::span<const R> items, std::initializer_list<CsvColumn> col
     return out + '\n';
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -6,7 +6,7 @@
 
 #include "engine/core/visible.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr std::size_t stepSize = std::size_t{1} << 16;
@@ -134,4 +134,4 @@ std::string joinedResults(const std::vector<std::string>& results)
     return toText(whole);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -9,7 +9,7 @@
 #include "engine/core/json.h"
 #include "engine/report/document.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// What every object begins with: command, version, inputs (path, bytes, sha256), parameters (all of them).
 Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters);
@@ -28,4 +28,4 @@ void writeText(const Json& json, const std::function<void(std::string_view)>& ap
 /// when there is none.
 std::string joinedResults(const std::vector<std::string>& results);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -9,7 +9,7 @@
 #include "engine/core/visible.h"
 #include "engine/report/png.h"
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr std::string_view ink = "#1f2933";
@@ -132,4 +132,4 @@ std::string Svg::finish()
     return out_ + "</svg>\n";
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

@@ -7,7 +7,7 @@
 
 #include "engine/report/colours.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 /// Text for HTML and XML: &, <, >, quotes escaped; what would hide or turn text round made visible() with its lines
 /// kept.
@@ -44,4 +44,4 @@ std::string coordinate(double value);
 /// About how wide `text` is when set in `size`; for laying out only.
 double textWidth(std::string_view text, double size);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

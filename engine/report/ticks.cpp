@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::report {
 namespace {
 
 constexpr double longestFixed = 1e7;  ///< longer numbers are written with an exponent
@@ -73,4 +73,4 @@ std::string tickLabel(double value, const Ticks& ticks, const Language& language
     return fixed(value, ticks.decimals, language);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::report

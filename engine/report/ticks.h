@@ -7,7 +7,7 @@
 #include "engine/core/texts.h"
 #include "engine/report/chart.h"
 
-namespace lathelier {
+namespace lathelier::report {
 
 struct Ticks {
     std::vector<double> values;  ///< ascending
@@ -27,4 +27,4 @@ Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted);
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language);
 
-}  // namespace lathelier
+}  // namespace lathelier::report

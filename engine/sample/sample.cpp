@@ -8,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -279,4 +279,4 @@ Scan shaftMesh(const ShaftModel& shaft, int sides)
     return mesh;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::sample

@@ -10,7 +10,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 
 /// One piece of a shaft's meridian, from z_start to z_end (z from the free end), with errors of manufacture on radius.
 /// Neighbours with different radii are joined by a shoulder; a chamfer or cone is a piece with two radii.
@@ -65,13 +65,4 @@ Scan bracketMesh();
 Scan scanBracket(std::size_t count, double sigma_mm, const Eigen::Isometry3d& frame_T_part, std::uint64_t seed,
                  const Progress& progress = {});
 
-/// The names of the files that writeSample() writes, the project last.
-std::vector<std::string> sampleFileNames();
-
-/// Writes the sample project into the folder `directory` (made when missing): original.ply, copy.ply, truth.json,
-/// probe_record.csv (one continuous recording of 20 sections), averaged.csv (their averages) and sample.lathelier, all
-/// marked synthetic. Gives the paths in that order. Error fileNotWritable.
-std::vector<std::string> writeSample(const std::string& directory, std::uint64_t seed = 1,
-                                     const Progress& progress = {});
-
-}  // namespace lathelier
+}  // namespace lathelier::sample

@@ -8,10 +8,10 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
-#include "engine/registration/surface_samples.h"
+#include "engine/registration/surface/surface_samples.h"
 #include "engine/sample/sample.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 namespace {
 
 using Eigen::Vector3d;
@@ -139,4 +139,4 @@ Scan scanBracket(std::size_t count, double sigma_mm, const Eigen::Isometry3d& fr
     return scan;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::sample

@@ -10,7 +10,7 @@
 
 #include "engine/core/random.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -133,23 +133,23 @@ double sectionMiddle_mm(const SpindleModel& model, int section)
     return model.feed_mm_rev * (section + 0.5) * model.revolutions;
 }
 
-ProbeRecord makeProbeRecord(const SpindleModel& model)
+io::ProbeRecord makeProbeRecord(const SpindleModel& model)
 {
     const double turns_per_s = model.speed_rpm / 60;
     const double turns = model.sections * model.revolutions + 2 * model.lead_turns;
     const auto frames = static_cast<std::size_t>(turns / turns_per_s * model.rate_hz);
     const double edgeTurns = 2.5 * turns_per_s / model.rate_hz;  // two frames see every edge
-    ProbeRecord record;
+    io::ProbeRecord record;
     record.name = "probe_record.csv";
     record.rate_hz = model.rate_hz;
     record.channel_skew_s = model.channel_skew_s;
     record.header = headerOf(model);
-    record.channels = {{"marker", ProbeChannel::Unit::Volt, 1, {}},
-                       {"X3", ProbeChannel::Unit::Micrometre, 1, {}},
-                       {"Y3", ProbeChannel::Unit::Micrometre, 1, {}},
-                       {"Xp", ProbeChannel::Unit::Micrometre, 1, {}},
-                       {"Yp", ProbeChannel::Unit::Micrometre, 1, {}}};
-    for (ProbeChannel& channel : record.channels) channel.values.resize(frames);
+    record.channels = {{"marker", io::ProbeChannel::Unit::Volt, 1, {}},
+                       {"X3", io::ProbeChannel::Unit::Micrometre, 1, {}},
+                       {"Y3", io::ProbeChannel::Unit::Micrometre, 1, {}},
+                       {"Xp", io::ProbeChannel::Unit::Micrometre, 1, {}},
+                       {"Yp", io::ProbeChannel::Unit::Micrometre, 1, {}}};
+    for (io::ProbeChannel& channel : record.channels) channel.values.resize(frames);
     record.time_s.resize(frames);
     const auto noise = [&](Stream stream, int which, std::size_t frame, double sigma) {
         return sigma > 0 ? sigma * randomNormal(model.seed, stream + static_cast<std::uint64_t>(which), frame) : 0;
@@ -175,14 +175,14 @@ ProbeRecord makeProbeRecord(const SpindleModel& model)
     return record;
 }
 
-AveragedRecord makeAveragedRecord(const SpindleModel& model, int points)
+io::AveragedRecord makeAveragedRecord(const SpindleModel& model, int points)
 {
-    AveragedRecord record;
+    io::AveragedRecord record;
     record.name = "averaged.csv";
     record.header = headerOf(model);
     std::uint64_t draw = 0;
     for (int s = 0; s < model.sections; ++s) {
-        AveragedSection section;
+        io::AveragedSection section;
         section.section = s + 1;
         section.z_mm = sectionMiddle_mm(model, s);
         for (int i = 0; i < points; ++i) {
@@ -224,4 +224,4 @@ std::vector<Eigen::Vector2d> trueImage_mm(const SpindleModel& model, int section
     return image;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::sample

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/probe_record.h"
+#include "engine/io/probe/probe_record.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 
 /// One wave of a motion: x = x_um cos(upr θ - x_phase_rad), y likewise.
 struct MotionWave {
@@ -47,10 +47,10 @@ SpindleModel sampleSpindle();
 SpindleModel quietSpindle();
 
 /// The whole recording: marker (V), X3, Y3, Xp, Yp (µm), with cutting data and "synthetic" in its header.
-ProbeRecord makeProbeRecord(const SpindleModel& model);
+io::ProbeRecord makeProbeRecord(const SpindleModel& model);
 
 /// Averages over the revolutions with the scatter that so many leave in them.
-AveragedRecord makeAveragedRecord(const SpindleModel& model, int points = 200);
+io::AveragedRecord makeAveragedRecord(const SpindleModel& model, int points = 200);
 
 /// Middle of a section (from 0) along the workpiece, from the free end.
 double sectionMiddle_mm(const SpindleModel& model, int section);
@@ -59,7 +59,7 @@ double sectionMiddle_mm(const SpindleModel& model, int section);
 std::vector<Eigen::Vector2d> trueImage_mm(const SpindleModel& model, int section, int points = 200);
 
 /// The records as text, as they stand in the sample folder.
-std::string toCsv(const ProbeRecord& record);
-std::string toCsv(const AveragedRecord& record);
+std::string toCsv(const io::ProbeRecord& record);
+std::string toCsv(const io::AveragedRecord& record);
 
-}  // namespace lathelier
+}  // namespace lathelier::sample

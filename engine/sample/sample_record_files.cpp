@@ -5,7 +5,7 @@
 #include "engine/core/texts.h"
 #include "engine/sample/sample_record.h"
 
-namespace lathelier {
+namespace lathelier::sample {
 namespace {
 
 /// "# first line" with the header as key=value pairs.
@@ -18,7 +18,7 @@ std::string remarks(const std::string& first, const Values& header)
 
 }  // namespace
 
-std::string toCsv(const ProbeRecord& record)
+std::string toCsv(const io::ProbeRecord& record)
 {
     Values header{{"unit_time", "s"}, {"unit_disp", "um"}};
     header.insert(header.end(), record.header.begin(), record.header.end());
@@ -26,25 +26,25 @@ std::string toCsv(const ProbeRecord& record)
     if (record.channel_skew_s)  // more digits than a sentence needs
         out += fmt::format("# channel_skew_s={:.9e}\n", *record.channel_skew_s);
     out += "t_s";
-    for (const ProbeChannel& channel : record.channels)
-        out += "," + channel.name + (channel.unit == ProbeChannel::Unit::Volt ? "_V" : "_um");
+    for (const io::ProbeChannel& channel : record.channels)
+        out += "," + channel.name + (channel.unit == io::ProbeChannel::Unit::Volt ? "_V" : "_um");
     out += "\n";
     for (std::size_t i = 0; i < record.frames(); ++i) {
         fmt::format_to(std::back_inserter(out), "{:.7f}", record.time_s[i]);
-        for (const ProbeChannel& channel : record.channels)
+        for (const io::ProbeChannel& channel : record.channels)
             fmt::format_to(std::back_inserter(out), ",{:.3f}", channel.values[i]);
         out += '\n';
     }
     return out;
 }
 
-std::string toCsv(const AveragedRecord& record)
+std::string toCsv(const io::AveragedRecord& record)
 {
     Values header{{"unit_disp", "um"}, {"unit_len", "mm"}};
     header.insert(header.end(), record.header.begin(), record.header.end());
     std::string out = remarks("Averaged probe record", header);
     out += "section,z_mm,i,angle_deg,X3_um,Y3_um,Xp_um,Yp_um,sX3_um,sY3_um,sXp_um,sYp_um\n";
-    for (const AveragedSection& s : record.sections)
+    for (const io::AveragedSection& s : record.sections)
         for (std::size_t i = 0; i < s.angle_deg.size(); ++i)
             fmt::format_to(std::back_inserter(out),
                            "{},{:.3f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", s.section,
@@ -53,4 +53,4 @@ std::string toCsv(const AveragedRecord& record)
     return out;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::sample

@@ -66,7 +66,7 @@ std::vector<double> regressed(const AngularSampling& sampling, const std::vector
 /// Takes the band out of the whole profile by regression: what the long-wave pass lets through, without its longer
 /// waves.
 std::vector<double> bandByRegression(const AngularSampling& sampling, std::vector<double> values,
-                                     const ProfileBand& band, const Progress& progress)
+                                     const TransmissionBand& band, const Progress& progress)
 {
     if (band.high_upr) values = regressed(sampling, values, *band.high_upr, progress);
     if (!band.low_upr) return values;
@@ -79,7 +79,7 @@ std::vector<double> bandByRegression(const AngularSampling& sampling, std::vecto
 }  // namespace
 
 FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
-                              const ProfileBand& band)
+                              const TransmissionBand& band)
 {
     if (values.size() < 3 || band.isAll()) return {{values.begin(), values.end()}};
     const AngularSampling sampling = sampleAngles(angle_rad);
@@ -90,7 +90,7 @@ FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const
     return result;
 }
 
-FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const ProfileBand& band,
+FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const TransmissionBand& band,
                               const Progress& progress)
 {
     if (values.size() < 3 || band.isAll()) return {std::move(values)};
@@ -106,7 +106,7 @@ ClosedFilter::ClosedFilter(const AngularSampling& sampling, std::vector<double> 
     for (double& value : values_) value -= mean_;
 }
 
-FilteredValues ClosedFilter::operator()(const ProfileBand& band, const Progress& progress)
+FilteredValues ClosedFilter::operator()(const TransmissionBand& band, const Progress& progress)
 {
     FilteredValues result;
     if (values_.size() < 3 || band.isAll()) {
@@ -115,7 +115,7 @@ FilteredValues ClosedFilter::operator()(const ProfileBand& band, const Progress&
         return {filterClosed(values_, band)};
     } else {
         const bool series = bySeries(band, progress, result.values);
-        result.way = series ? FilterWay::Series : FilterWay::Regression;
+        result.method = series ? FilterMethod::Series : FilterMethod::Regression;
         if (!series) result.values = bandByRegression(sampling_, values_, band, progress);
         if (!band.low_upr) {
             // A long-wave pass is a mean of neighbours: where a fit beside a gap or a corner goes beyond them all, it
@@ -130,7 +130,7 @@ FilteredValues ClosedFilter::operator()(const ProfileBand& band, const Progress&
 
 /// What the band lets through of the series that fits the values; empty when the spacing does not carry the orders
 /// that it needs. Of a short-wave pass: what it takes away.
-std::vector<Complex> ClosedFilter::passed(const ProfileBand& band, const Progress& progress)
+std::vector<Complex> ClosedFilter::passed(const TransmissionBand& band, const Progress& progress)
 {
     if (sampling_.gaps > 0) return {};
     const int most = static_cast<int>(sampling_.different - 1) / 2;  // what even spacing would carry
@@ -153,7 +153,7 @@ std::vector<Complex> ClosedFilter::passed(const ProfileBand& band, const Progres
 }
 
 /// By the series that fits the values; false when it does not serve.
-bool ClosedFilter::bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result)
+bool ClosedFilter::bySeries(const TransmissionBand& band, const Progress& progress, std::vector<double>& result)
 {
     const std::vector<Complex> series = passed(band, progress);
     if (series.empty()) return false;
@@ -164,7 +164,7 @@ bool ClosedFilter::bySeries(const ProfileBand& band, const Progress& progress, s
     return true;
 }
 
-std::optional<std::vector<double>> ClosedFilter::even(const ProfileBand& band, std::size_t count,
+std::optional<std::vector<double>> ClosedFilter::even(const TransmissionBand& band, std::size_t count,
                                                       const Progress& progress)
 {
     if (sampling_.uniform || values_.size() < 3 || !band.high_upr) return std::nullopt;

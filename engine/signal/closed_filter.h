@@ -17,15 +17,16 @@ public:
     ClosedFilter(const AngularSampling& sampling, std::vector<double> values, double largest_cutoff_upr);
 
     /// The answer in the order of the sampling. Throws Cancelled.
-    FilteredValues operator()(const ProfileBand& band, const Progress& progress = {});
+    FilteredValues operator()(const TransmissionBand& band, const Progress& progress = {});
 
     /// The answer at `count` even angles from 0, where the series serves and holds no shorter waves than they carry;
     /// else nothing.
-    std::optional<std::vector<double>> even(const ProfileBand& band, std::size_t count, const Progress& progress = {});
+    std::optional<std::vector<double>> even(const TransmissionBand& band, std::size_t count,
+                                            const Progress& progress = {});
 
 private:
-    bool bySeries(const ProfileBand& band, const Progress& progress, std::vector<double>& result);
-    std::vector<std::complex<double>> passed(const ProfileBand& band, const Progress& progress);
+    bool bySeries(const TransmissionBand& band, const Progress& progress, std::vector<double>& result);
+    std::vector<std::complex<double>> passed(const TransmissionBand& band, const Progress& progress);
 
     const AngularSampling& sampling_;
     std::vector<double> values_;  ///< without their mean where angles are uneven

@@ -13,7 +13,7 @@ double gaussianTransmission(double upr, double cutoff_upr)
     return std::exp2(-ratio * ratio);
 }
 
-double ProfileBand::transmission(double upr) const
+double TransmissionBand::transmission(double upr) const
 {
     double result = 1;
     if (high_upr) result *= gaussianTransmission(upr, *high_upr);
@@ -21,7 +21,7 @@ double ProfileBand::transmission(double upr) const
     return result;
 }
 
-std::vector<double> filterClosed(std::span<const double> values, const ProfileBand& band)
+std::vector<double> filterClosed(std::span<const double> values, const TransmissionBand& band)
 {
     if (values.empty() || band.isAll()) return {values.begin(), values.end()};
     const auto n = static_cast<double>(values.size());

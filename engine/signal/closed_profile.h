@@ -1,4 +1,4 @@
-// A closed profile as a function of the angle: uniform sampling, harmonics, Gaussian filter.
+// A closed profile as a function of the angle and its Gaussian filter; its harmonics: harmonics.h.
 // Source: ISO 16610-21 (Gaussian filter), ISO 12181-2 (cut-offs in undulations per revolution).
 #pragma once
 
@@ -15,58 +15,38 @@ namespace lathelier::signal {
 double gaussianTransmission(double upr, double cutoff_upr);
 
 /// What passes: everything, all up to `high_upr` (long-wave pass), all above `low_upr`, or the band between.
-struct ProfileBand {
+struct TransmissionBand {
     std::optional<double> low_upr;   ///< waves longer than this are damped (short-wave pass)
     std::optional<double> high_upr;  ///< waves shorter than this are damped (long-wave pass)
 
     bool isAll() const { return !low_upr && !high_upr; }
     double transmission(double upr) const;
-    friend bool operator==(const ProfileBand&, const ProfileBand&) = default;
+    friend bool operator==(const TransmissionBand&, const TransmissionBand&) = default;
 };
 
 /// Filters values at uniform angles over one whole turn. The mean passes always: it is the size, not the form.
-std::vector<double> filterClosed(std::span<const double> values, const ProfileBand& band);
-
-/// One harmonic; r contains amplitude · cos(upr · θ - phase).
-struct Harmonic {
-    int upr = 0;           ///< undulations per revolution
-    double amplitude = 0;  ///< zero to peak, in the unit of the values
-    double phase_rad = 0;  ///< the first crest lies at phase / upr
-};
-
-/// Harmonics k = 1…limit of values at uniform angles θ_j = 2πj/n, limit ≤ n/2. At k = n/2 the samples tell only the
-/// part that they see.
-std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit);
-
-/// The same for any angles (with gaps, duplicates, any order), by least squares, up to what the sampling carries
-/// (carriedOrders()). Orders that small gaps leave undetermined are estimated from what the lower ones do not explain,
-/// those of an uneven or interrupted sampling left out; with a third of the turn missing there are none.
-std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit);
-
-/// The same for values in the order of a sampling.
-std::vector<Harmonic> harmonicsAt(const AngularSampling& sampling, std::vector<double> values, int limit,
-                                  const Progress& progress = {});
+std::vector<double> filterClosed(std::span<const double> values, const TransmissionBand& band);
 
 /// How values at given angles were filtered.
-enum class FilterWay {
+enum class FilterMethod {
     Uniform,    ///< even angles: exact
     Series,     ///< uneven angles: exact for waves that the spacing carries
     Regression  ///< gaps: Gaussian-weighted straight lines, which do not ring beside a gap
 };
 
 struct FilteredValues {
-    std::vector<double> values;          ///< at the given angles, in the given order
-    FilterWay way = FilterWay::Uniform;  ///< how it was done
+    std::vector<double> values;                   ///< at the given angles, in the given order
+    FilterMethod method = FilterMethod::Uniform;  ///< how it was done
 };
 
 /// Filters values at any angles (any order, gaps, duplicates); the answer stands at the same angles. Where no gap
 /// hinders, the values are taken as a trigonometric polynomial; beside gaps, as Gaussian regression of order one (away
 /// from gaps the same as the Gaussian filter).
 FilteredValues filterClosedAt(std::span<const double> angle_rad, std::span<const double> values,
-                              const ProfileBand& band);
+                              const TransmissionBand& band);
 
 /// The same for values in the order of a sampling; the answer stands in that order.
-FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const ProfileBand& band,
+FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<double> values, const TransmissionBand& band,
                               const Progress& progress = {});
 
 /// Samples per cut-off wave below which a filter's answer is not trusted (ISO 12181-2: 7).

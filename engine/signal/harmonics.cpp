@@ -1,3 +1,5 @@
+#include "engine/signal/harmonics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

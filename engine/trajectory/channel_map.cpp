@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/core/core_codes.h"
-#include "engine/io/number.h"
+#include "engine/io/text/number.h"
 #include "engine/trajectory/trajectory_codes.h"
 
 namespace lathelier::trajectory {
@@ -83,7 +83,7 @@ Entries parse(std::string_view map)
 }
 
 /// Channels of a record whose headings say which signal they are.
-std::optional<Entries> byHeadings(const ProbeRecord& record)
+std::optional<Entries> byHeadings(const io::ProbeRecord& record)
 {
     Entries entries;
     for (std::size_t signal = 0; signal < signalNames.size(); ++signal)
@@ -96,7 +96,7 @@ std::optional<Entries> byHeadings(const ProbeRecord& record)
     return entries[markerSignal].given || entries[angleSignal].given ? std::optional(entries) : std::nullopt;
 }
 
-std::size_t placeOf(const ProbeRecord& record, const Entry& entry, const char* signal)
+std::size_t placeOf(const io::ProbeRecord& record, const Entry& entry, const char* signal)
 {
     const auto unknown = [&](Text reason) -> Error {
         return Error(errors::channelsUnknown, {{"signal", signal},
@@ -104,7 +104,7 @@ std::size_t placeOf(const ProbeRecord& record, const Entry& entry, const char* s
                                                {"reason", reason},
                                                {"channels", static_cast<std::int64_t>(record.channels.size())}});
     };
-    if (const auto place = wholeInteger(entry.channel)) {
+    if (const auto place = io::wholeInteger(entry.channel)) {
         if (*place < 0 || *place >= static_cast<std::int64_t>(record.channels.size()))
             throw unknown(LT_TEXT("Engine", "there is no such channel"));
         return static_cast<std::size_t>(*place);
@@ -114,17 +114,18 @@ std::size_t placeOf(const ProbeRecord& record, const Entry& entry, const char* s
     throw unknown(LT_TEXT("Engine", "no channel has this name"));
 }
 
-double toMicrometres(const ProbeRecord& record, std::size_t channel, const char* signal, double sensitivity_um_per_V)
+double toMicrometres(const io::ProbeRecord& record, std::size_t channel, const char* signal,
+                     double sensitivity_um_per_V)
 {
     switch (record.channels[channel].unit) {
-        case ProbeChannel::Unit::Micrometre: return 1;
-        case ProbeChannel::Unit::Millimetre: return 1000;
-        case ProbeChannel::Unit::Volt: return sensitivity_um_per_V;
-        case ProbeChannel::Unit::Unknown:
+        case io::ProbeChannel::Unit::Micrometre: return 1;
+        case io::ProbeChannel::Unit::Millimetre: return 1000;
+        case io::ProbeChannel::Unit::Volt: return sensitivity_um_per_V;
+        case io::ProbeChannel::Unit::Unknown:
             throw Error(errors::channelUnitMissing, {{"signal", signal},
                                                      {"found", static_cast<std::int64_t>(channel)},
                                                      {"channel", record.channels[channel].name}});
-        case ProbeChannel::Unit::Degree: break;
+        case io::ProbeChannel::Unit::Degree: break;
     }
     throw Error(errors::channelsUnknown, {{"signal", signal},
                                           {"found", static_cast<std::int64_t>(channel)},
@@ -134,7 +135,7 @@ double toMicrometres(const ProbeRecord& record, std::size_t channel, const char*
 
 /// A probe that is not connected gives one value only; one out of range gives its end value again and again. A
 /// sinusoid rests on its own peak for a few per cent of the time when it is coarsely quantised.
-void noteStandstill(const ProbeChannel& channel, const char* signal, Notes& notes)
+void noteStandstill(const io::ProbeChannel& channel, const char* signal, Notes& notes)
 {
     constexpr double clippedShare = 0.1;
     if (channel.values.empty()) return;
@@ -159,7 +160,7 @@ const char* name(Probe probe)
     return probeNames[static_cast<std::size_t>(probe)];
 }
 
-ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
+ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
 {
     Entries entries = parse(parameters.channels);
     if (parameters.channels == TrajectoryParameters{}.channels)
@@ -167,9 +168,9 @@ ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& pa
     ChannelMap map;
     const std::size_t reference = entries[angleSignal].given ? angleSignal : markerSignal;
     map.reference = placeOf(record, entries[reference], signalNames[reference]);
-    const ProbeChannel::Unit unit = record.channels[map.reference].unit;
-    map.is_angle = reference == angleSignal || unit == ProbeChannel::Unit::Degree;
-    if (map.is_angle && unit != ProbeChannel::Unit::Degree && unit != ProbeChannel::Unit::Unknown)
+    const io::ProbeChannel::Unit unit = record.channels[map.reference].unit;
+    map.is_angle = reference == angleSignal || unit == io::ProbeChannel::Unit::Degree;
+    if (map.is_angle && unit != io::ProbeChannel::Unit::Degree && unit != io::ProbeChannel::Unit::Unknown)
         throw Error(errors::channelsUnknown, {{"signal", signalNames[reference]},
                                               {"found", static_cast<std::int64_t>(map.reference)},
                                               {"reason", LT_TEXT("Engine", "it holds no angles")},

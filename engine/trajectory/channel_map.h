@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/io/probe_record.h"
+#include "engine/io/probe/probe_record.h"
 #include "engine/trajectory/trajectory.h"
 
 namespace lathelier::trajectory {
@@ -27,7 +27,7 @@ struct ChannelMap {
 /// refused. Signals that stand still or are cut off at the ends of their range are noted.
 /// Errors: valueNotUnderstood (`parameter` channels, `column` in it), channelsUnknown (`signal`, `found`, `reason`),
 /// channelUnitMissing.
-ChannelMap mapChannels(const ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
+ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
 
 /// "X3", "Y3", "Xp", "Yp".
 const char* name(Probe probe);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/signal/harmonics.h"
 
 namespace lathelier::trajectory {
 namespace {

@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-FrameClock::FrameClock(const ProbeRecord& record) : times_(record.time_s), frames_(record.frames())
+FrameClock::FrameClock(const io::ProbeRecord& record) : times_(record.time_s), frames_(record.frames())
 {
     if (times_.size() != frames_ || frames_ < 2) {
         known_ = std::isfinite(record.rate_hz) && record.rate_hz > 0;

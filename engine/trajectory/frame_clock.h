@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "engine/io/probe_record.h"
+#include "engine/io/probe/probe_record.h"
 
 namespace lathelier::trajectory {
 
@@ -12,7 +12,7 @@ namespace lathelier::trajectory {
 class FrameClock {
 public:
     /// Error timeNotIncreasing (`row`, from 1) when the times of the record do not go forward.
-    explicit FrameClock(const ProbeRecord& record);
+    explicit FrameClock(const io::ProbeRecord& record);
 
     std::size_t frames() const { return frames_; }
     bool isKnown() const { return known_; }  ///< false: times are numbers of frames

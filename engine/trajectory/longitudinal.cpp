@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "engine/core/core_codes.h"
-#include "engine/form/cylindricity.h"
+#include "engine/form/cylinder/cylindricity.h"
+#include "engine/form/cylinder/straightness.h"
 #include "engine/trajectory/trajectory_codes.h"
 
 namespace lathelier::trajectory {

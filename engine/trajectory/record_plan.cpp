@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/io/header_lines.h"
+#include "engine/io/text/header_lines.h"
 #include "engine/trajectory/trajectory_codes.h"
 
 namespace lathelier::trajectory {
@@ -15,8 +15,8 @@ constexpr std::int64_t fewestRevolutions = 2;
 void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& notes)
 {
     constexpr double tolerance = 0.1;
-    const auto stated = headerNumber(prepared.record->header, "rpm_nominal");
-    const auto speed = stated ? stated : headerNumber(prepared.record->header, "speed_rpm");
+    const auto stated = io::headerNumber(prepared.record->header, "rpm_nominal");
+    const auto speed = stated ? stated : io::headerNumber(prepared.record->header, "speed_rpm");
     if (!speed || !prepared.clock.isKnown()) return;
     const double found_rpm = 60 / prepared.revolutions.period_s;
     if (std::abs(found_rpm - *speed) > tolerance * *speed)
@@ -25,7 +25,7 @@ void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& n
 
 }  // namespace
 
-PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
+PreparedRecord prepare(const io::ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
                        Notes& notes)
 {
     try {
@@ -66,13 +66,13 @@ void noteAssumed(const std::string& key, double value, Notes& notes)
                               {"source", LT_TEXT("Engine", "the record")}}});
 }
 
-std::optional<Segmentation> segmentationOf(const ProbeRecord& record, const TrajectoryParameters& parameters,
+std::optional<Segmentation> segmentationOf(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
                                            Notes& notes)
 {
     if (parameters.feed_mm_rev) return Segmentation{*parameters.feed_mm_rev, parameters.sections};
     if (!parameters.z_mm.empty()) return std::nullopt;
-    const auto feed = headerNumber(record.header, "feed_mm_rev");
-    const auto sections = headerNumber(record.header, "sections");
+    const auto feed = io::headerNumber(record.header, "feed_mm_rev");
+    const auto sections = io::headerNumber(record.header, "sections");
     if (!feed || !sections || !(*feed > 0) || !(*sections >= 2 && *sections <= 10000)) return std::nullopt;
     noteAssumed("feed_mm_rev", *feed, notes);
     noteAssumed("sections", *sections, notes);

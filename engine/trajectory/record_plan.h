@@ -13,16 +13,16 @@ namespace lathelier::trajectory {
 
 /// A raw record made ready for sampling.
 struct PreparedRecord {
-    const ProbeRecord* record = nullptr;  ///< of the caller, who keeps it
-    std::string path;                     ///< of the file, for messages
-    FrameClock clock;                     ///< when each frame was sampled
-    ChannelMap map;                       ///< which channel is which signal
-    double channel_skew_s = 0;            ///< from one channel to the next within a frame
-    Revolutions revolutions;              ///< those found in the record
+    const io::ProbeRecord* record = nullptr;  ///< of the caller, who keeps it
+    std::string path;                         ///< of the file, for messages
+    FrameClock clock;                         ///< when each frame was sampled
+    ChannelMap map;                           ///< which channel is which signal
+    double channel_skew_s = 0;                ///< from one channel to the next within a frame
+    Revolutions revolutions;                  ///< those found in the record
 };
 
 /// Channel map, delays and revolutions of a record, with its notes. Errors carry `path`.
-PreparedRecord prepare(const ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
+PreparedRecord prepare(const io::ProbeRecord& record, const std::string& path, const TrajectoryParameters& parameters,
                        Notes& notes);
 
 /// The revolutions of one section.
@@ -39,7 +39,7 @@ struct Segmentation {
 };
 
 /// The segmentation asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).
-std::optional<Segmentation> segmentationOf(const ProbeRecord& record, const TrajectoryParameters& parameters,
+std::optional<Segmentation> segmentationOf(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
                                            Notes& notes);
 
 /// One segment: the first `revolutions` regular ones of the record.

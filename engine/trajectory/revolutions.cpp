@@ -52,7 +52,7 @@ Revolutions judged(const std::vector<double>& marks_s, const FrameClock& clock)
     return result;
 }
 
-Error elsewhere(const ProbeRecord& record, const FrameClock& clock, std::size_t marker, Text reason)
+Error elsewhere(const io::ProbeRecord& record, const FrameClock& clock, std::size_t marker, Text reason)
 {
     Values values{
         {"channel", record.channels[marker].name}, {"place", static_cast<std::int64_t>(marker)}, {"reason", reason}};
@@ -67,7 +67,7 @@ Error elsewhere(const ProbeRecord& record, const FrameClock& clock, std::size_t 
     return Error(errors::markerNotFound, values);
 }
 
-Revolutions fromMarker(const ProbeRecord& record, const FrameClock& clock, std::size_t marker,
+Revolutions fromMarker(const io::ProbeRecord& record, const FrameClock& clock, std::size_t marker,
                        const TrajectoryParameters& parameters, double skew_s)
 {
     const std::vector<double>& values = record.channels[marker].values;
@@ -103,7 +103,7 @@ double timeOfTurn(const std::vector<double>& turns, const FrameClock& clock, dou
     return clock.time_s(i - 1) + share * (clock.time_s(i) - clock.time_s(i - 1));
 }
 
-Revolutions fromAngle(const ProbeRecord& record, const FrameClock& clock, std::size_t channel, double skew_s)
+Revolutions fromAngle(const io::ProbeRecord& record, const FrameClock& clock, std::size_t channel, double skew_s)
 {
     const std::vector<double>& angle_deg = record.channels[channel].values;
     const auto still = [&](Text reason) {
@@ -170,7 +170,7 @@ double Revolutions::timeAt(const FrameClock& clock, const Revolution& revolution
     return timeOfTurn(turns, clock, target) + angle_skew_s;
 }
 
-Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
+Revolutions findRevolutions(const io::ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                             const TrajectoryParameters& parameters, double channel_skew_s)
 {
     Revolutions result =

@@ -37,7 +37,7 @@ struct Revolutions {
 /// interpolated between frames; the signal has to come back over half of the way before the next one counts.
 /// Errors: markerNotFound (`channel`, `reason`) where the signal is no row of pulses, markerElsewhere (`candidate`)
 /// when another channel is; angleNotTurning; tooFewRevolutions (`found`, `minimum` 2).
-Revolutions findRevolutions(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
+Revolutions findRevolutions(const io::ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                             const TrajectoryParameters& parameters, double channel_skew_s);
 
 }  // namespace lathelier::trajectory

@@ -180,7 +180,7 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& 
     return section;
 }
 
-TrajectorySection evaluate(const AveragedSection& averages, int revolutions, const TrajectoryParameters& parameters,
+TrajectorySection evaluate(const io::AveragedSection& averages, int revolutions, const TrajectoryParameters& parameters,
                            double workpiece_diameter_mm, const Progress& progress)
 {
     TrajectorySection section;

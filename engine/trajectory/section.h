@@ -12,7 +12,7 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& 
                            const Progress& progress);
 
 /// The same from averages over `revolutions` (0: not known).
-TrajectorySection evaluate(const AveragedSection& averages, int revolutions, const TrajectoryParameters& parameters,
+TrajectorySection evaluate(const io::AveragedSection& averages, int revolutions, const TrajectoryParameters& parameters,
                            double workpiece_diameter_mm, const Progress& progress);
 
 }  // namespace lathelier::trajectory

@@ -36,23 +36,24 @@ double at(const std::vector<double>& values, std::size_t i)
 
 void writeSectionTable(const std::string& path, const TrajectoryResult& result)
 {
-    writeFile(path, csvOf<TrajectorySection>(result.sections, {"section",
-                                                               "z_mm",
-                                                               "revolutions_used",
-                                                               "diameter_mm",
-                                                               "centre_x_um",
-                                                               "centre_y_um",
-                                                               "RONt_LSCI_um",
-                                                               "RONt_MZCI_um",
-                                                               "RONt_MICI_um",
-                                                               "RONt_MCCI_um",
-                                                               {"two_point.range_um", "two_point_range_um"},
-                                                               "run_out_um",
-                                                               {"spindle.synchronous_um", "synchronous_um"},
-                                                               {"spindle.asynchronous_um", "asynchronous_um"},
-                                                               {"spindle.total_um", "total_um"},
-                                                               "tolerance_um",
-                                                               "verdict"}));
+    io::writeFile(path,
+                  report::csvOf<TrajectorySection>(result.sections, {"section",
+                                                                     "z_mm",
+                                                                     "revolutions_used",
+                                                                     "diameter_mm",
+                                                                     "centre_x_um",
+                                                                     "centre_y_um",
+                                                                     "RONt_LSCI_um",
+                                                                     "RONt_MZCI_um",
+                                                                     "RONt_MICI_um",
+                                                                     "RONt_MCCI_um",
+                                                                     {"two_point.range_um", "two_point_range_um"},
+                                                                     "run_out_um",
+                                                                     {"spindle.synchronous_um", "synchronous_um"},
+                                                                     {"spindle.asynchronous_um", "asynchronous_um"},
+                                                                     {"spindle.total_um", "total_um"},
+                                                                     "tolerance_um",
+                                                                     "verdict"}));
 }
 
 void writeImages(const std::string& path, const TrajectoryResult& result)
@@ -77,7 +78,7 @@ void writeImages(const std::string& path, const TrajectoryResult& result)
                 append(out, {at(probe.mean_um, i), at(probe.std_um, i), at(probe.confidence_um, i)});
             out += '\n';
         }
-    writeFile(path, out);
+    io::writeFile(path, out);
 }
 
 }  // namespace lathelier::trajectory

@@ -76,7 +76,7 @@ void keepRevolutions(SectionSignals& signals, const std::vector<bool>& keep)
 
 }  // namespace
 
-SectionSignals resample(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
+SectionSignals resample(const io::ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                         const Revolutions& revolutions, std::span<const Revolution> chosen, std::size_t points,
                         double channel_skew_s)
 {

@@ -24,7 +24,7 @@ struct SectionSignals {
 
 /// Samples the probes at `points` angles of each of the revolutions. Channel c of frame f was sampled at t_f + c ·
 /// skew: its value at time t is looked up at t - c · skew. A revolution of which a tenth is missing is left out.
-SectionSignals resample(const ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
+SectionSignals resample(const io::ProbeRecord& record, const FrameClock& clock, const ChannelMap& map,
                         const Revolutions& revolutions, std::span<const Revolution> chosen, std::size_t points,
                         double channel_skew_s);
 

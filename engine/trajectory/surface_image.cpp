@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -21,7 +21,7 @@ double turned(double angle_deg)
 
 /// The radii about the spindle axis stand for those about the circle's centre: with an eccentricity of some µm the
 /// difference is some pm.
-void filterRadii(SurfaceImage& image, const signal::ProfileBand& band, bool whole)
+void filterRadii(SurfaceImage& image, const signal::TransmissionBand& band, bool whole)
 {
     if (whole) {
         image.radius_mm = filterClosed(image.radius_mm, band);
@@ -72,7 +72,7 @@ SurfaceImage imageOf(const Motions& motions, std::span<const double> angle_deg, 
 }
 
 RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const double> angle_deg,
-                                  double workpiece_diameter_mm, Rotation rotation, const signal::ProfileBand& band)
+                                  double workpiece_diameter_mm, Rotation rotation, const signal::TransmissionBand& band)
 {
     const std::size_t n = signals.points;
     RevolutionImages result;

@@ -32,6 +32,7 @@ struct RevolutionImages {
     std::vector<double> RONt_um;                           ///< about each image's own LSC centre
 };
 RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const double> angle_deg,
-                                  double workpiece_diameter_mm, Rotation rotation, const signal::ProfileBand& band);
+                                  double workpiece_diameter_mm, Rotation rotation,
+                                  const signal::TransmissionBand& band);
 
 }  // namespace lathelier::trajectory

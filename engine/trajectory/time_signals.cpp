@@ -29,7 +29,7 @@ void thin(TimeSignal& signal, const FrameClock& clock, const std::vector<double>
 
 }  // namespace
 
-std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryParameters& parameters, int limit,
+std::vector<TimeSignal> timeSignals(const io::ProbeRecord& record, const TrajectoryParameters& parameters, int limit,
                                     const Progress& progress)
 {
     const FrameClock clock(record);

@@ -7,8 +7,8 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/form/form_codes.h"
-#include "engine/io/header_lines.h"
-#include "engine/io/number.h"
+#include "engine/io/text/header_lines.h"
+#include "engine/io/text/number.h"
 #include "engine/trajectory/longitudinal.h"
 #include "engine/trajectory/record_plan.h"
 #include "engine/trajectory/section.h"
@@ -17,25 +17,25 @@
 namespace lathelier::trajectory {
 namespace {
 
-using Records = std::vector<const ProbeFile*>;
+using Records = std::vector<const io::ProbeFile*>;
 
 /// What has to be evaluated for one section.
 struct Task {
     const PreparedRecord* raw = nullptr;
     RecordSegment segment;
-    const AveragedSection* averages = nullptr;
+    const io::AveragedSection* averages = nullptr;
     int averaged_revolutions = 0;
     int number = 0;
     std::string record;
     std::string path;
 };
 
-const Values& headerOf(const ProbeFile& file)
+const Values& headerOf(const io::ProbeFile& file)
 {
     return std::visit([](const auto& record) -> const Values& { return record.header; }, file.record);
 }
 
-std::string pathOf(const ProbeFile& file)
+std::string pathOf(const io::ProbeFile& file)
 {
     if (!file.facts.path.empty()) return file.facts.path;
     return std::visit([](const auto& record) { return record.name; }, file.record);
@@ -46,9 +46,9 @@ double diameterOf(const Records& records, const TrajectoryParameters& parameters
 {
     if (parameters.workpiece_diameter_mm) return *parameters.workpiece_diameter_mm;
     std::optional<double> first;
-    for (const ProbeFile* file : records) {
-        auto stated = headerNumber(headerOf(*file), "D_mm");
-        if (!stated) stated = headerNumber(headerOf(*file), "workpiece_diameter_mm");
+    for (const io::ProbeFile* file : records) {
+        auto stated = io::headerNumber(headerOf(*file), "D_mm");
+        if (!stated) stated = io::headerNumber(headerOf(*file), "workpiece_diameter_mm");
         if (!stated || !(*stated > 0)) throw Error(errors::diameterMissing, {{"path", pathOf(*file)}});
         if (first && *first != *stated)
             throw Error(errors::recordsDiffer, {{"path", pathOf(*file)},
@@ -70,7 +70,7 @@ std::vector<double> parsePlaces(const std::string& typed)
         std::string part = typed.substr(begin, end - begin);
         std::erase(part, ' ');
         if (semicolons) std::replace(part.begin(), part.end(), ',', '.');
-        const auto number = wholeNumber(part, '.');
+        const auto number = io::wholeNumber(part, '.');
         if (!number || !std::isfinite(*number))
             throw Error(errors::valueNotUnderstood,
                         {{"parameter", "z_mm"},
@@ -149,10 +149,10 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
     for (std::size_t i = 0; i < records.size(); ++i) {
         progress.report(static_cast<double>(i) / static_cast<double>(records.size()));
         const std::string path = pathOf(*records[i]);
-        if (const auto* averaged = std::get_if<AveragedRecord>(&records[i]->record)) {
+        if (const auto* averaged = std::get_if<io::AveragedRecord>(&records[i]->record)) {
             const int revolutions =
-                static_cast<int>(std::clamp(headerNumber(averaged->header, "n_rev").value_or(0), 0.0, 1e9));
-            for (const AveragedSection& section : averaged->sections) {
+                static_cast<int>(std::clamp(io::headerNumber(averaged->header, "n_rev").value_or(0), 0.0, 1e9));
+            for (const io::AveragedSection& section : averaged->sections) {
                 Task task{nullptr, {}, &section, revolutions, section.section, averaged->name, path};
                 task.segment.z_mm = section.z_mm;
                 tasks.push_back(std::move(task));
@@ -160,7 +160,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
             notes.push_back({notes::averagesOnly, {{"path", path}}});
             continue;
         }
-        const auto& record = std::get<ProbeRecord>(records[i]->record);
+        const auto& record = std::get<io::ProbeRecord>(records[i]->record);
         const PreparedRecord& ready = prepared.emplace_back(prepare(record, path, parameters, notes));
         std::vector<RecordSegment> segments;
         if (const auto segmentation = records.size() == 1 ? segmentationOf(record, parameters, notes) : std::nullopt) {
@@ -168,7 +168,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
         } else {
             segments.push_back(wholeRecord(ready, parameters));
             segments.back().z_mm =
-                headerNumber(record.header, "z_mm").value_or(std::numeric_limits<double>::quiet_NaN());
+                io::headerNumber(record.header, "z_mm").value_or(std::numeric_limits<double>::quiet_NaN());
         }
         std::size_t fewest = static_cast<std::size_t>(parameters.revolutions);
         std::int64_t found = 0, used = 0;
@@ -265,14 +265,14 @@ std::optional<std::size_t> TrajectoryResult::worstSection() const
     return static_cast<std::size_t>(worst - sections.begin());
 }
 
-TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const TrajectoryParameters& parameters,
+TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records, const TrajectoryParameters& parameters,
                             const Progress& progress)
 {
     TrajectoryResult result;
     result.parameters = parameters;
     if (records.empty()) return result;
     result.workpiece_diameter_mm = diameterOf(records, parameters);
-    for (const ProbeFile* file : records)
+    for (const io::ProbeFile* file : records)
         for (const auto& [key, value] : headerOf(*file))
             if (!find(result.cutting, key)) result.cutting.emplace_back(key, value);
 
@@ -295,11 +295,11 @@ TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const 
     return result;
 }
 
-TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters,
+TrajectoryResult trajectory(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters,
                             const Progress& progress)
 {
     Records pointers;
-    for (const ProbeFile& file : records) pointers.push_back(&file);
+    for (const io::ProbeFile& file : records) pointers.push_back(&file);
     return trajectory(pointers, parameters, progress);
 }
 

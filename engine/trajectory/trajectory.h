@@ -14,8 +14,8 @@
 #include "engine/core/fields.h"
 #include "engine/core/profile.h"
 #include "engine/core/progress.h"
-#include "engine/form/roundness.h"
-#include "engine/io/probe_reader.h"
+#include "engine/form/roundness/roundness.h"
+#include "engine/io/probe/probe_reader.h"
 
 namespace lathelier::trajectory {
 
@@ -124,9 +124,9 @@ struct TrajectoryResult {
 /// fewerRevolutions, revolutionsIncomplete, revolutionsUnused, noCylindricity, speedDiffers, Channel…,
 /// displacementsLarge, motionOutliers, averagesOnly, formNotMeasured, zUnknown or tooFewSections (no longitudinal
 /// section), valueAssumed, sizeReferenced, mandrelFloor; those of roundness() once each. Throws Cancelled.
-TrajectoryResult trajectory(const std::vector<const ProbeFile*>& records, const TrajectoryParameters& parameters = {},
-                            const Progress& progress = {});
-TrajectoryResult trajectory(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {},
+TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records,
+                            const TrajectoryParameters& parameters = {}, const Progress& progress = {});
+TrajectoryResult trajectory(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});
 
 /// One signal with its revolutions, for the time plot: thinned to at most `limit` points, the extremes kept.
@@ -138,7 +138,7 @@ struct TimeSignal {
 };
 
 /// Every channel of a record. A map or a marker that does not fit is no error here: the plot is to show why.
-std::vector<TimeSignal> timeSignals(const ProbeRecord& record, const TrajectoryParameters& parameters, int limit = 4000,
-                                    const Progress& progress = {});
+std::vector<TimeSignal> timeSignals(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
+                                    int limit = 4000, const Progress& progress = {});
 
 }  // namespace lathelier::trajectory

@@ -16,7 +16,7 @@ constexpr std::size_t mostMarks = 60;  ///< more revolution marks hide the signa
 constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
 
 const Text um = LT_TEXT("Engine", "µm");
-const Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), LT_TEXT("Engine", "mm")};
+const report::Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), LT_TEXT("Engine", "mm")};
 
 const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
 {
@@ -48,9 +48,9 @@ std::vector<double> partAngles_deg(const TrajectorySection& section)
     return angles;
 }
 
-Plot longitudinalPlot(const LongitudinalSection& section, const Language& language)
+report::Plot longitudinalPlot(const LongitudinalSection& section, const Language& language)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Longitudinal section");
     plot.x = zAxis;
     plot.y = {LT_TEXT("Engine", "Radius, deviation from its mean"), um};
@@ -65,14 +65,14 @@ Plot longitudinalPlot(const LongitudinalSection& section, const Language& langua
     const auto named = [&](Text pattern, double value_um) {
         return fill(text(pattern, language), {{"value", fixed(value_um, 1, language)}}, language);
     };
-    Curve parabola{named(section.barrel_um >= 0 ? LT_TEXT("Engine", "barrel {value} µm on radius")
-                                                : LT_TEXT("Engine", "saddle {value} µm on radius"),
-                         std::abs(section.barrel_um))};
-    Curve line{named(LT_TEXT("Engine", "taper {value} µm on diameter"), section.taper_diameter_um)};
-    line.style = Curve::Style::Dashed;
+    report::Curve parabola{named(section.barrel_um >= 0 ? LT_TEXT("Engine", "barrel {value} µm on radius")
+                                                        : LT_TEXT("Engine", "saddle {value} µm on radius"),
+                                 std::abs(section.barrel_um))};
+    report::Curve line{named(LT_TEXT("Engine", "taper {value} µm on diameter"), section.taper_diameter_um)};
+    line.style = report::Curve::Style::Dashed;
     line.spoken = false;
-    Curve measured{LT_TEXT("Engine", "sections")};
-    measured.style = Curve::Style::Points;
+    report::Curve measured{LT_TEXT("Engine", "sections")};
+    measured.style = report::Curve::Style::Points;
     for (const std::size_t i : order) {
         measured.x.push_back(section.z_mm[i]);
         measured.y.push_back(1e3 * (section.radius_mm[i] - mean_mm));
@@ -91,16 +91,16 @@ Plot longitudinalPlot(const LongitudinalSection& section, const Language& langua
     return plot;
 }
 
-Plot roundnessAlongAxis(const TrajectoryResult& result)
+report::Plot roundnessAlongAxis(const TrajectoryResult& result)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Roundness of the sections");
     const bool places = result.longitudinal.has_value();
-    plot.x = places ? zAxis : Axis{LT_TEXT("Engine", "Section")};
+    plot.x = places ? zAxis : report::Axis{LT_TEXT("Engine", "Section")};
     plot.y = {"RONt", um};
     plot.y.range = Interval{0, 0};
     for (const form::ReferenceCircle circle : {form::ReferenceCircle::MZCI, form::ReferenceCircle::LSCI}) {
-        Curve curve;
+        report::Curve curve;
         curve.name = std::string(name(circle));
         for (const TrajectorySection& section : result.sections) {
             curve.x.push_back(places ? section.z_mm : section.section);
@@ -110,24 +110,24 @@ Plot roundnessAlongAxis(const TrajectoryResult& result)
         plot.curves.push_back(std::move(curve));
     }
     if (const auto& tolerance = result.parameters.form.tolerance_um) {
-        plot.limits.push_back({Limit::Direction::Horizontal, *tolerance, LT_TEXT("Engine", "tolerance")});
+        plot.limits.push_back({report::Limit::Direction::Horizontal, *tolerance, LT_TEXT("Engine", "tolerance")});
         plot.y.range->to = std::max(plot.y.range->to, 1.15 * *tolerance);
     }
     return plot;
 }
 
-Plot trajectoryPlot(const TrajectorySection& section, const Language& language,
-                    const std::vector<TrajectorySection>& others)
+report::Plot trajectoryPlot(const TrajectorySection& section, const Language& language,
+                            const std::vector<TrajectorySection>& others)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Trajectories over one turn");
     plot.remark = sectionName(section, language);
     plot.x = {"X", um};
     plot.y = {"Y", um};
     plot.along = {LT_TEXT("Engine", "angle"), LT_TEXT("Engine", "°")};
     plot.equal_scales = true;
-    const auto add = [&](const Caption& name, const TrajectorySection& of, Probe x, Probe y, int colour) {
-        Curve curve{name, closed(mean(of, x)), closed(mean(of, y)), Curve::Style::Line, {}, colour};
+    const auto add = [&](const report::Caption& name, const TrajectorySection& of, Probe x, Probe y, int colour) {
+        report::Curve curve{name, closed(mean(of, x)), closed(mean(of, y)), report::Curve::Style::Line, {}, colour};
         curve.along = closed(partAngles_deg(of));
         curve.thin = &of != &section;
         plot.curves.push_back(std::move(curve));
@@ -142,9 +142,9 @@ Plot trajectoryPlot(const TrajectorySection& section, const Language& language,
     return plot;
 }
 
-Plot coordinatesPlot(const TrajectorySection& section, const Language& language)
+report::Plot coordinatesPlot(const TrajectorySection& section, const Language& language)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Coordinates over the angle");
     plot.remark = sectionName(section, language);
     plot.x = {LT_TEXT("Engine", "Angle as recorded"), LT_TEXT("Engine", "°")};
@@ -152,16 +152,16 @@ Plot coordinatesPlot(const TrajectorySection& section, const Language& language)
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         plot.curves.push_back({probeNames[probe], section.angle_deg, section.probes[probe].mean_um});
     const double sum_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0);
-    Curve radius{LT_TEXT("Engine", "R − mean"), section.angle_deg};
+    report::Curve radius{LT_TEXT("Engine", "R − mean"), section.angle_deg};
     for (const double radius_mm : section.radius_mm)
         radius.y.push_back(1e3 * (radius_mm - sum_mm / static_cast<double>(section.radius_mm.size())));
     plot.curves.push_back(std::move(radius));
     return plot;
 }
 
-Plot envelopePlot(const TrajectorySection& section)
+report::Plot envelopePlot(const TrajectorySection& section)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Radius about the spindle axis");
     plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
     plot.y = {LT_TEXT("Engine", "Deviation from the mean radius"), um};
@@ -175,16 +175,20 @@ Plot envelopePlot(const TrajectorySection& section)
     const std::vector<double> angle_deg = closed(section.angle_deg, 360);
     if (!section.envelope_min_mm.empty())
         plot.curves.push_back({LT_TEXT("Engine", "single revolutions: from the smallest to the largest"), angle_deg,
-                               deviations(section.envelope_max_mm), Curve::Style::Band,
+                               deviations(section.envelope_max_mm), report::Curve::Style::Band,
                                deviations(section.envelope_min_mm), singleColour});
-    plot.curves.push_back(
-        {LT_TEXT("Engine", "mean"), angle_deg, deviations(section.radius_mm), Curve::Style::Line, {}, meanColour});
+    plot.curves.push_back({LT_TEXT("Engine", "mean"),
+                           angle_deg,
+                           deviations(section.radius_mm),
+                           report::Curve::Style::Line,
+                           {},
+                           meanColour});
     return plot;
 }
 
-Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language)
+report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language)
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = LT_TEXT("Engine", "Signals");
     plot.x = {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s")};
     const auto displaces = [](const TimeSignal& signal) {
@@ -192,7 +196,7 @@ Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& langua
     };
     // Without a usable map everything is shown as it was recorded: the plot is to tell which channel is which.
     const bool mapped = std::any_of(recorded.begin(), recorded.end(), displaces);
-    plot.y = mapped ? Axis{LT_TEXT("Engine", "Displacement"), um} : Axis{LT_TEXT("Engine", "Value")};
+    plot.y = mapped ? report::Axis{LT_TEXT("Engine", "Displacement"), um} : report::Axis{LT_TEXT("Engine", "Value")};
     const std::vector<double>* starts = nullptr;
     for (const TimeSignal& signal : recorded) {
         if (!starts && !signal.revolution_starts_s.empty()) starts = &signal.revolution_starts_s;
@@ -204,7 +208,7 @@ Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& langua
                        {{"count", static_cast<std::int64_t>(starts->size())}}, language);
     plot.limits.resize(std::min(starts->size(), mostMarks));
     for (std::size_t i = 0; i < plot.limits.size(); ++i) {
-        plot.limits[i].direction = Limit::Direction::Vertical;
+        plot.limits[i].direction = report::Limit::Direction::Vertical;
         plot.limits[i].place = (*starts)[i];
     }
     plot.limits.front().name = LT_TEXT("Engine", "marks");
@@ -213,11 +217,11 @@ Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& langua
     return plot;
 }
 
-PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm, Probe probe,
-                          const Language& language)
+report::PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm, Probe probe,
+                                  const Language& language)
 {
     const auto p = static_cast<std::size_t>(probe);
-    PolarPlot plot;
+    report::PolarPlot plot;
     plot.title = LT_TEXT("Engine", "Error motion of all revolutions");
     plot.base_radius_mm = workpiece_diameter_mm / 2;
     const std::vector<double>& synchronous = section.error_motion[p].synchronous_curve_um;
@@ -225,7 +229,7 @@ PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_dia
     const std::vector<double> angle_deg = closed(partAngles_deg(section));
     const auto& revolutions = section.revolutions_um[p];
     for (std::size_t k = 0; k < revolutions.size(); ++k) {
-        PolarPlot::Trace trace;
+        report::PolarPlot::Trace trace;
         if (k == 0) trace.name = LT_TEXT("Engine", "single revolutions");
         trace.angle_deg = angle_deg;
         for (std::size_t i = 0; i < revolutions[k].size(); ++i)
@@ -237,7 +241,7 @@ PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_dia
         trace.thin = true;
         plot.traces.push_back(std::move(trace));
     }
-    PolarPlot::Trace trace;
+    report::PolarPlot::Trace trace;
     trace.name = fill(text(LT_TEXT("Engine", "synchronous motion of {probe}"), language),
                       {{"probe", std::string(probeNames[p])}}, language);
     trace.angle_deg = angle_deg;

@@ -10,27 +10,27 @@ namespace lathelier::trajectory {
 std::vector<double> partAngles_deg(const TrajectorySection& section);
 
 /// Radius along the workpiece about its mean: the sections, their line (taper) and their parabola (barrel).
-Plot longitudinalPlot(const LongitudinalSection& section, const Language& language = {});
+report::Plot longitudinalPlot(const LongitudinalSection& section, const Language& language = {});
 
 /// RONt of every section along the workpiece (or by number without z), with the tolerance.
-Plot roundnessAlongAxis(const TrajectoryResult& result);
+report::Plot roundnessAlongAxis(const TrajectoryResult& result);
 
 /// Trajectories of the workpiece's axis and of the tool in one plane; those of `others` faintly behind.
-Plot trajectoryPlot(const TrajectorySection& section, const Language& language = {},
-                    const std::vector<TrajectorySection>& others = {});
+report::Plot trajectoryPlot(const TrajectorySection& section, const Language& language = {},
+                            const std::vector<TrajectorySection>& others = {});
 
 /// Means of the four probes and the radius vector's change over the angle.
-Plot coordinatesPlot(const TrajectorySection& section, const Language& language = {});
+report::Plot coordinatesPlot(const TrajectorySection& section, const Language& language = {});
 
 /// The radius with the envelope of single revolutions; for averages the radius alone.
-Plot envelopePlot(const TrajectorySection& section);
+report::Plot envelopePlot(const TrajectorySection& section);
 
 /// Signals over time with the revolution marks; as recorded when the channels could not be used yet.
-Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language = {});
+report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language = {});
 
 /// Error motion of one probe (ISO 230-7): every revolution and the synchronous curve around the workpiece's circle, k =
 /// 0 and 1 removed.
-PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm, Probe probe = Probe::X3,
-                          const Language& language = {});
+report::PolarPlot errorMotionPlot(const TrajectorySection& section, double workpiece_diameter_mm,
+                                  Probe probe = Probe::X3, const Language& language = {});
 
 }  // namespace lathelier::trajectory

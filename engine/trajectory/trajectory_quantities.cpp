@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/form/roundness_quantities.h"
+#include "engine/form/roundness/roundness_quantities.h"
 #include "engine/trajectory/channel_map.h"
 
 namespace lathelier::trajectory {

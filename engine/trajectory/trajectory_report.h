@@ -9,17 +9,20 @@
 namespace lathelier::trajectory {
 
 /// "RONt(MZCI) 9.4 µm (section 7 of 20) · taper +16.0 µm on diameter · barrel 5.0 µm": the worst section first.
-Headline headline(const TrajectoryResult& result, const Language& language = {});
+report::Answer answer(const TrajectoryResult& result, const Language& language = {});
 
-/// Headline, longitudinal figures, verdict and notes: what the command line prints.
-Section trajectorySummary(const TrajectoryResult& result, const Language& language = {});
+/// The motion of the workpiece's axis in one section, as probe X3 sees it (ISO 230-7).
+report::Answer motionAnswer(const TrajectorySection& section, const Language& language = {});
+
+/// Answer, longitudinal figures, verdict and notes: what the command line prints.
+report::Section trajectorySummary(const TrajectoryResult& result, const Language& language = {});
 
 /// What was computed, how, and with which parameters: the last section of a report.
-Section trajectoryMethod(const TrajectoryResult& result, const Language& language = {});
+report::Section trajectoryMethod(const TrajectoryResult& result, const Language& language = {});
 
 /// Longitudinal section and table of all sections against tolerance; image and trajectories of the worst section;
 /// error motion of the spindle; cutting data; method and parameters; notes.
-Document trajectoryReport(const TrajectoryResult& result, const std::vector<InputFile>& inputs,
-                          const Language& language = {});
+report::Document trajectoryReport(const TrajectoryResult& result, const std::vector<InputFile>& inputs,
+                                  const Language& language = {});
 
 }  // namespace lathelier::trajectory

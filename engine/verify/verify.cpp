@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/form/form_verification.h"
+#include "engine/form/verify/form_verification.h"
 #include "engine/registration/registration_verification.h"
 
-namespace lathelier {
+namespace lathelier::verify {
 
 const std::vector<const VerifyPart*>& verifyParts()
 {
@@ -36,4 +36,4 @@ VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::stri
     return result;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

@@ -6,7 +6,7 @@
 
 #include "engine/core/verification.h"
 
-namespace lathelier {
+namespace lathelier::verify {
 
 struct VerifyResult {
     std::vector<VerifyKind> kinds;  ///< one for each check that was run
@@ -23,4 +23,4 @@ const std::vector<const VerifyPart*>& verifyParts();
 VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::string& reference_data = {},
                     const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

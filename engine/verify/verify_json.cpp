@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace lathelier {
+namespace lathelier::verify {
 
 Json toJson(const VerifyResult& result)
 {
@@ -20,4 +20,4 @@ Json toJson(const VerifyResult& result)
     return json;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

@@ -4,8 +4,8 @@
 #include "engine/core/json.h"
 #include "engine/verify/verify.h"
 
-namespace lathelier {
+namespace lathelier::verify {
 
 Json toJson(const VerifyResult& result);
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace lathelier {
+namespace lathelier::verify {
 namespace {
 
 /// Two digits are enough, and the power of ten is what matters: "3.1e-14 mm".
@@ -15,7 +15,7 @@ std::string size(double value, Text unit)
     return result;
 }
 
-Paragraph whereNist(const VerifyResult& result)
+report::Paragraph whereNist(const VerifyResult& result)
 {
     if (result.reference_data.empty())
         return {LT_TEXT("Engine", "All sets are built in; no folder with further ones was named."), {}};
@@ -23,7 +23,7 @@ Paragraph whereNist(const VerifyResult& result)
             {{"path", result.reference_data}}};
 }
 
-Paragraph howVerified()
+report::Paragraph howVerified()
 {
     return {LT_TEXT("Engine",
                     "Each set is fitted anew by this program on this computer. The answers follow from the way the "
@@ -33,24 +33,27 @@ Paragraph howVerified()
 
 }  // namespace
 
-Headline headline(const VerifyResult& result, const Language& language)
+report::Answer answer(const VerifyResult& result)
 {
     const auto count = static_cast<std::int64_t>(result.kinds.size());
     const auto failed = static_cast<std::int64_t>(
         std::count_if(result.kinds.begin(), result.kinds.end(), [](const VerifyKind& k) { return !k.pass; }));
-    const Text pattern = failed == 0
-                             ? LT_TEXT("Engine", "{count} kinds of reference data refitted: all answers agree")
-                             : LT_TEXT("Engine", "{failed} of {count} kinds of reference data miss their answers");
-    return {fill(text(pattern, language), {{"count", count}, {"failed", failed}}, language), result.pass};
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Reference data refitted");
+    answer.verdict = result.pass ? Verdict::Pass : Verdict::Fail;
+    answer.sentence = failed == 0 ? LT_TEXT("Engine", "{count} kinds of reference data refitted: all answers agree")
+                                  : LT_TEXT("Engine", "{failed} of {count} kinds of reference data miss their answers");
+    answer.values = {{"count", count}, {"failed", failed}};
+    return answer;
 }
 
-Table verifyTable(const VerifyResult& result)
+report::Table verifyTable(const VerifyResult& result)
 {
-    Table table{LT_TEXT("Engine", "Reference data refitted"),
-                {LT_TEXT("Engine", "kind"), LT_TEXT("Engine", "sets"), LT_TEXT("Engine", "largest deviation"),
-                 LT_TEXT("Engine", "limit"), LT_TEXT("Engine", "verdict")},
-                {},
-                {}};
+    report::Table table{LT_TEXT("Engine", "Reference data refitted"),
+                        {LT_TEXT("Engine", "kind"), LT_TEXT("Engine", "sets"), LT_TEXT("Engine", "largest deviation"),
+                         LT_TEXT("Engine", "limit"), LT_TEXT("Engine", "verdict")},
+                        {},
+                        {}};
     for (const VerifyKind& kind : result.kinds)
         table.rows.push_back({kind.name, std::int64_t{kind.sets}, size(kind.largest_deviation, kind.unit),
                               size(kind.limit, kind.unit),
@@ -58,29 +61,30 @@ Table verifyTable(const VerifyResult& result)
     return table;
 }
 
-Section verifySummary(const VerifyResult& result, const Language& language)
+report::Section verifySummary(const VerifyResult& result)
 {
-    return {LT_TEXT("Engine", "Result"), {headline(result, language), verifyTable(result), whereNist(result)}};
+    return {LT_TEXT("Engine", "Result"), {answer(result), verifyTable(result), whereNist(result)}};
 }
 
-Document verifyReport(const VerifyResult& result, const Language& language)
+report::Document verifyReport(const VerifyResult& result)
 {
-    Document document;
+    report::Document document;
     document.title = LT_TEXT("Engine", "Verification of the installation");
-    document.sections = {verifySummary(result, language)};
+    document.sections = {verifySummary(result)};
     document.sections[0].blocks.push_back(howVerified());
     document.verified = true;
     return document;
 }
 
-void quoteVerification(Document& document, const Progress& progress, const Language& language)
+void quoteVerification(report::Document& document, const Progress& progress)
 {
     if (document.verified || document.verification.empty()) return;
     document.verified = true;
     const VerifyResult result = verify(document.verification, {}, progress);
-    const Paragraph said{Text{"{summary}"}, {{"summary", headline(result, language).text}}};
+    const report::Answer summary = answer(result);
+    const report::Paragraph said{summary.sentence, summary.values};
     document.sections.push_back({LT_TEXT("Engine", "Verification of the installation"),
                                  {said, verifyTable(result), whereNist(result), howVerified()}});
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

@@ -4,18 +4,18 @@
 #include "engine/report/document.h"
 #include "engine/verify/verify.h"
 
-namespace lathelier {
+namespace lathelier::verify {
 
 /// "All 12 kinds of reference data agree with their known answers ✓".
-Headline headline(const VerifyResult& result, const Language& language = {});
+report::Answer answer(const VerifyResult& result);
 
 /// Kind, sets, largest deviation, limit, verdict.
-Table verifyTable(const VerifyResult& result);
+report::Table verifyTable(const VerifyResult& result);
 
-Section verifySummary(const VerifyResult& result, const Language& language = {});
-Document verifyReport(const VerifyResult& result, const Language& language = {});
+report::Section verifySummary(const VerifyResult& result);
+report::Document verifyReport(const VerifyResult& result);
 
 /// Verifies what the document names as its verification, and adds it as the last section; once. Throws Cancelled.
-void quoteVerification(Document& document, const Progress& progress = {}, const Language& language = {});
+void quoteVerification(report::Document& document, const Progress& progress = {});
 
-}  // namespace lathelier
+}  // namespace lathelier::verify

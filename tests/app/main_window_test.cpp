@@ -92,14 +92,14 @@ private slots:
 
     void arrangementSurvivesARestart()
     {
-        window_->resize(780, 790);
+        window_->resize(780, 840);
         window_->removeDockWidget(dock("two"));  // out of the tabs, or it would become one again
         window_->splitDockWidget(dock("one"), dock("two"), Qt::Vertical);
         dock("two")->show();
         window_->enterWorkspace("roundness");
         window_->enterWorkspace("inspection");
         restart();
-        QCOMPARE(window_->size(), QSize(780, 790));
+        QCOMPARE(window_->size(), QSize(780, 840));
         QVERIFY(dock("one")->isVisible() && dock("two")->isVisible());
         QVERIFY(dock("one")->y() + dock("one")->height() <= dock("two")->y());
         window_->action("resetLayout")->trigger();
@@ -158,11 +158,11 @@ private slots:
 
     void languageSwitchesAtRunTime()
     {
-        window_->applySettings({"pl", 2, 150});
+        window_->applySettings({"pl", {}, 150});
         QCOMPARE(languages_.current(), QString("pl"));
         QTRY_COMPARE(window_->action("save")->text().remove('&'), QString("Zapisz"));
         QCOMPARE(screenNumber(1.5, 2), QString("1,50"));
-        window_->applySettings({"en", 2, 150});
+        window_->applySettings({"en", {}, 150});
         QTRY_COMPARE(window_->action("save")->text().remove('&'), QString("Save"));
         QCOMPARE(screenNumber(1.5, 2), QString("1.50"));
     }
@@ -170,13 +170,13 @@ private slots:
     void nothingOfTheOldLanguageStays()
     {
         const auto widen = [&](double value) {
-            session_->edit("Widen",
-                           [&](Project& project) { set(project.panels["one"].parameters, "factor_mm", value); });
+            session_->edit(
+                "Widen", [&](project::Project& project) { set(project.panels["one"].parameters, "factor_mm", value); });
         };
         const auto words = [&](const char* name) { return window_->action(name)->text().remove('&'); };
         widen(3);
         QCOMPARE(words("undo"), QString("Undo: Widen"));
-        window_->applySettings({"pl", 2, 150});
+        window_->applySettings({"pl", {}, 150});
         QTRY_COMPARE(words("undo"), QString("Cofnij"));  // not "Cofnij: Widen"
         for (const QWidget* widget : window_->findChildren<QWidget*>())
             QVERIFY2(widget->locale().decimalPoint() == ',', qPrintable(widget->objectName()));
@@ -189,7 +189,7 @@ private slots:
         QCOMPARE(words("redo"), QString("Ponów"));
         widen(5);
         QVERIFY(words("undo").endsWith(": Widen"));
-        window_->applySettings({"en", 2, 150});
+        window_->applySettings({"en", {}, 150});
         QTRY_COMPARE(words("undo"), QString("Undo"));
     }
 
@@ -207,6 +207,30 @@ private slots:
         window_->action("presenter")->trigger();
         QCOMPARE(QApplication::font().pointSizeF(), before);
         QVERIFY(window_->findChild<QToolBar*>("workspaceBar")->isVisible());
+        window_->action("presenter")->trigger();
+        QTRY_VERIFY(!window_->activeDock()->panel().isBusy());
+        window_->action("cancel")->trigger();  // Esc
+        QCOMPARE(QApplication::font().pointSizeF(), before);
+    }
+
+    void panelsAreReachedByKeysAndComeBack()
+    {
+        PanelDock* first = window_->activeDock();
+        window_->stepPanel(1);
+        PanelDock* second = window_->activeDock();
+        QVERIFY(second != first);
+        QCOMPARE(second->facts().workspaces.front().id, std::string("inspection"));
+        window_->stepPanel(-1);
+        QCOMPARE(window_->activeDock(), first);
+        first->close();
+        first->showAction().trigger();
+        QTRY_VERIFY(first->isVisible());
+        first->showAction().trigger();  // a second time closes nothing
+        QVERIFY(first->isVisible());
+        QStringList keys;
+        for (const QAction* action : window_->findChild<QToolBar*>("workspaceBar")->actions())
+            if (!action->shortcut().isEmpty()) keys << action->shortcut().toString();
+        QVERIFY(keys.contains("Ctrl+1") && keys.contains("Ctrl+2"));
     }
 
     void argumentsAreUnderstood()

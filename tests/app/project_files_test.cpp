@@ -7,7 +7,7 @@
 #include "app/gui/recovery.h"
 #include "app/gui/shutdown.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/core/number_edit.h"
+#include "widgets/core/form/number_edit.h"
 
 namespace lathelier {
 
@@ -53,9 +53,9 @@ private slots:
     {
         const QString path = folder_.filePath("shared.lathelier");
         const auto setTitle = [](Session& session, const std::string& title) {
-            session.edit("title", [&](Project& project) { project.title = title; });
+            session.edit("title", [&](project::Project& project) { project.title = title; });
         };
-        const auto titleOnDisk = [&] { return readProject(path.toStdString()).project.title; };
+        const auto titleOnDisk = [&] { return project::readProject(path.toStdString()).project.title; };
         setTitle(*session_, "mine");
         session_->save(path);
         Session other;
@@ -107,7 +107,7 @@ private slots:
     void unsavedWorkIsFoundAfterACrash()
     {
         const QTemporaryDir recovery;
-        session_->edit("a", [](Project& project) { project.title = std::string("unsaved"); });
+        session_->edit("a", [](project::Project& project) { project.title = std::string("unsaved"); });
         {
             Recovery crashed(recovery.path());
             crashed.keep(*session_);
@@ -133,7 +133,7 @@ private slots:
     {
         const QTemporaryDir recovery;
         Recovery mine(recovery.path());
-        session_->edit("a", [](Project& project) { project.title = std::string("x"); });
+        session_->edit("a", [](project::Project& project) { project.title = std::string("x"); });
         mine.keep(*session_);
         QCOMPARE(QDir(recovery.path()).entryList({"*.lathelier"}).size(), 1);
         session_->save(folder_.filePath("s.lathelier"));
@@ -146,7 +146,7 @@ private slots:
         const QTemporaryDir recovery;
         window_->close();
         window_ = std::make_unique<MainWindow>(*session_, languages_, panels(), recovery.path());
-        session_->edit("a", [](Project& project) { project.title = std::string("unsaved"); });
+        session_->edit("a", [](project::Project& project) { project.title = std::string("unsaved"); });
         const Shutdown shutdown;
         bool told = false;
         QObject::connect(&shutdown, &Shutdown::wanted, window_.get(), [&] {

@@ -20,7 +20,7 @@ class ReportCommandTest : public QObject {
     {
         return {FakePanel::factsOf("one"), FakePanel::factsOf("two"), FakePanel::factsOf("round", "roundness")};
     }
-    static void takeFile(Project& project) { project.panels["one"].inputs["file"].path = "/measured/a.txt"; }
+    static void takeFile(project::Project& project) { project.panels["one"].inputs["file"].path = "/measured/a.txt"; }
 
 private slots:
     void reportWithoutAWindow()
@@ -31,8 +31,8 @@ private slots:
         session.save(project);
         auto table = panels();
         for (PanelFacts& facts : table)
-            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
-                Document document;
+            facts.report = [](const project::PanelState& state, Stores&, const Language&, const Progress&) {
+                report::Document document;
                 document.title = std::string("Report of ") + state.inputs.at("file").path;
                 return document;
             };
@@ -52,7 +52,7 @@ private slots:
     {
         Session session;
         session.edit("open", takeFile);
-        session.edit("report", [](Project& project) {
+        session.edit("report", [](project::Project& project) {
             project.report = {"one", "two", "round"};
             lathelier::set(project.panels["two"].parameters, "factor_mm", 3.0);  // begun, without a file
         });
@@ -60,11 +60,11 @@ private slots:
         session.save(project);
         auto table = panels();
         for (PanelFacts& facts : table) {
-            facts.missing = [](const PanelState& state) {
+            facts.missing = [](const project::PanelState& state) {
                 return state.inputs.count("file") ? std::vector<Text>() : std::vector<Text>{Text{"Scanned file"}};
             };
-            facts.report = [](const PanelState& state, Stores&, const Language&, const Progress&) {
-                Document document;
+            facts.report = [](const project::PanelState& state, Stores&, const Language&, const Progress&) {
+                report::Document document;
                 document.title = std::string("Report of ") + state.inputs.at("file").path;
                 document.sections = {{std::string("Answered"), {}}};
                 return document;
@@ -79,7 +79,8 @@ private slots:
         QCOMPARE(html.count("No answer: Scanned file is missing."), 2);
 
         for (PanelFacts& facts : table)
-            facts.report = [](const PanelState&, Stores&, const Language&, const Progress&) -> Document {
+            facts.report = [](const project::PanelState&, Stores&, const Language&,
+                              const Progress&) -> report::Document {
                 throw Error(errors::fileNotFound, {{"path", std::string("gone.ply")}});
             };
         QVERIFY(QFile::remove(path));

@@ -70,11 +70,11 @@ private slots:
 
     void kindsOfFileAreToldApart()
     {
-        FileKinds kinds;
-        for (const PanelFacts& panel : panelTable()) unite(kinds, panel.kinds);
-        for (const cli::Verb& verb : cli::verbs()) unite(kinds, verb.kinds);
+        io::FileKinds kinds;
+        for (const PanelFacts& panel : panelTable()) io::unite(kinds, panel.kinds);
+        for (const cli::Verb& verb : cli::verbs()) io::unite(kinds, verb.kinds);
         QSet<QString> keys, names;
-        for (const FileKind* kind : kinds) {
+        for (const io::FileKind* kind : kinds) {
             QVERIFY2(isNew(keys, kind->key), kind->key.c_str());
             QVERIFY2(isNew(names, kind->name.english), kind->key.c_str());
             QVERIFY(kind->sniff && kind->facts && !kind->patterns.empty());

@@ -31,13 +31,13 @@ protected:
     std::unique_ptr<MainWindow> window_;
 
     /// Files whose name ends in `suffix`.
-    static const FileKind& kindNamed(const std::string& suffix)
+    static const io::FileKind& kindNamed(const std::string& suffix)
     {
-        static std::map<std::string, FileKind> kinds;
-        FileKind& kind = kinds[suffix];
+        static std::map<std::string, io::FileKind> kinds;
+        io::FileKind& kind = kinds[suffix];
         kind.key = suffix;
         kind.sniff = [suffix](const std::string& path, std::string_view, const Values&) {
-            return path.ends_with("." + suffix) ? Likeness::Certain : Likeness::No;
+            return path.ends_with("." + suffix) ? io::Likeness::Certain : io::Likeness::No;
         };
         return kind;
     }

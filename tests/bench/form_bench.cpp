@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/form/circles.h"
-#include "engine/form/cylindricity.h"
+#include "engine/form/circle/circles.h"
+#include "engine/form/cylinder/cylindricity.h"
 #include "tests/peers/circle_peers.h"
 
 namespace lathelier {

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
-#include "engine/registration/cloud_distance.h"
-#include "engine/registration/general.h"
-#include "engine/registration/surface_deviation.h"
+#include "engine/registration/general/general.h"
+#include "engine/registration/neighbours/cloud_distance.h"
+#include "engine/registration/surface/surface_deviation.h"
 #include "engine/sample/sample.h"
 
 namespace {
@@ -27,28 +27,28 @@ const Eigen::Isometry3d& copyPose()
 
 const Scan& reference()
 {
-    static const Scan scan = scanBracket(points, sigma_mm, Eigen::Isometry3d::Identity(), 1);
+    static const Scan scan = sample::scanBracket(points, sigma_mm, Eigen::Isometry3d::Identity(), 1);
     return scan;
 }
 
 const Scan& alignedCopy()
 {
-    static const Scan scan = scanBracket(points, sigma_mm, Eigen::Isometry3d::Identity(), 2);
+    static const Scan scan = sample::scanBracket(points, sigma_mm, Eigen::Isometry3d::Identity(), 2);
     return scan;
 }
 
 const Scan& movedCopy()
 {
-    static const Scan scan = scanBracket(points, sigma_mm, copyPose(), 2);
+    static const Scan scan = sample::scanBracket(points, sigma_mm, copyPose(), 2);
     return scan;
 }
 
 const Scan& shaftScan(std::uint64_t seed)
 {
     static const auto make = [](std::uint64_t s) {
-        ScannerModel scanner;
+        sample::ScannerModel scanner;
         scanner.seed = s;
-        return scanShaft(nominalShaft(), scanner);
+        return sample::scanShaft(sample::nominalShaft(), scanner);
     };
     static const Scan first = make(1);
     static const Scan second = make(2);
@@ -74,7 +74,7 @@ void deviationFromCloud(benchmark::State& state)
 void deviationFromMesh(benchmark::State& state)
 {
     const ThreadLimit limit(2);
-    const Scan mesh = shaftMesh(nominalShaft(), 8000);
+    const Scan mesh = sample::shaftMesh(sample::nominalShaft(), 8000);
     const Scan& b = shaftScan(2);
     for (auto _ : state) benchmark::DoNotOptimize(surfaceDeviation(mesh, b.points_mm, 1));
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
@@ -102,7 +102,7 @@ void alignToCloud(benchmark::State& state)
 
 void alignToMesh(benchmark::State& state)
 {
-    align(state, bracketMesh());
+    align(state, sample::bracketMesh());
 }
 
 // All that a comparison computes: one surface for alignment and deviation.

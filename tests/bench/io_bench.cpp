@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <random>
 
+#include "engine/io/cloud/scan_reader.h"
 #include "engine/io/file.h"
-#include "engine/io/probe_reader.h"
-#include "engine/io/scan_reader.h"
+#include "engine/io/probe/probe_reader.h"
 #include "engine/sample/sample.h"
+#include "engine/sample/sample_files.h"
 
 namespace {
 
@@ -31,9 +32,9 @@ std::string makeText(std::size_t points)
 void readTextFile(benchmark::State& state)
 {
     const std::string path = (std::filesystem::temp_directory_path() / "lathelier_io_bench.xyz").string();
-    writeFile(path, makeText(4'000'000));
+    io::writeFile(path, makeText(4'000'000));
     const auto bytes = static_cast<double>(std::filesystem::file_size(path));
-    for (auto _ : state) benchmark::DoNotOptimize(readScan(path).scan.points_mm.size());
+    for (auto _ : state) benchmark::DoNotOptimize(io::readScan(path).scan.points_mm.size());
     state.counters["MB"] = bytes / 1e6;
     state.counters["MB_per_s"] =
         benchmark::Counter(bytes / 1e6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
@@ -54,8 +55,8 @@ void readRecordFile(benchmark::State& state)
         text.append(row, static_cast<std::size_t>(std::snprintf(row, sizeof(row), "%.7f,%.3f,%.3f,%.3f,%.3f,%.3f\n",
                                                                 i / 6500.0, 0.5, a, b, c, d)));
     }
-    writeFile(path, text);
-    for (auto _ : state) benchmark::DoNotOptimize(readProbeRecord(path).facts.rows);
+    io::writeFile(path, text);
+    for (auto _ : state) benchmark::DoNotOptimize(io::readProbeRecord(path).facts.rows);
     state.counters["MB"] = static_cast<double>(text.size()) / 1e6;
     state.counters["MB_per_s"] = benchmark::Counter(
         static_cast<double>(text.size()) / 1e6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
@@ -68,7 +69,7 @@ void readPracticeRecord(benchmark::State& state)
     const std::string folder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
     const char* const names[] = {"section01_raw.csv", "section01_lgraph1.dat", "averaged_20x200.csv"};
     const std::string path = folder + names[state.range(0)];
-    for (auto _ : state) benchmark::DoNotOptimize(readProbeRecord(path).facts.rows);
+    for (auto _ : state) benchmark::DoNotOptimize(io::readProbeRecord(path).facts.rows);
     state.SetLabel(names[state.range(0)]);
 }
 BENCHMARK(readPracticeRecord)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond)->UseRealTime();
@@ -76,9 +77,9 @@ BENCHMARK(readPracticeRecord)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond)->
 void readBinaryPly(benchmark::State& state)
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "lathelier-bench-sample";
-    writeSample(folder.string());
+    sample::writeSample(folder.string());
     const std::string path = (folder / "copy.ply").string();
-    for (auto _ : state) benchmark::DoNotOptimize(readScan(path).scan.points_mm.size());
+    for (auto _ : state) benchmark::DoNotOptimize(io::readScan(path).scan.points_mm.size());
     std::filesystem::remove_all(folder);
 }
 BENCHMARK(readBinaryPly)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
@@ -86,7 +87,7 @@ BENCHMARK(readBinaryPly)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureP
 void digest(benchmark::State& state)
 {
     const std::string text = makeText(1'000'000);
-    for (auto _ : state) benchmark::DoNotOptimize(sha256(text));
+    for (auto _ : state) benchmark::DoNotOptimize(io::sha256(text));
     state.SetBytesProcessed(static_cast<std::int64_t>(text.size()) * state.iterations());
 }
 BENCHMARK(digest)->Unit(benchmark::kMillisecond);

@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
-#include "engine/registration/neighbours.h"
-#include "engine/registration/surface_mesh.h"
+#include "engine/registration/neighbours/neighbours.h"
+#include "engine/registration/surface/surface_mesh.h"
 #include "engine/sample/sample.h"
 #ifdef LATHELIER_WITH_CGAL
 #include "tests/peers/mesh_cgal.h"
@@ -28,13 +28,13 @@ constexpr std::size_t queryCount = 100000;
 
 const Points& cloud()
 {
-    static const Points points = scanBracket(cloudSize, 0.05, Eigen::Isometry3d::Identity(), 1).points_mm;
+    static const Points points = sample::scanBracket(cloudSize, 0.05, Eigen::Isometry3d::Identity(), 1).points_mm;
     return points;
 }
 
 const Points& queries()
 {
-    static const Points points = scanBracket(queryCount, 0.05, Eigen::Isometry3d::Identity(), 2).points_mm;
+    static const Points points = sample::scanBracket(queryCount, 0.05, Eigen::Isometry3d::Identity(), 2).points_mm;
     return points;
 }
 
@@ -129,7 +129,7 @@ BENCHMARK(nearestNanoflann)->Unit(benchmark::kMillisecond);
 
 const Scan& mesh()
 {
-    static const Scan shaft = shaftMesh(copiedShaft(), 400);
+    static const Scan shaft = sample::shaftMesh(sample::copiedShaft(), 400);
     return shaft;
 }
 
@@ -137,9 +137,9 @@ const Scan& mesh()
 const Points& meshQueries()
 {
     static const Points points = [] {
-        ScannerModel scanner;
+        sample::ScannerModel scanner;
         scanner.row_pitch_mm = 0.6;
-        return scanShaft(copiedShaft(), scanner).points_mm;
+        return sample::scanShaft(sample::copiedShaft(), scanner).points_mm;
     }();
     return points;
 }

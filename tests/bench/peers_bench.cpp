@@ -11,7 +11,7 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/registration/general.h"
+#include "engine/registration/general/general.h"
 #include "engine/sample/sample.h"
 
 #ifdef LATHELIER_WITH_PCL
@@ -43,8 +43,8 @@ struct Pair {
 
 Pair makePair(std::size_t count)
 {
-    return {scanBracket(count, sigma_mm, Eigen::Isometry3d::Identity(), 1),
-            scanBracket(count, sigma_mm, copyPose(), 2)};
+    return {sample::scanBracket(count, sigma_mm, Eigen::Isometry3d::Identity(), 1),
+            sample::scanBracket(count, sigma_mm, copyPose(), 2)};
 }
 
 void showError(benchmark::State& state, const Eigen::Isometry3d& reference_T_copy)

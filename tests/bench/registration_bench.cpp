@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/registration/compare.h"
-#include "engine/registration/meridian_line.h"
-#include "engine/registration/revolution_deviation.h"
+#include "engine/registration/revolution/meridian_line.h"
+#include "engine/registration/revolution/revolution_deviation.h"
 #include "engine/registration/statistics.h"
 #include "engine/sample/sample.h"
 
@@ -21,12 +21,12 @@ const Scans& scans()
 {
     static const Scans all = [] {
         Scans s;
-        ScannerModel scanner;
-        s.reference = scanShaft(nominalShaft(), scanner);
+        sample::ScannerModel scanner;
+        s.reference = sample::scanShaft(sample::nominalShaft(), scanner);
         scanner.seed = 2;
         scanner.scan_T_part = Eigen::Translation3d(1, 1.2, 1) * Eigen::AngleAxisd(0.026, Eigen::Vector3d::UnitY());
         scanner.frame_T_scan = Eigen::Translation3d(9, -9, 9) * Eigen::AngleAxisd(0.17, Eigen::Vector3d::UnitX());
-        s.copy = scanShaft(copiedShaft(), scanner);
+        s.copy = sample::scanShaft(sample::copiedShaft(), scanner);
         s.reference_part.fit = fitRevolution(s.reference.points_mm);
         s.copy_part.fit = fitRevolution(s.copy.points_mm);
         return s;
@@ -93,13 +93,13 @@ void wholeComparison(benchmark::State& state)
 /// 0.27° × 0.025 mm: what a fine scanner delivers.
 void wholeComparisonOfTenMillion(benchmark::State& state)
 {
-    ScannerModel scanner;
+    sample::ScannerModel scanner;
     scanner.row_pitch_mm = 0.025;
     scanner.angle_step_deg = 0.27;
-    const Scan reference = scanShaft(nominalShaft(), scanner);
+    const Scan reference = sample::scanShaft(sample::nominalShaft(), scanner);
     scanner.seed = 2;
     scanner.frame_T_scan = Eigen::Translation3d(9, -9, 9) * Eigen::AngleAxisd(0.17, Eigen::Vector3d::UnitX());
-    const Scan copy = scanShaft(copiedShaft(), scanner);
+    const Scan copy = sample::scanShaft(sample::copiedShaft(), scanner);
     for (auto _ : state) benchmark::DoNotOptimize(compare(reference, copy));
     state.counters["points"] = static_cast<double>(reference.points_mm.size());
 }

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "engine/core/random.h"
-#include "engine/form/prepared_profile.h"
-#include "engine/form/superimpose.h"
+#include "engine/form/roundness/prepared_profile.h"
+#include "engine/form/roundness/superimpose.h"
 #include "tests/engine/form/noise_kinds.h"
 
 namespace lathelier {

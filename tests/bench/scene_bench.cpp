@@ -12,18 +12,19 @@ using namespace lathelier;
 
 namespace {
 
-std::vector<SceneObject> twoScans()
+std::vector<scene::SceneObject> twoScans()
 {
-    static const auto scan = std::make_shared<const Scan>(scanShaft(nominalShaft(), ScannerModel{}));
+    static const auto scan =
+        std::make_shared<const Scan>(sample::scanShaft(sample::nominalShaft(), sample::ScannerModel{}));
     static const auto values = [] {
         auto result = std::make_shared<std::vector<float>>(scan->points_mm.size());
         for (std::size_t i = 0; i < result->size(); ++i) (*result)[i] = static_cast<float>(i % 200) * 1e-3F - 0.1F;
         return result;
     }();
-    SceneObject reference;
+    scene::SceneObject reference;
     reference.scan = scan;
     reference.colour = QColor(31, 119, 180);
-    SceneObject copy = reference;
+    scene::SceneObject copy = reference;
     copy.scan = std::make_shared<const Scan>(*scan);
     copy.scene_T_scan.translation().x() = 40;
     copy.values = values;
@@ -31,7 +32,7 @@ std::vector<SceneObject> twoScans()
 }
 
 /// One frame as the user gets it: drawn, composed, sent, taken by the X server.
-void frame(SceneView& view, double right_deg)
+void frame(scene::SceneView& view, double right_deg)
 {
     view.turn(right_deg, 0);
     QCoreApplication::processEvents();         // draws
@@ -39,9 +40,9 @@ void frame(SceneView& view, double right_deg)
     view.screen()->grabWindow(0, 0, 0, 1, 1);  // answered after all that was sent before
 }
 
-void turning(benchmark::State& state, std::vector<SceneObject> objects)
+void turning(benchmark::State& state, std::vector<scene::SceneObject> objects)
 {
-    SceneView view;
+    scene::SceneView view;
     view.resize(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     view.show();
     view.setObjects(std::move(objects));
@@ -57,7 +58,7 @@ int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
     for (const auto& [name, objects] :
-         {std::pair{"empty scene", std::vector<SceneObject>{}}, {"2 x 732k points", twoScans()}})
+         {std::pair{"empty scene", std::vector<scene::SceneObject>{}}, {"2 x 732k points", twoScans()}})
         benchmark::RegisterBenchmark(name, [objects = objects](benchmark::State& state) { turning(state, objects); })
             ->Args({1280, 720})
             ->Args({1920, 1080})

@@ -11,28 +11,28 @@ namespace lathelier {
 namespace {
 
 template <class Record>
-std::vector<ProbeFile> filesOf(Record record)
+std::vector<io::ProbeFile> filesOf(Record record)
 {
-    std::vector<ProbeFile> files(1);
+    std::vector<io::ProbeFile> files(1);
     files[0].record = std::move(record);
     return files;
 }
 
 /// The practice rate: 6.5 kHz on each of five channels, 400 frames a revolution.
-const std::vector<ProbeFile>& rawRecord()
+const std::vector<io::ProbeFile>& rawRecord()
 {
-    static const std::vector<ProbeFile> files = [] {
-        SpindleModel model = sampleSpindle();
+    static const std::vector<io::ProbeFile> files = [] {
+        sample::SpindleModel model = sample::sampleSpindle();
         model.rate_hz = 6500;
         model.channel_skew_s = 1 / (5 * model.rate_hz);
-        return filesOf(makeProbeRecord(model));
+        return filesOf(sample::makeProbeRecord(model));
     }();
     return files;
 }
 
 void averaged20x200(benchmark::State& state)
 {
-    const std::vector<ProbeFile> files = filesOf(makeAveragedRecord(sampleSpindle()));
+    const std::vector<io::ProbeFile> files = filesOf(sample::makeAveragedRecord(sample::sampleSpindle()));
     for (auto _ : state) benchmark::DoNotOptimize(trajectory(files));
 }
 
@@ -43,7 +43,7 @@ void raw20x40Revolutions(benchmark::State& state)
 
 void revolutionsOfTheRawRecord(benchmark::State& state)
 {
-    const auto& record = std::get<ProbeRecord>(rawRecord()[0].record);
+    const auto& record = std::get<io::ProbeRecord>(rawRecord()[0].record);
     for (auto _ : state) {
         Notes notes;
         benchmark::DoNotOptimize(prepare(record, "record", {}, notes));
@@ -52,7 +52,7 @@ void revolutionsOfTheRawRecord(benchmark::State& state)
 
 void resamplingOfTheRawRecord(benchmark::State& state)
 {
-    const auto& record = std::get<ProbeRecord>(rawRecord()[0].record);
+    const auto& record = std::get<io::ProbeRecord>(rawRecord()[0].record);
     Notes notes;
     const trajectory::PreparedRecord ready = prepare(record, "record", {}, notes);
     for (auto _ : state)
@@ -62,7 +62,8 @@ void resamplingOfTheRawRecord(benchmark::State& state)
 
 void longitudinalOf20Sections(benchmark::State& state)
 {
-    const trajectory::TrajectoryResult result = trajectory(filesOf(makeAveragedRecord(sampleSpindle())));
+    const trajectory::TrajectoryResult result =
+        trajectory(filesOf(sample::makeAveragedRecord(sample::sampleSpindle())));
     for (auto _ : state) {
         Notes notes;
         benchmark::DoNotOptimize(longitudinalSection(result.sections, notes));

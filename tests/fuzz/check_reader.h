@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "engine/core/texts.h"
+#include "engine/io/cloud/raw_scan.h"
 #include "engine/io/facts_json.h"
 #include "engine/io/io_codes.h"
-#include "engine/io/raw_scan.h"
 
 namespace lathelier::fuzz {
 
@@ -18,12 +18,12 @@ inline void require(bool condition)
     if (!condition) std::abort();
 }
 
-inline void checkScan(const ScanFile& file)
+inline void checkScan(const io::ScanFile& file)
 {
     const Scan& scan = file.scan;
     require(!scan.points_mm.empty());
     for (const Eigen::Vector3d& point : scan.points_mm)
-        require(point.allFinite() && point.cwiseAbs().maxCoeff() <= largestCoordinate_mm * 1.000001);
+        require(point.allFinite() && point.cwiseAbs().maxCoeff() <= io::largestCoordinate_mm * 1.000001);
     require(scan.normals.empty() || scan.normals.size() == scan.points_mm.size());
     for (const Eigen::Vector3f& normal : scan.normals) require(std::abs(normal.norm() - 1) < 1e-3F);
     for (const auto& triangle : scan.triangles)
@@ -50,16 +50,16 @@ void check(Read read)
 }
 
 /// The first byte chooses the options, the rest is the file.
-inline ImportOptions takeOptions(std::string_view& bytes)
+inline io::ImportOptions takeOptions(std::string_view& bytes)
 {
-    ImportOptions options;
+    io::ImportOptions options;
     if (bytes.empty()) return options;
     const auto choice = static_cast<unsigned char>(bytes.front());
     bytes.remove_prefix(1);
-    options.decimal = static_cast<Decimal>(choice % 3);
-    options.unit = choice % 2 == 0 ? LengthUnit::Millimetre : LengthUnit::Auto;
-    options.delimiter = static_cast<Delimiter>(choice / 8 % 6);
-    options.encoding = static_cast<Encoding>(choice / 64 % 5);
+    options.decimal = static_cast<io::Decimal>(choice % 3);
+    options.unit = choice % 2 == 0 ? io::LengthUnit::Millimetre : io::LengthUnit::Auto;
+    options.delimiter = static_cast<io::Delimiter>(choice / 8 % 6);
+    options.encoding = static_cast<io::Encoding>(choice / 64 % 5);
     return options;
 }
 
@@ -69,14 +69,14 @@ inline std::string_view viewOf(const std::uint8_t* data, std::size_t size)
 }
 
 /// One reader alone, whatever the bytes look like.
-inline void checkReader(RawScan (*reader)(const ScanSource&), std::string_view bytes, bool isText)
+inline void checkReader(io::RawScan (*reader)(const io::ScanSource&), std::string_view bytes, bool isText)
 {
-    ImportOptions options;
-    options.unit = LengthUnit::Millimetre;
+    io::ImportOptions options;
+    options.unit = io::LengthUnit::Millimetre;
     const Progress progress;
     check([&] {
-        const ScanSource source{bytes, isText ? bytes : std::string_view(), "utf-8", options, progress};
-        return finishScan(reader(source), "fuzz", options, progress);
+        const io::ScanSource source{bytes, isText ? bytes : std::string_view(), "utf-8", options, progress};
+        return io::finishScan(reader(source), "fuzz", options, progress);
     });
 }
 

@@ -1,13 +1,13 @@
 // Q-DAS files: what is read can be written, and comes back.
-#include "engine/io/dfq_writer.h"
+#include "engine/io/qdas/dfq_writer.h"
 #include "tests/fuzz/check_record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace lathelier;
     fuzz::checkAnswer([&] {
-        const QdasFile file = readDfq("fuzz", fuzz::viewOf(data, size));
-        const QdasFile again = readDfq("again", toDfq(file));
+        const io::QdasFile file = io::readDfq("fuzz", fuzz::viewOf(data, size));
+        const io::QdasFile again = io::readDfq("again", io::toDfq(file));
         fuzz::require(again.characteristics.size() == file.characteristics.size());
         for (std::size_t i = 0; i < file.characteristics.size(); ++i)
             fuzz::require(again.characteristics[i].values.size() == file.characteristics[i].values.size());

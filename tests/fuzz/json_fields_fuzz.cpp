@@ -6,20 +6,20 @@
 
 #include "engine/core/error.h"
 #include "engine/core/shaft.h"
-#include "engine/io/json_fields.h"
+#include "engine/io/json/json_fields.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace lathelier;
     try {
         Notes notes;
-        const JsonDocument document{std::string(reinterpret_cast<const char*>(data), size)};
-        const Shaft shaft = readFields<Shaft>(document.root(), notes, {"schema", "schema_version"});
+        const io::JsonDocument document{std::string(reinterpret_cast<const char*>(data), size)};
+        const Shaft shaft = io::readFields<Shaft>(document.root(), notes, {"schema", "schema_version"});
         const std::string written =
-            objectOf(infos<Shaft>(), toValues(shaft)).dump(-1, ' ', false, Json::error_handler_t::replace);
+            io::objectOf(infos<Shaft>(), toValues(shaft)).dump(-1, ' ', false, Json::error_handler_t::replace);
         Notes none;
-        const JsonDocument again{written};
-        const Shaft same = readFields<Shaft>(again.root(), none);
+        const io::JsonDocument again{written};
+        const Shaft same = io::readFields<Shaft>(again.root(), none);
         if (!(same == shaft) || !none.empty()) std::abort();
     } catch (const Error& error) {
         if (error.code().kind != ErrorKind::InputRejected) std::abort();

@@ -10,6 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     bytes.remove_prefix(2);
     const std::string_view par = bytes.substr(0, length);
     const std::string_view dat = bytes.substr(par.size());
-    fuzz::checkAnswer([&] { fuzz::checkRecord(readLGraph("fuzz.par", par, dat, {}, {}, "fuzz.dat")); });
+    fuzz::checkAnswer([&] { fuzz::checkRecord(io::readLGraph("fuzz.par", par, dat, {}, {}, "fuzz.dat")); });
     return 0;
 }

@@ -4,6 +4,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace lathelier;
-    fuzz::checkReader(readObj, fuzz::viewOf(data, size), true);
+    fuzz::checkReader(io::readObj, fuzz::viewOf(data, size), true);
     return 0;
 }

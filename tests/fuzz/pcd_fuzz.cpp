@@ -6,7 +6,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace lathelier;
     const std::string_view bytes = fuzz::viewOf(data, size);
     if (bytes.empty()) return 0;
-    fuzz::checkReader(readPcd, bytes, false);
-    fuzz::checkReader(readPcd, bytes, true);
+    fuzz::checkReader(io::readPcd, bytes, false);
+    fuzz::checkReader(io::readPcd, bytes, true);
     return 0;
 }

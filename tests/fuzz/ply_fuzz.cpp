@@ -6,7 +6,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace lathelier;
     const std::string_view bytes = fuzz::viewOf(data, size);
     if (bytes.empty()) return 0;
-    fuzz::checkReader(readPly, bytes, false);
-    fuzz::checkReader(readPly, bytes, true);
+    fuzz::checkReader(io::readPly, bytes, false);
+    fuzz::checkReader(io::readPly, bytes, true);
     return 0;
 }

@@ -5,8 +5,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace lathelier;
     std::string_view bytes = fuzz::viewOf(data, size);
-    const ImportOptions options = fuzz::takeOptions(bytes);
-    fuzz::checkAnswer([&] { fuzz::checkRecord(readProbeTable("fuzz", bytes, options)); });
-    isProbeTable(bytes, options);
+    const io::ImportOptions options = fuzz::takeOptions(bytes);
+    fuzz::checkAnswer([&] { fuzz::checkRecord(io::readProbeTable("fuzz", bytes, options)); });
+    io::isProbeTable(bytes, options);
     return 0;
 }

@@ -9,13 +9,13 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace lathelier;
-    Project project;
+    project::Project project;
     try {
-        project = parseProject({reinterpret_cast<const char*>(data), size}, "/folder");
+        project = project::parseProject({reinterpret_cast<const char*>(data), size}, "/folder");
     } catch (const Error&) {
         return 0;
     }
-    const std::string text = toJsonText(project, "/folder");
-    if (toJsonText(parseProject(text, "/folder"), "/folder") != text) std::abort();
+    const std::string text = project::toJsonText(project, "/folder");
+    if (project::toJsonText(project::parseProject(text, "/folder"), "/folder") != text) std::abort();
     return 0;
 }

@@ -5,7 +5,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace lathelier;
     std::string_view bytes = fuzz::viewOf(data, size);
-    const ImportOptions options = fuzz::takeOptions(bytes);
-    fuzz::check([&] { return readScan("fuzz", bytes, options); });
+    const io::ImportOptions options = fuzz::takeOptions(bytes);
+    fuzz::check([&] { return io::readScan("fuzz", bytes, options); });
     return 0;
 }

@@ -5,12 +5,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace lathelier;
     std::string_view bytes = fuzz::viewOf(data, size);
-    const ImportOptions options = fuzz::takeOptions(bytes);
+    const io::ImportOptions options = fuzz::takeOptions(bytes);
     const Progress progress;
     fuzz::check([&] {
-        const DecodedText text = decodeText(bytes, options.encoding);
-        return finishScan(readTextScan({bytes, text.view(), text.encoding(), options, progress}), "fuzz", options,
-                          progress);
+        const io::DecodedText text = io::decodeText(bytes, options.encoding);
+        return io::finishScan(io::readTextScan({bytes, text.view(), text.encoding(), options, progress}), "fuzz",
+                              options, progress);
     });
     return 0;
 }

@@ -1,4 +1,4 @@
-// Other libraries' answers to the questions of engine/form/circles.h, for tests and benchmarks where they are
+// Other libraries' answers to the questions of engine/form/circle/circles.h, for tests and benchmarks where they are
 // installed: LATHELIER_WITH_CGAL, LATHELIER_WITH_ALGLIB.
 #pragma once
 

@@ -9,10 +9,10 @@
 #include "engine/registration/deviation_file.h"
 #include "engine/report/result_json.h"
 #include "widgets/compare/compare_views.h"
-#include "widgets/core/input_column.h"
+#include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 namespace {
 
 PanelInputs panelInputs()
@@ -20,21 +20,22 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    for (InputRole& role : inputs.roles) role.kinds = {&scanFiles()};
+    for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
     inputs.fields = infos<registration::CompareParameters>();
     inputs.defaults = toValues(registration::CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
     return inputs;
 }
 
-Document reportOf(const ComparePicture& picture, const Language& language, std::vector<Picture> pictures)
+report::Document reportOf(const ComparePicture& picture, const Language& language,
+                          std::vector<report::Picture> pictures)
 {
     registration::CompareResult result = *picture.result;
     result.notes = picture.notes;  // those of the files as well
-    Document document = compareReport(result, picture.inputs, language, std::move(pictures));
+    report::Document document = compareReport(result, picture.inputs, language, std::move(pictures));
     document.synthetic = picture.synthetic;
-    document.results = {
-        toText(wholeResult("compare", picture.inputs, toValues(result.parameters), toJson(result), result.notes))};
+    document.results = {report::toText(
+        report::wholeResult("compare", picture.inputs, toValues(result.parameters), toJson(result), result.notes))};
     return document;
 }
 
@@ -47,10 +48,11 @@ PanelFacts comparePanelFacts()
     facts.title = LT_TEXT("Engine", "Compare");
     facts.icon = "compare";
     facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
-    facts.kinds = {&scanFiles()};
+    facts.kinds = {&io::scanFiles()};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     facts.missing = missingOf(panelInputs().roles);
-    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
         return reportOf(LastComparison().find(state, *stores.of<ScanStore>(), progress), language, {});
     };
     return facts;
@@ -61,13 +63,15 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
       views_(new CompareViews),
       last_(std::make_shared<LastComparison>())
 {
-    setViews(views_);
+    setViews(views_, views_->heroes());
     addSwapButton();
     connect(views_, &CompareViews::toleranceDragged, this, [this](double tolerance_mm, bool dropped) {
         const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
         Panel::session().edit(
             tr("Change the tolerance"),
-            [&](Project& project) { lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm); },
+            [&](project::Project& project) {
+                lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm);
+            },
             QString("compare/tolerance/drag%1").arg(drags_));
         drags_ += dropped;
     });
@@ -86,15 +90,15 @@ void ComparePanel::addSwapButton()
 
 void ComparePanel::swapInputs()
 {
-    session().edit(tr("Swap reference and copy"), [](Project& project) {
+    session().edit(tr("Swap reference and copy"), [](project::Project& project) {
         auto& inputs = project.panels["compare"].inputs;
-        std::map<std::string, Source> swapped;
+        std::map<std::string, project::Source> swapped;
         for (auto& [role, source] : inputs) swapped[role == "reference" ? "copy" : "reference"] = source;
         inputs = swapped;
     });
 }
 
-ComparePanel::Compute ComparePanel::compute(const PanelState& state) const
+ComparePanel::Compute ComparePanel::compute(const project::PanelState& state) const
 {
     fromValues<registration::CompareParameters>(
         state.parameters);  // refuses now, not in the worker, what is out of range
@@ -108,9 +112,9 @@ void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& pictu
     views_->setPicture(picture);
 }
 
-Headline ComparePanel::headline(const ComparePicture& picture) const
+report::Answer ComparePanel::answer(const ComparePicture& picture) const
 {
-    return registration::headline(*picture.result, screenLanguage());
+    return registration::answer(*picture.result, screenLanguage());
 }
 
 Notes ComparePanel::notes(const ComparePicture& picture) const
@@ -118,7 +122,7 @@ Notes ComparePanel::notes(const ComparePicture& picture) const
     return picture.notes;
 }
 
-Document ComparePanel::document(const ComparePicture& picture) const
+report::Document ComparePanel::document(const ComparePicture& picture) const
 {
     return reportOf(picture, screenLanguage(), views_->pictures());
 }
@@ -142,4 +146,4 @@ void ComparePanel::retranslate()
     views_->retranslate();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

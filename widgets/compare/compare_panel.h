@@ -2,11 +2,11 @@
 #pragma once
 
 #include "widgets/compare/compare_picture.h"
-#include "widgets/core/panel.h"
+#include "widgets/core/panel/panel.h"
 
 class QToolButton;
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 
 class CompareViews;
 
@@ -25,11 +25,11 @@ public:
     void swapInputs();
 
 protected:
-    Compute compute(const PanelState& state) const override;
+    Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
-    Headline headline(const ComparePicture& picture) const override;
+    report::Answer answer(const ComparePicture& picture) const override;
     Notes notes(const ComparePicture& picture) const override;
-    Document document(const ComparePicture& picture) const override;
+    report::Document document(const ComparePicture& picture) const override;
     std::vector<PanelExport> exports() const override;
     void retranslate() override;
 
@@ -42,4 +42,4 @@ private:
     std::shared_ptr<LastComparison> last_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/registration/verdict.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 namespace {
 
 constexpr std::size_t grain = 65536;
@@ -60,11 +60,11 @@ void fillAxisPlace(const registration::CompareResult& result, ComparePlace& plac
 
 }  // namespace
 
-ComparePicture LastComparison::find(const PanelState& state, ScanStore& scans, const Progress& progress)
+ComparePicture LastComparison::find(const project::PanelState& state, ScanStore& scans, const Progress& progress)
 {
     const auto parameters = fromValues<registration::CompareParameters>(state.parameters);
-    const Source& referenceSource = state.inputs.at("reference");
-    const Source& copySource = state.inputs.at("copy");
+    const project::Source& referenceSource = state.inputs.at("reference");
+    const project::Source& copySource = state.inputs.at("copy");
     ComparePicture picture;
     picture.reference = scans.load(referenceSource, progress.part(0, 0.2, LT_TEXT("Engine", "Reading the reference")));
     picture.copy = scans.load(copySource, progress.part(0.2, 0.4, LT_TEXT("Engine", "Reading the copy")));
@@ -109,7 +109,7 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
     return place;
 }
 
-ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surface, bool of_reference)
+ComparePlace placeOnMesh(const ComparePicture& picture, const scene::PickedPlace& surface, bool of_reference)
 {
     const registration::CompareResult& result = *picture.result;
     const Scan& mesh = of_reference ? picture.reference->file.scan : picture.copyScan();
@@ -153,4 +153,4 @@ ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double a
     return place;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -7,10 +7,10 @@
 
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
-#include "widgets/core/scan_store.h"
+#include "widgets/core/files/scan_store.h"
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 
 struct ComparePicture {
     LoadedScanPtr reference;                                    ///< file and content
@@ -30,7 +30,7 @@ class LastComparison {
 public:
     /// The picture for this state. Loads, registers and evaluates only what is not there yet; safe from any thread.
     /// Errors: those of readScan() and compare().
-    ComparePicture find(const PanelState& state, ScanStore& scans, const Progress& progress);
+    ComparePicture find(const project::PanelState& state, ScanStore& scans, const Progress& progress);
 
 private:
     std::mutex mutex_;
@@ -43,7 +43,7 @@ struct ComparePlace {
     std::optional<double> z_mm;                              ///< along the axis from its first data
     std::optional<double> angle_deg;                         ///< about the axis from its x, 0…360
     std::optional<std::size_t> point;                        ///< of the copy, a cloud
-    std::optional<PickedPlace> surface;                      ///< of the copy, a mesh
+    std::optional<scene::PickedPlace> surface;               ///< of the copy, a mesh
     std::optional<double> deviation_mm;                      ///< signed; none where the place does not count
     std::optional<double> local_mean_mm;  ///< mean deviation of its cell of the map; none without one
 };
@@ -53,9 +53,9 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
 
 /// A place on the surface of the copy (or of the reference), which is a mesh. Its deviation is that of the corners in
 /// proportion, as drawn.
-ComparePlace placeOnMesh(const ComparePicture& picture, const PickedPlace& surface, bool of_reference = false);
+ComparePlace placeOnMesh(const ComparePicture& picture, const scene::PickedPlace& surface, bool of_reference = false);
 
 /// The place on the reference's meridian; body of revolution only.
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg);
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -7,7 +7,7 @@
 #include "engine/registration/compare_report.h"
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 namespace {
 
 QString signedNumber(double value, int decimals)
@@ -85,4 +85,4 @@ void ZoneTable::markZ(std::optional<double> z_mm)
     scrollToItem(item(row, 0));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

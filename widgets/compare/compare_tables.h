@@ -2,9 +2,9 @@
 #pragma once
 
 #include "widgets/compare/compare_picture.h"
-#include "widgets/core/copy_table.h"
+#include "widgets/core/panel/copy_table.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 
 /// Every quantity of the result: name, value, unit.
 class StatisticsTable : public CopyTable {
@@ -31,4 +31,4 @@ private:
     std::vector<registration::Zone> zones_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -1,6 +1,7 @@
 #include "widgets/compare/compare_views.h"
 
 #include <QBuffer>
+#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 namespace {
 
 constexpr double leastTolerance_mm = 1e-4;  // that can be dragged to
@@ -28,15 +29,17 @@ std::string pngOf(const QImage& image)
 CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>())
 {
     Parts& p = *parts_;
-    p.scene = new SceneView;
-    p.map = new MapView;
-    p.meridian = new ChartView;
-    p.histogram = new ChartView;
+    p.scene = new scene::SceneView;
+    p.map = new plot::MapView;
+    p.along = new plot::ChartView;
+    p.meridian = new plot::ChartView;
+    p.histogram = new plot::ChartView;
     p.zones = new ZoneTable;
     p.numbers = new StatisticsTable;
     p.tabs = new QTabWidget;
     p.tabs->setDocumentMode(true);
     p.map->setObjectName("map");
+    p.along->setObjectName("along");
     p.meridian->setObjectName("meridian");
     p.histogram->setObjectName("histogram");
     p.scene->setObjectName("scene");
@@ -45,56 +48,61 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     buildBar();
-    p.rows = new QSplitter(Qt::Vertical);
-    p.upper = new QSplitter;
-    p.lower = new QSplitter;
-    for (QSplitter* row : {p.upper, p.lower}) {
-        row->setChildrenCollapsible(false);
-        p.rows->addWidget(row);
-    }
-    p.rows->setChildrenCollapsible(false);
-    p.upper->addWidget(p.scene);
-    p.upper->addWidget(p.map);
-    p.lower->addWidget(p.meridian);
-    p.lower->addWidget(p.tabs);
-    p.rows->setStretchFactor(0, 11);
-    p.rows->setStretchFactor(1, 10);
-    for (QSplitter* row : {p.upper, p.lower})
-        for (int i = 0; i < 2; ++i) row->setStretchFactor(i, 1);
-    layout->addWidget(p.rows, 1);
+    auto* part = new QSplitter(Qt::Vertical);
+    part->setChildrenCollapsible(false);
+    part->addWidget(p.scene);
+    part->addWidget(p.along);
+    part->setStretchFactor(0, 3);
+    part->setStretchFactor(1, 2);
+    p.tabs->addTab(p.numbers, QString());
+    p.heroes = new HeroViews;
+    p.heroes->add(view::part, part);
+    p.heroes->add(view::map, p.map);
+    p.heroes->add(view::meridian, p.meridian);
+    p.heroes->add(view::distribution, p.histogram);
+    p.heroes->add(view::tables, p.tabs);
+    layout->addWidget(p.heroes, 1);
 
-    connect(p.scene, &SceneView::pointPicked, this, [this](int object, qint64 point) {
+    connect(p.scene, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
         setPlace(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
     });
-    connect(p.scene, &SceneView::surfacePicked, this, [this](int object, const PickedPlace& surface) {
+    connect(p.scene, &scene::SceneView::surfacePicked, this, [this](int object, const scene::PickedPlace& surface) {
         setPlace(placeOnMesh(*parts_->picture, surface, object == 0));
     });
-    connect(p.map, &PlotCanvas::clicked, this, [this](double z, double angle) {
+    connect(p.map, &plot::PlotCanvas::clicked, this, [this](double z, double angle) {
         if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, std::clamp(angle, 0.0, 359.999)));
     });
     const auto pickZ = [this](double z) {
         const double angle = parts_->place && parts_->place->angle_deg ? *parts_->place->angle_deg : 90;
         if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, angle));
     };
-    connect(p.meridian, &PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
+    for (plot::ChartView* chart : {p.along, p.meridian})
+        connect(chart, &plot::PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
     connect(p.zones, &ZoneTable::zonePicked, this, pickZ);
-    connect(p.scene, &SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
-    connect(p.map, &MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
-    connect(p.histogram, &ChartView::handleMoved, this, [this](const QString&, double value, double, bool dropped) {
-        const double tolerance_mm = std::max(std::abs(value), leastTolerance_mm);
-        showTolerance(tolerance_mm);
-        parts_->draggedTolerance = dropped ? std::nullopt : std::optional(tolerance_mm);
-        emit toleranceDragged(tolerance_mm, dropped);
-    });
-    for (PlotCanvas* canvas :
-         {static_cast<PlotCanvas*>(p.map), static_cast<PlotCanvas*>(p.meridian), static_cast<PlotCanvas*>(p.histogram)})
-        connect(canvas, &PlotCanvas::notWritten, this, &CompareViews::notWritten);
-    connect(p.scene, &SceneView::notWritten, this, &CompareViews::notWritten);
+    connect(p.scene, &scene::SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
+    connect(p.map, &plot::MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
+    connect(p.histogram, &plot::ChartView::handleMoved, this,
+            [this](const QString&, double value, double, bool dropped) {
+                const double tolerance_mm = std::max(std::abs(value), leastTolerance_mm);
+                showTolerance(tolerance_mm);
+                parts_->draggedTolerance = dropped ? std::nullopt : std::optional(tolerance_mm);
+                emit toleranceDragged(tolerance_mm, dropped);
+            });
+    for (plot::PlotCanvas* canvas :
+         {static_cast<plot::PlotCanvas*>(p.map), static_cast<plot::PlotCanvas*>(p.along),
+          static_cast<plot::PlotCanvas*>(p.meridian), static_cast<plot::PlotCanvas*>(p.histogram)})
+        connect(canvas, &plot::PlotCanvas::notWritten, this, &CompareViews::notWritten);
+    connect(p.scene, &scene::SceneView::notWritten, this, &CompareViews::notWritten);
     retranslate();
     arrange();
 }
 
 CompareViews::~CompareViews() = default;
+
+HeroViews* CompareViews::heroes() const
+{
+    return parts_->heroes;
+}
 
 const std::optional<ComparePlace>& CompareViews::place() const
 {
@@ -148,6 +156,7 @@ void CompareViews::showCharts()
         p.factor->setValue(factor);
     }
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
+    p.along->setData(deviationAlongAxis(result, screenLanguage()));
     p.map->setData(unrolledMap(result, p.tolerance().has_value()));
 }
 
@@ -163,23 +172,23 @@ void CompareViews::showSurface()
     Parts& p = *parts_;
     if (!p.picture) return;
     const registration::CompareResult& result = p.result();
-    std::optional<SceneAxis> axis;
+    std::optional<scene::SceneAxis> axis;
     if (result.alignment.reference_axis)
-        axis = SceneAxis{result.alignment.reference_axis->point_mm, result.alignment.reference_axis->direction};
+        axis = scene::SceneAxis{result.alignment.reference_axis->point_mm, result.alignment.reference_axis->direction};
     p.scene->setLongAxis(axis);
     const bool deviation = p.deviation->isChecked();
     p.smooth->setEnabled(deviation);
 
-    SceneObject reference;
+    scene::SceneObject reference;
     reference.name = tr("Reference");
     reference.scan = ScanPtr(p.picture->reference, &p.picture->reference->file.scan);
-    reference.colour = toQt(colourOf(ColourRole::Original));
+    reference.colour = plot::toQt(report::colourOf(report::ColourRole::Original));
     reference.visible = !deviation;
-    SceneObject copy;
+    scene::SceneObject copy;
     copy.name = tr("Copy");
     copy.scan = ScanPtr(p.picture->copy, &p.picture->copy->file.scan);
     copy.scene_T_scan = result.alignment.reference_T_copy;
-    copy.colour = toQt(colourOf(ColourRole::Copy));
+    copy.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
     if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
@@ -190,7 +199,7 @@ void CompareViews::showSurface()
 
 void CompareViews::recolour(std::optional<double> tolerance_mm)
 {
-    const DeviationColours colours{limit_mm(), tolerance_mm};
+    const report::DeviationColours colours{limit_mm(), tolerance_mm};
     parts_->map->setColours(colours);
     parts_->scene->setColours(colours);
 }
@@ -208,6 +217,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
     if (!place) {
         p.scene->setMarker({});
         p.map->setMarker({});
+        p.along->setMarker({});
         p.meridian->setMarker({});
         p.histogram->setMarker({});
         p.zones->markZ({});
@@ -216,6 +226,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
     p.scene->setMarker(place->reference_mm, describe(*place));
     const bool onMap = place->z_mm && place->angle_deg;
     p.map->setMarker(onMap ? std::optional(QPointF(*place->z_mm, *place->angle_deg)) : std::nullopt);
+    p.along->setMarker(place->z_mm);
     p.meridian->setMarker(place->z_mm);
     p.histogram->setMarker(place->deviation_mm ? place->deviation_mm : place->local_mean_mm);
     p.zones->markZ(place->z_mm);
@@ -239,36 +250,31 @@ QString CompareViews::describe(const ComparePlace& place) const
     return lines.join('\n');
 }
 
-std::vector<Picture> CompareViews::pictures()
+std::vector<report::Picture> CompareViews::pictures()
 {
     Parts& p = *parts_;
-    std::vector<Picture> pictures;
+    std::vector<report::Picture> pictures;
     if (!p.picture || !p.scene->canDraw()) return pictures;
-    const int shown = p.viewGroup->checkedId();
+    const QString hero = p.heroes->hero();
     QToolButton* before = p.deviation->isChecked() ? p.deviation : p.overlay;
-    if (!p.scene->isVisibleTo(this)) {
-        p.views[All]->setChecked(true);
-        arrange();
-    }
-    const auto take = [&](const Text& title, SceneViewpoint viewpoint) {
+    const QSignalBlocker quiet(p.heroes);  // for the pictures only
+    p.heroes->setHero(view::part);
+    const auto take = [&](const Text& title, scene::SceneViewpoint viewpoint) {
         const QImage image = p.scene->picture(viewpoint);
         if (!image.isNull()) pictures.push_back({title, pngOf(image)});
     };
     p.overlay->setChecked(true);
     showSurface();
-    take(LT_TEXT("Engine", "Original (blue) and copy (red), oblique"), SceneViewpoint::Oblique);
-    take(LT_TEXT("Engine", "Original (blue) and copy (red), from the side"), SceneViewpoint::Side);
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), oblique"), scene::SceneViewpoint::Oblique);
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), from the side"), scene::SceneViewpoint::Side);
     p.deviation->setChecked(true);
     showSurface();
-    take(LT_TEXT("Engine", "Deviation of the copy, oblique"), SceneViewpoint::Oblique);
-    take(LT_TEXT("Engine", "Deviation of the copy, from the side"), SceneViewpoint::Side);
+    take(LT_TEXT("Engine", "Deviation of the copy, oblique"), scene::SceneViewpoint::Oblique);
+    take(LT_TEXT("Engine", "Deviation of the copy, from the side"), scene::SceneViewpoint::Side);
     before->setChecked(true);
     showSurface();
-    if (p.viewGroup->checkedId() != shown) {
-        p.viewGroup->button(shown)->setChecked(true);
-        arrange();
-    }
+    p.heroes->setHero(hero);
     return pictures;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

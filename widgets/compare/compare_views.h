@@ -10,6 +10,10 @@
 #include "widgets/compare/compare_picture.h"
 
 namespace lathelier {
+class HeroViews;
+}
+
+namespace lathelier::compare_panel {
 
 class CompareViews : public QWidget {
     Q_OBJECT
@@ -29,7 +33,9 @@ public:
     double limit_mm() const;
 
     /// 3-D pictures for the report: overlay and deviation, oblique and from the side. Empty without OpenGL.
-    std::vector<Picture> pictures();
+    std::vector<report::Picture> pictures();
+
+    HeroViews* heroes() const;
 
     void retranslate();
 
@@ -50,4 +56,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -6,7 +6,7 @@
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 namespace {
 
 QToolButton* choice(QButtonGroup* group, int id, QHBoxLayout* row, const char* name)
@@ -28,15 +28,6 @@ void CompareViews::buildBar()
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
-    p.viewGroup = new QButtonGroup(this);
-    static constexpr std::array<const char*, viewCount> names{
-        "viewAll", "viewSpace", "viewMap", "viewMeridian", "viewDistribution", "viewZones", "viewNumbers"};
-    for (int id = 0; id < viewCount; ++id)
-        p.views[static_cast<std::size_t>(id)] = choice(p.viewGroup, id, row, names[static_cast<std::size_t>(id)]);
-    p.views[All]->setChecked(true);
-    connect(p.viewGroup, &QButtonGroup::idClicked, this, [this] { arrange(); });
-
-    row->addSpacing(12);
     auto* surface = new QButtonGroup(this);
     p.overlay = choice(surface, 0, row, "overlay");
     p.deviation = choice(surface, 1, row, "deviation");
@@ -74,37 +65,29 @@ void CompareViews::arrange()
 {
     Parts& p = *parts_;
     const bool axis = !p.picture || p.hasAxis();
-    for (const CompareView view : {Map, Profile, Zones}) p.views[view]->setVisible(axis);
-    int shown = p.viewGroup->checkedId();
-    if (!axis && (shown == Map || shown == Profile || shown == Zones)) {
-        p.views[All]->setChecked(true);
-        shown = All;
+    for (const char* key : {view::map, view::meridian}) p.heroes->setAvailable(key, axis);
+    p.along->setVisible(axis);
+    const bool zones = p.tabs->indexOf(p.zones) >= 0;
+    if (axis && !zones) {
+        p.tabs->insertTab(0, p.zones, tr("Zones"));
+        p.tabs->setCurrentIndex(0);
     }
-    const bool all = shown == All;
-    p.tabs->clear();
-    p.tabs->addTab(p.histogram, p.views[Distribution]->text());
-    if (axis) p.tabs->addTab(p.zones, p.views[Zones]->text());
-    p.tabs->addTab(p.numbers, p.views[Numbers]->text());
-    if (shown == Zones) p.tabs->setCurrentWidget(p.zones);
-    if (shown == Numbers) p.tabs->setCurrentWidget(p.numbers);
-    p.scene->setVisible(all || shown == Space);
-    p.map->setVisible(axis && (all || shown == Map));
-    p.meridian->setVisible(axis && (all || shown == Profile));
-    p.tabs->setVisible(all || shown >= Distribution);
-    p.tabs->tabBar()->setVisible(all);
-    p.upper->setVisible(all || shown == Space || shown == Map);
-    p.lower->setVisible(all || shown >= Profile);
-    p.factor->setVisible(axis && (all || shown == Profile));
-    p.factorLabel->setVisible(p.factor->isVisibleTo(this));
+    if (!axis && zones) p.tabs->removeTab(0);
+    p.factor->setVisible(axis);
+    p.factorLabel->setVisible(axis);
     p.smooth->setVisible(axis);
 }
 
 void CompareViews::retranslate()
 {
     Parts& p = *parts_;
-    const std::array<QString, viewCount> names{tr("All"),          tr("3-D"),   tr("Map"),    tr("Meridian"),
-                                               tr("Distribution"), tr("Zones"), tr("Numbers")};
-    for (std::size_t i = 0; i < names.size(); ++i) p.views[i]->setText(names[i]);
+    p.heroes->setTitle(view::part, tr("Part"));
+    p.heroes->setTitle(view::map, tr("Map"));
+    p.heroes->setTitle(view::meridian, tr("Meridian"));
+    p.heroes->setTitle(view::distribution, tr("Distribution"));
+    p.heroes->setTitle(view::tables, tr("Tables"));
+    if (const int zones = p.tabs->indexOf(p.zones); zones >= 0) p.tabs->setTabText(zones, tr("Zones"));
+    p.tabs->setTabText(p.tabs->indexOf(p.numbers), tr("Numbers"));
     p.overlay->setText(tr("Overlay"));
     p.overlay->setToolTip(tr("The original blue, the copy red"));
     p.deviation->setText(tr("Deviation"));
@@ -124,4 +107,4 @@ void CompareViews::retranslate()
     setPlace(p.place);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -5,21 +5,26 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
-#include <array>
 
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
 
-namespace lathelier {
+namespace lathelier::compare_panel {
 
-/// The choices of the view bar, in its order.
-enum CompareView { All, Space, Map, Profile, Distribution, Zones, Numbers, viewCount };
+/// Keys of the views, as the project keeps them.
+namespace view {
+inline constexpr const char* part = "part";
+inline constexpr const char* map = "map";
+inline constexpr const char* meridian = "meridian";
+inline constexpr const char* distribution = "distribution";
+inline constexpr const char* tables = "tables";
+}  // namespace view
 
 struct CompareViews::Parts {
     std::shared_ptr<const ComparePicture> picture;  ///< what is shown; null: nothing yet
@@ -28,29 +33,26 @@ struct CompareViews::Parts {
     std::optional<double> chosenFactor;  ///< likewise, magnification of the meridian's error
     std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
-    SceneView* scene = nullptr;          ///< reference and copy in space
-    MapView* map = nullptr;              ///< unrolled map of the deviation
-    ChartView* meridian = nullptr;       ///< radius along the axis, with the error magnified
-    ChartView* histogram = nullptr;      ///< distribution of the deviations
-    ZoneTable* zones = nullptr;          ///< mean deviation by zone
-    StatisticsTable* numbers = nullptr;  ///< statistics of the deviations
-    QTabWidget* tabs = nullptr;          ///< histogram, zones and numbers
-    QSplitter* rows = nullptr;           ///< upper above lower
-    QSplitter* upper = nullptr;          ///< scene beside map
-    QSplitter* lower = nullptr;          ///< meridian beside tabs
+    scene::SceneView* scene = nullptr;     ///< reference and copy in space
+    plot::MapView* map = nullptr;          ///< unrolled map of the deviation
+    plot::ChartView* along = nullptr;      ///< mean deviation along the axis, under the scene
+    plot::ChartView* meridian = nullptr;   ///< radius along the axis, with the error magnified
+    plot::ChartView* histogram = nullptr;  ///< distribution of the deviations
+    ZoneTable* zones = nullptr;            ///< mean deviation by zone
+    StatisticsTable* numbers = nullptr;    ///< statistics of the deviations
+    QTabWidget* tabs = nullptr;            ///< zones and numbers
+    HeroViews* heroes = nullptr;           ///< one of them large, the others small
 
-    std::array<QToolButton*, viewCount> views{};  ///< by CompareView
-    QButtonGroup* viewGroup = nullptr;            ///< one of `views` is checked
-    QToolButton* overlay = nullptr;               ///< button: both parts in plain colours
-    QToolButton* deviation = nullptr;             ///< button: the copy coloured by its deviation
-    QCheckBox* smooth = nullptr;                  ///< colours by the mean of the map's cell, not by each point
-    QLabel* factorLabel = nullptr;                ///< label of `factor`
-    QDoubleSpinBox* factor = nullptr;             ///< magnification of the meridian's error
-    QLabel* synthetic = nullptr;                  ///< label of synthetic data; hidden for measured ones
+    QToolButton* overlay = nullptr;    ///< button: both parts in plain colours
+    QToolButton* deviation = nullptr;  ///< button: the copy coloured by its deviation
+    QCheckBox* smooth = nullptr;       ///< colours by the mean of the map's cell, not by each point
+    QLabel* factorLabel = nullptr;     ///< label of `factor`
+    QDoubleSpinBox* factor = nullptr;  ///< magnification of the meridian's error
+    QLabel* synthetic = nullptr;       ///< label of synthetic data; hidden for measured ones
 
     const registration::CompareResult& result() const { return *picture->result; }
     bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
     std::optional<double> tolerance() const { return picture ? result().parameters.tolerance_mm : std::nullopt; }
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::compare_panel

@@ -9,7 +9,7 @@ namespace lathelier {
 /// One step: the project before and after. Snapshots are cheap, large data are not in the project.
 class Session::Edit : public QUndoCommand {
 public:
-    Edit(Session& session, const QString& text, Project before, Project after, QString mergeKey)
+    Edit(Session& session, const QString& text, project::Project before, project::Project after, QString mergeKey)
         : QUndoCommand(QLocale().name() + "\n" + text),  // "\n" parts what a list would show from the menu's text
           session_(session),
           before_(std::move(before)),
@@ -33,8 +33,8 @@ public:
 
 private:
     Session& session_;
-    Project before_;
-    Project after_;
+    project::Project before_;
+    project::Project after_;
     QString mergeKey_;
 };
 
@@ -44,16 +44,16 @@ Session::Session(QObject* parent)
     connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
 }
 
-const PanelState& Session::panel(const std::string& id) const
+const project::PanelState& Session::panel(const std::string& id) const
 {
-    static const PanelState nothing;
+    static const project::PanelState nothing;
     const auto found = project_.panels.find(id);
     return found == project_.panels.end() ? nothing : found->second;
 }
 
-void Session::edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey)
+void Session::edit(const QString& text, const std::function<void(project::Project&)>& change, const QString& mergeKey)
 {
-    Project after = project_;
+    project::Project after = project_;
     change(after);
     if (after != project_) undo_.push(new Edit(*this, text, project_, std::move(after), mergeKey));
 }
@@ -65,15 +65,30 @@ void Session::setWorkspace(const std::string& id)
     emit workspaceChanged();
 }
 
-void Session::assign(const Project& project)
+void Session::setView(const std::string& id, const std::string& key, const Value& value)
 {
-    const std::string workspace = project_.workspace;  // not part of a step
+    set(project_.views[id], key, value);
+}
+
+Value Session::view(const std::string& id, const std::string& key) const
+{
+    const auto kept = project_.views.find(id);
+    const Value* value = kept == project_.views.end() ? nullptr : find(kept->second, key);
+    return value ? *value : Value();
+}
+
+void Session::assign(const project::Project& project)
+{
+    // Neither is part of a step.
+    const std::string workspace = std::move(project_.workspace);
+    const std::map<std::string, Values> views = std::move(project_.views);
     project_ = project;
     project_.workspace = workspace;
+    project_.views = views;
     emit changed();
 }
 
-void Session::replace(ProjectFile file, const QString& path)
+void Session::replace(project::ProjectFile file, const QString& path)
 {
     const bool otherWorkspace = file.project.workspace != project_.workspace;
     const bool anyNew = stores_->forgetChanged();  // another project, or this one afresh: of the files that are there
@@ -90,20 +105,20 @@ void Session::replace(ProjectFile file, const QString& path)
 
 void Session::reset()
 {
-    Project empty;
+    project::Project empty;
     empty.workspace = project_.workspace;
     replace({std::move(empty), {}}, {});
 }
 
 void Session::open(const QString& path)
 {
-    replace(readProject(path.toStdString()), path);
+    replace(project::readProject(path.toStdString()), path);
     watch_->compareWithSaved(project_);
 }
 
 void Session::recover(const QString& projectPath, const QString& original, const std::string& original_sha256)
 {
-    ProjectFile file = readProject(projectPath.toStdString());
+    project::ProjectFile file = project::readProject(projectPath.toStdString());
     file.sha256 = original_sha256;
     replace(std::move(file), original);
     undo_.resetClean();
@@ -112,7 +127,7 @@ void Session::recover(const QString& projectPath, const QString& original, const
 
 void Session::save(const QString& path)
 {
-    sha256_ = writeProject(path.toStdString(), forDisk());
+    sha256_ = project::writeProject(path.toStdString(), forDisk());
     path_ = path;
     undo_.setClean();
     emit pathChanged();
@@ -122,7 +137,7 @@ bool Session::isOvertaken() const
 {
     if (path_.isEmpty() || sha256_.empty()) return false;
     try {
-        return fileSha256(path_.toStdString()) != sha256_;
+        return io::fileSha256(path_.toStdString()) != sha256_;
     } catch (const Error&) {
         return false;  // gone: saving brings it back
     }
@@ -130,7 +145,7 @@ bool Session::isOvertaken() const
 
 void Session::saveCopy(const QString& path) const
 {
-    writeProject(path.toStdString(), forDisk());
+    project::writeProject(path.toStdString(), forDisk());
 }
 
 void Session::takeNewFiles()
@@ -140,9 +155,9 @@ void Session::takeNewFiles()
     if (any) emit filesTaken();
 }
 
-Project Session::forDisk() const
+project::Project Session::forDisk() const
 {
-    Project project = project_;
+    project::Project project = project_;
     for (auto& [id, panel] : project.panels)
         for (auto& [role, source] : panel.inputs)
             if (const auto digest = stores_->digest(source)) source.sha256 = *digest;

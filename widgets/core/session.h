@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "engine/project/project.h"
-#include "widgets/core/source_watch.h"
-#include "widgets/core/stores.h"
+#include "widgets/core/files/source_watch.h"
+#include "widgets/core/files/stores.h"
 
 namespace lathelier {
 
@@ -19,16 +19,20 @@ class Session : public QObject {
 public:
     explicit Session(QObject* parent = nullptr);
 
-    const Project& project() const { return project_; }
+    const project::Project& project() const { return project_; }
     /// A panel's state by its key in the project; empty when the project has none.
-    const PanelState& panel(const std::string& id) const;
+    const project::PanelState& panel(const std::string& id) const;
 
     /// Changes the project. `text` names the step in the Edit menu ("Change the tolerance"). Consecutive edits with the
     /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
-    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
+    void edit(const QString& text, const std::function<void(project::Project&)>& change, const QString& mergeKey = {});
 
     /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
     void setWorkspace(const std::string& id);
+
+    /// What panel `id` shows and how, kept with the project: no undo step, no modification, nothing is computed.
+    void setView(const std::string& id, const std::string& key, const Value& value);
+    Value view(const std::string& id, const std::string& key) const;  ///< not given when nothing was kept
 
     /// Each step's undo text is that of edit(); its text() is the locale that was spoken then.
     QUndoStack& undoStack() { return undo_; }
@@ -79,11 +83,11 @@ signals:
 
 private:
     class Edit;
-    void assign(const Project& project);
-    void replace(ProjectFile file, const QString& path);
-    Project forDisk() const;
+    void assign(const project::Project& project);
+    void replace(project::ProjectFile file, const QString& path);
+    project::Project forDisk() const;
 
-    Project project_;
+    project::Project project_;
     QString path_;
     std::string sha256_;  ///< of the project file as it was opened or saved here
     QUndoStack undo_;

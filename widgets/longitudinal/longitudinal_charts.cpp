@@ -6,7 +6,7 @@
 
 #include "engine/report/colours.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 
 namespace {
 
@@ -80,7 +80,7 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
             reach_mm = std::max(reach_mm, std::abs(radius));
         }
     }
-    stack.limit_um = niceLimit(1000 * reach_mm);
+    stack.limit_um = report::niceLimit(1000 * reach_mm);
     stack.magnification = std::max(1.0, roundedDown(0.35 * mean_mm / reach_mm));
 
     // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
@@ -122,4 +122,4 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
     return stack;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

@@ -6,7 +6,7 @@
 #include "engine/trajectory/trajectory.h"
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 
 /// The images of all sections as one closed surface around the axis, deviations drawn magnified. They count from the
 /// mean LSC radius of all sections about the spindle's axis, or (with `form_only`) from each section's own LSC circle.
@@ -29,4 +29,4 @@ struct StackedSections {
 /// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
 StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only);
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

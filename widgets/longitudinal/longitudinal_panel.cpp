@@ -1,30 +1,31 @@
 #include "widgets/longitudinal/longitudinal_panel.h"
 
-#include "engine/form/roundness_dfq.h"
+#include "engine/form/roundness/roundness_dfq.h"
 #include "engine/trajectory/section_file.h"
 #include "engine/trajectory/trajectory_report.h"
 #include "widgets/core/language.h"
 #include "widgets/longitudinal/longitudinal_views.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 namespace {
 
 PanelInputs panelInputs()
 {
-    return spindleInputs(
-        {&recordRole()}, {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm", "z_mm"},
+    return trajectory_common::spindleInputs(
+        {&trajectory_common::recordRole()}, {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm", "z_mm"},
         {"decision", "feed_mm_rev", "sections", "rotation"},
         LT_TEXT("Engine", "Drop the record of a whole workpiece here, or one record for each section."));
 }
 
-Document reportOf(const SpindlePicture& picture, const Language& language, std::vector<Picture> pictures)
+report::Document reportOf(const trajectory_common::SpindlePicture& picture, const Language& language,
+                          std::vector<report::Picture> pictures)
 {
-    Document document = trajectoryReport(*picture.trajectory, picture.inputs, language);
+    report::Document document = trajectoryReport(*picture.trajectory, picture.inputs, language);
     if (!pictures.empty() && !document.sections.empty())
-        for (Picture& shown : pictures) document.sections.front().blocks.push_back(std::move(shown));
+        for (report::Picture& shown : pictures) document.sections.front().blocks.push_back(std::move(shown));
     document.synthetic = document.synthetic || picture.synthetic;
-    document.results = {trajectoryJson(picture)};
+    document.results = {trajectory_common::trajectoryJson(picture)};
     return document;
 }
 
@@ -32,35 +33,39 @@ Document reportOf(const SpindlePicture& picture, const Language& language, std::
 
 PanelFacts longitudinalPanelFacts()
 {
-    PanelFacts facts =
-        spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"), "longitudinal", SpindleWant::Longitudinal);
+    PanelFacts facts = trajectory_common::spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"),
+                                                       "longitudinal", trajectory_common::SpindleWant::Longitudinal);
     facts.make = [](Session& session) -> PanelBase* { return new LongitudinalPanel(session); };
-    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
-        return reportOf(answeredPicture(state, SpindleWant::Longitudinal, stores, progress), language, {});
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
+        return reportOf(
+            trajectory_common::answeredPicture(state, trajectory_common::SpindleWant::Longitudinal, stores, progress),
+            language, {});
     };
     return facts;
 }
 
 LongitudinalPanel::LongitudinalPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, longitudinalPanelFacts(), panelInputs(), SpindleWant::Longitudinal, parent),
+    : trajectory_common::SpindlePanel(owner, longitudinalPanelFacts(), panelInputs(),
+                                      trajectory_common::SpindleWant::Longitudinal, parent),
       views_(new LongitudinalViews(markedAngle()))
 {
-    setViews(views_);
+    setViews(views_, views_->heroes());
     connect(views_, &LongitudinalViews::sectionWanted, this, &LongitudinalPanel::chooseSection);
     connect(views_, &LongitudinalViews::notWritten, this, &LongitudinalPanel::sayNotWritten);
 }
 
-void LongitudinalPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
+void LongitudinalPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
 {
     views_->setPicture(picture, isSectionChosen());
 }
 
-Headline LongitudinalPanel::headline(const SpindlePicture& picture) const
+report::Answer LongitudinalPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
-    return trajectory::headline(*picture.trajectory, screenLanguage());
+    return trajectory::answer(*picture.trajectory, screenLanguage());
 }
 
-Document LongitudinalPanel::document(const SpindlePicture& picture) const
+report::Document LongitudinalPanel::document(const trajectory_common::SpindlePicture& picture) const
 {
     return reportOf(picture, screenLanguage(), views_->pictures());
 }
@@ -76,7 +81,7 @@ std::vector<PanelExport> LongitudinalPanel::exports() const
              std::vector<form::RoundnessResult> results;
              for (const trajectory::TrajectorySection& section : picture->trajectory->sections)
                  results.push_back(section.roundness);
-             writeDfq(path.toStdString(), qdasFile(results));
+             io::writeDfq(path.toStdString(), qdasFile(results));
          }}};
 }
 
@@ -85,4 +90,4 @@ void LongitudinalPanel::retranslate()
     views_->retranslate();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

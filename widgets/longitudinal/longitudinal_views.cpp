@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QHBoxLayout>
-#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -12,19 +11,20 @@
 #include "widgets/longitudinal/section_table.h"
 #include "widgets/scene/scene_view.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 
-LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
+LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWidget* parent)
     : QWidget(parent),
       angle_(angle),
-      section_(new SectionBar),
-      angleBar_(new AngleBar(angle)),
+      section_(new trajectory_common::SectionBar),
+      angleBar_(new trajectory_common::AngleBar(angle)),
       formOnly_(new QCheckBox),
       magnification_(new QLabel),
       synthetic_(new QLabel),
-      scene_(new SceneView),
-      profile_(new ChartView),
-      table_(new SectionTable)
+      scene_(new scene::SceneView),
+      profile_(new plot::ChartView),
+      table_(new SectionTable),
+      heroes_(new HeroViews)
 {
     scene_->setObjectName("stack");
     profile_->setObjectName("profile");
@@ -33,45 +33,37 @@ LongitudinalViews::LongitudinalViews(MarkedAngle& angle, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     buildBar();
-    auto* upper = new QSplitter(Qt::Horizontal);
-    upper->addWidget(scene_);
-    upper->addWidget(profile_);
-    auto* rows = new QSplitter(Qt::Vertical);
-    rows->addWidget(upper);
-    rows->addWidget(table_);
-    for (QSplitter* splitter : {upper, rows}) {
-        splitter->setChildrenCollapsible(false);
-        splitter->setStretchFactor(0, 5);
-        splitter->setStretchFactor(1, 4);
-    }
-    layout->addWidget(rows, 1);
+    heroes_->add("stack", scene_);
+    heroes_->add("profile", profile_);
+    heroes_->add("sections", table_);
+    layout->addWidget(heroes_, 1);
 
-    connect(section_, &SectionBar::sectionWanted, this, &LongitudinalViews::sectionWanted);
+    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &LongitudinalViews::sectionWanted);
     connect(table_, &SectionTable::sectionPicked, this, &LongitudinalViews::sectionWanted);
     connect(formOnly_, &QCheckBox::toggled, this, [this] {
         stacked_.reset();
         limit_um_.reset();
         showStack();
     });
-    connect(scene_, &SceneView::pointPicked, this, [this](int, qint64 point) {
+    connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
         const auto vertex = static_cast<std::size_t>(point);
         angle_.set(stack_.angle_deg(vertex));
         const std::size_t index = stack_.sectionOf(vertex);
         if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
     });
-    connect(scene_, &SceneView::limitEdited, this, [this](double limit_um) {
+    connect(scene_, &scene::SceneView::limitEdited, this, [this](double limit_um) {
         limit_um_ = limit_um;
         scene_->setColours({limit_um, {}});
     });
-    connect(profile_, &PlotCanvas::clicked, this, [this](double z_mm, double) {
+    connect(profile_, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) {
         const auto& sections = picture_->trajectory->sections;
         const auto nearest = std::min_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.z_mm - z_mm) < std::abs(b.z_mm - z_mm);
         });
         if (nearest != sections.end()) emit sectionWanted(nearest->section);
     });
-    connect(profile_, &PlotWidget::notWritten, this, &LongitudinalViews::notWritten);
-    connect(&angle_, &MarkedAngle::changed, this, &LongitudinalViews::markPlace);
+    connect(profile_, &plot::PlotWidget::notWritten, this, &LongitudinalViews::notWritten);
+    connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &LongitudinalViews::markPlace);
     retranslate();
 }
 
@@ -92,7 +84,8 @@ void LongitudinalViews::buildBar()
     row->addWidget(synthetic_);
 }
 
-void LongitudinalViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen)
+void LongitudinalViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+                                   bool sectionChosen)
 {
     const bool news = !picture_ || picture_->trajectory != picture->trajectory;
     picture_ = picture;
@@ -101,9 +94,9 @@ void LongitudinalViews::setPicture(const std::shared_ptr<const SpindlePicture>& 
     if (news) {
         table_->setResult(*picture->trajectory);
         const auto& along = picture->trajectory->longitudinal;
-        profile_->setData(along ? longitudinalPlot(*along, screenLanguage()) : Plot());
+        profile_->setData(along ? longitudinalPlot(*along, screenLanguage()) : report::Plot());
     }
-    profile_->setVisible(picture->trajectory->longitudinal.has_value());
+    heroes_->setAvailable("profile", picture->trajectory->longitudinal.has_value());
     showStack();
     markPlace();
 }
@@ -116,11 +109,11 @@ void LongitudinalViews::showStack()
     scene_->setVisible(stack_.scan != nullptr);
     if (!stack_.scan) return;
     magnification_->setText(tr("deviation × %1").arg(screenNumber(stack_.magnification, 0)));
-    SceneObject surface;
+    scene::SceneObject surface;
     surface.name = tr("Surface of all sections");
     surface.scan = stack_.scan;
     surface.values = stack_.deviation_um;
-    scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    scene_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
     scene_->setColours({limit_um_.value_or(stack_.limit_um), {}});
     scene_->setObjects({surface});
     markPlace();
@@ -144,11 +137,11 @@ void LongitudinalViews::markPlace()
             .arg(screenNumber(*angle_.angle_deg(), 1), (deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2)));
 }
 
-std::vector<Picture> LongitudinalViews::pictures()
+std::vector<report::Picture> LongitudinalViews::pictures()
 {
-    std::vector<Picture> pictures;
+    std::vector<report::Picture> pictures;
     if (!stack_.scan || !scene_->canDraw()) return pictures;
-    const QImage image = scene_->picture(SceneViewpoint::Oblique);
+    const QImage image = scene_->picture(scene::SceneViewpoint::Oblique);
     if (image.isNull()) return pictures;
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -164,6 +157,9 @@ void LongitudinalViews::retranslate()
     formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
     synthetic_->setText(tr("Synthetic data"));
+    heroes_->setTitle("stack", tr("Form"));
+    heroes_->setTitle("profile", tr("Along the axis"));
+    heroes_->setTitle("sections", tr("Sections"));
     scene_->setScaleTitle(tr("Deviation (µm)"));
     if (!picture_) return;
     const auto picture = std::move(picture_);
@@ -172,4 +168,4 @@ void LongitudinalViews::retranslate()
     setPicture(picture, !section_->isWorst());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

@@ -6,26 +6,32 @@
 #include <QWidget>
 
 #include "engine/report/document.h"
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/longitudinal/longitudinal_charts.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
-namespace lathelier {
-
+namespace lathelier::scene {
 class SceneView;
+}
+
+namespace lathelier::longitudinal_panel {
+
 class SectionTable;
 
 class LongitudinalViews : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LongitudinalViews(MarkedAngle& angle, QWidget* parent = nullptr);
+    explicit LongitudinalViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen);
+    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen);
     const StackedSections& stack() const { return stack_; }
 
     /// The 3-D view for the report; empty without OpenGL.
-    std::vector<Picture> pictures();
+    std::vector<report::Picture> pictures();
+
+    HeroViews* heroes() const { return heroes_; }
 
     void retranslate();
 
@@ -38,19 +44,20 @@ private:
     void showStack();
     void markPlace();
 
-    MarkedAngle& angle_;
-    std::shared_ptr<const SpindlePicture> picture_;
+    trajectory_common::MarkedAngle& angle_;
+    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
     StackedSections stack_;
     std::shared_ptr<const trajectory::TrajectoryResult> stacked_;
     std::optional<double> limit_um_;
-    SectionBar* section_;
-    AngleBar* angleBar_;
+    trajectory_common::SectionBar* section_;
+    trajectory_common::AngleBar* angleBar_;
     QCheckBox* formOnly_;
     QLabel* magnification_;
     QLabel* synthetic_;
-    SceneView* scene_;
-    ChartView* profile_;
+    scene::SceneView* scene_;
+    plot::ChartView* profile_;
     SectionTable* table_;
+    HeroViews* heroes_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

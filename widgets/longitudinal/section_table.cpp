@@ -4,7 +4,7 @@
 
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 
 SectionTable::SectionTable(QWidget* parent) : CopyTable(parent)
 {
@@ -69,4 +69,4 @@ void SectionTable::markSection(std::size_t index)
     scrollToItem(item(row, 0));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

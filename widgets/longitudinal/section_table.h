@@ -2,9 +2,9 @@
 #pragma once
 
 #include "engine/trajectory/trajectory.h"
-#include "widgets/core/copy_table.h"
+#include "widgets/core/panel/copy_table.h"
 
-namespace lathelier {
+namespace lathelier::longitudinal_panel {
 
 /// Section, z, radius, RONt by the chosen circle, out-of-place, run-out, two-point range, revolutions, verdict; a
 /// section beyond the tolerance carries a symbol and a word.
@@ -23,4 +23,4 @@ private:
     std::vector<int> numbers_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::longitudinal_panel

@@ -4,7 +4,7 @@
 
 #include "widgets/plot/chart_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 constexpr double nearEnough = 6;  ///< px from a line
@@ -27,11 +27,11 @@ std::optional<std::size_t> ChartView::handleAt(const QPointF& place) const
     std::optional<std::size_t> nearest;
     double least = nearEnough;
     for (std::size_t i = 0; i < c.data.handles.size(); ++i) {
-        const Handle& handle = c.data.handles[i];
+        const report::Handle& handle = c.data.handles[i];
         const QPointF away = place - pixelAt(handle.x, handle.y);
-        double distance = std::abs(handle.kind == Handle::Kind::Vertical ? away.x() : away.y());
+        double distance = std::abs(handle.kind == report::Handle::Kind::Vertical ? away.x() : away.y());
         // A point is larger than a line, and lies over it.
-        if (handle.kind == Handle::Kind::Point) distance = std::hypot(away.x(), away.y()) - c.lines->reach();
+        if (handle.kind == report::Handle::Kind::Point) distance = std::hypot(away.x(), away.y()) - c.lines->reach();
         if (distance > least) continue;
         least = distance;
         nearest = i;
@@ -44,9 +44,9 @@ bool ChartView::isHandle(const QPointF& place, Qt::CursorShape& shape) const
     const auto index = handleAt(place);
     if (!index) return false;
     switch (content_->data.handles[*index].kind) {
-        case Handle::Kind::Point: shape = Qt::SizeAllCursor; break;
-        case Handle::Kind::Vertical: shape = Qt::SplitHCursor; break;
-        case Handle::Kind::Horizontal: shape = Qt::SplitVCursor; break;
+        case report::Handle::Kind::Point: shape = Qt::SizeAllCursor; break;
+        case report::Handle::Kind::Vertical: shape = Qt::SplitHCursor; break;
+        case report::Handle::Kind::Horizontal: shape = Qt::SplitVCursor; break;
     }
     return true;
 }
@@ -60,20 +60,20 @@ void ChartView::choose(std::optional<std::size_t> handle)
 
 void ChartView::setHandle(const QString& key, double x, double y)
 {
-    for (Handle& handle : content_->data.handles)
-        if (handle.key == key.toStdString()) moveHandle(handle, x, y);
+    for (report::Handle& handle : content_->data.handles)
+        if (handle.key == key.toStdString()) report::moveHandle(handle, x, y);
     drawOverlay();
 }
 
 void ChartView::moveChosen(double x, double y)
 {
     Content& c = *content_;
-    Handle& handle = c.data.handles[*c.lines->chosen];
+    report::Handle& handle = c.data.handles[*c.lines->chosen];
     const QPointF before(handle.x, handle.y);
-    moveHandle(handle, x, y);
+    report::moveHandle(handle, x, y);
     if (before.x() == handle.x && before.y() == handle.y) return;
     c.hasMoved = true;
-    setReadout(chartText(handle.name) + (captionText(handle.name).empty() ? "" : "  ·  ") +
+    setReadout(chartText(handle.name) + (report::captionText(handle.name).empty() ? "" : "  ·  ") +
                readoutAt(handle.x, handle.y));
     drawOverlay();
     emit handleMoved(QString::fromStdString(handle.key), handle.x, handle.y, false);
@@ -86,7 +86,7 @@ void ChartView::drop()
     c.holds = c.hasMoved = false;
     if (!moved || !c.lines->chosen) return;
     refresh(true);
-    const Handle handle = c.data.handles[*c.lines->chosen];  // who listens may bring new data
+    const report::Handle handle = c.data.handles[*c.lines->chosen];  // who listens may bring new data
     emit handleMoved(QString::fromStdString(handle.key), handle.x, handle.y, true);
 }
 
@@ -113,7 +113,7 @@ void ChartView::keyPressEvent(QKeyEvent* event)
     if (!chosen) return PlotCanvas::keyPressEvent(event);
     if (event->key() == Qt::Key_Escape) return choose({});
     const double step = event->modifiers() & Qt::ShiftModifier ? fineKeyStep : keyStep;
-    const Handle& handle = content_->data.handles[*chosen];
+    const report::Handle& handle = content_->data.handles[*chosen];
     const auto along = [&](double share) { moveChosen(stepped(*plot().xAxis, handle.x, share), handle.y); };
     const auto up = [&](double share) { moveChosen(handle.x, stepped(*plot().yAxis, handle.y, share)); };
     switch (event->key()) {
@@ -151,4 +151,4 @@ bool ChartView::focusNextPrevChild(bool next)
     return true;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -4,7 +4,7 @@
 
 #include "widgets/plot/chart_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 constexpr double farAway = 1e5;  ///< px: beyond every screen, near enough for the painter
@@ -32,10 +32,10 @@ void RegionFill::draw(QCPPainter* painter)
 void ChartLines::draw(QCPPainter* painter)
 {
     const QPen dashed(style_.limit, style_.lineWidth, Qt::DashLine);
-    for (const Limit& limit : chart_.limits)
-        drawLine(*painter, limit.direction == Limit::Direction::Vertical, limit.place, limit.name, dashed);
+    for (const report::Limit& limit : chart_.limits)
+        drawLine(*painter, limit.direction == report::Limit::Direction::Vertical, limit.place, limit.name, dashed);
     const double size = 0.6 * reach();
-    for (const Mark& mark : chart_.marks) {
+    for (const report::Mark& mark : chart_.marks) {
         const QPointF place = pixel(mark.x, mark.y);
         painter->setPen(QPen(style_.background, 1));
         painter->setBrush(style_.marker);
@@ -50,7 +50,8 @@ void ChartLines::draw(QCPPainter* painter)
         painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.lineWidth, 3 * style_.lineWidth);
 }
 
-void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const Caption& name, const QPen& pen) const
+void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name,
+                          const QPen& pen) const
 {
     const QRectF room = clipRect();
     const QPointF at = pixel(place, place);
@@ -67,7 +68,7 @@ void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const
 }
 
 /// Above and beside `place`; a name that would be cut off at the right edge stands at its left.
-void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const Caption& name) const
+void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name) const
 {
     const QString text = chartText(name);
     if (text.isEmpty()) return;
@@ -83,11 +84,11 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const Capti
     painter.drawText(room, Qt::AlignCenter, text);
 }
 
-void ChartLines::drawHandle(QCPPainter& painter, const Handle& handle, bool isChosen) const
+void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen) const
 {
     const double width = (isChosen ? 2 : 1) * style_.lineWidth;
-    if (handle.kind != Handle::Kind::Point) {
-        const bool upright = handle.kind == Handle::Kind::Vertical;
+    if (handle.kind != report::Handle::Kind::Point) {
+        const bool upright = handle.kind == report::Handle::Kind::Vertical;
         return drawLine(painter, upright, upright ? handle.x : handle.y, handle.name,
                         QPen(style_.limit, width, Qt::DashLine));
     }
@@ -103,4 +104,4 @@ void ChartLines::drawHandle(QCPPainter& painter, const Handle& handle, bool isCh
     drawName(painter, place + QPointF(reach(), -reach()), handle.name);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

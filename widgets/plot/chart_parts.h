@@ -8,12 +8,12 @@
 
 #include "widgets/plot/chart_view.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 /// A shaded polygon; corners at infinity lie on the edge of the axes.
 class RegionFill : public QCPAbstractPlottable {
 public:
-    RegionFill(QCPAxis* x, QCPAxis* y, const Region& region) : QCPAbstractPlottable(x, y), region_(region)
+    RegionFill(QCPAxis* x, QCPAxis* y, const report::Region& region) : QCPAbstractPlottable(x, y), region_(region)
     {
         setLayer("background");
     }
@@ -29,13 +29,13 @@ protected:
     void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override { painter->fillRect(rect, mBrush); }
 
 private:
-    const Region region_;
+    const report::Region region_;
 };
 
 /// What lies over the curves: limits, marks, handles and the marked place, with their names.
 class ChartLines : public QCPLayerable {
 public:
-    ChartLines(QCustomPlot* plot, const Plot& chart, const PlotStyle& style)
+    ChartLines(QCustomPlot* plot, const report::Plot& chart, const PlotStyle& style)
         : QCPLayerable(plot, "overlay"), chart_(chart), style_(style)
     {
     }
@@ -56,16 +56,16 @@ private:
     {
         return {mParentPlot->xAxis->coordToPixel(x), mParentPlot->yAxis->coordToPixel(y)};
     }
-    void drawLine(QCPPainter& painter, bool upright, double place, const Caption& name, const QPen& pen) const;
-    void drawName(QCPPainter& painter, const QPointF& place, const Caption& name) const;
-    void drawHandle(QCPPainter& painter, const Handle& handle, bool isChosen) const;
+    void drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen) const;
+    void drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name) const;
+    void drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen) const;
 
-    const Plot& chart_;
+    const report::Plot& chart_;
     const PlotStyle& style_;
 };
 
 struct ChartView::Content {
-    Plot data;                                 ///< what is shown
+    report::Plot data;                         ///< what is shown
     std::vector<std::vector<double>> places;   ///< where the samples of each curve stand
     std::vector<QCPAbstractPlottable*> drawn;  ///< one for each curve; Band: the upper edge
     std::vector<QCPGraph*> lowEdges;           ///< one for each curve, null but for bands
@@ -79,4 +79,4 @@ struct ChartView::Content {
     bool hasPaths() const { return !data.curves.empty() && !data.curves.back().along.empty(); }
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

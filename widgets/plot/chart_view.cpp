@@ -7,7 +7,7 @@
 #include "widgets/core/language.h"
 #include "widgets/plot/chart_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,12 +33,12 @@ std::size_t nearest(const std::vector<double>& x, double place)
     return place - x[index - 1] < x[index] - place ? index - 1 : index;
 }
 
-bool isRead(const Curve& curve)
+bool isRead(const report::Curve& curve)
 {
     return curve.spoken && !curve.thin;
 }
 
-std::size_t samplesOf(const Curve& curve)
+std::size_t samplesOf(const report::Curve& curve)
 {
     return std::min(curve.x.size(), curve.y.size());
 }
@@ -66,7 +66,7 @@ ChartView::ChartView(QWidget* parent) : PlotCanvas(parent), content_(std::make_u
 
 ChartView::~ChartView() = default;
 
-const Plot& ChartView::data() const
+const report::Plot& ChartView::data() const
 {
     return content_->data;
 }
@@ -79,18 +79,18 @@ QString ChartView::csv() const
     return QString::fromStdString(toCsv(content_->data, screenLanguage()));
 }
 
-void ChartView::setData(Plot data)
+void ChartView::setData(report::Plot data)
 {
     Content& c = *content_;
     const bool same = data.title == c.data.title && !c.data.curves.empty();
-    std::optional<Handle> chosen;
+    std::optional<report::Handle> chosen;
     if (c.lines->chosen) chosen = c.data.handles[*c.lines->chosen];
     c.data = std::move(data);
     c.lines->chosen.reset();
     for (std::size_t i = 0; chosen && i < c.data.handles.size(); ++i) {
         if (c.data.handles[i].key != chosen->key) continue;
         c.lines->chosen = i;
-        if (c.holds) moveHandle(c.data.handles[i], chosen->x, chosen->y);
+        if (c.holds) report::moveHandle(c.data.handles[i], chosen->x, chosen->y);
     }
     if (!c.lines->chosen) c.holds = c.hasMoved = false;
     build();
@@ -109,22 +109,22 @@ void ChartView::build()
     c.regions.clear();
     c.places.clear();
     bool named = false;
-    const auto add = [&](QCPAbstractPlottable* drawn, const Caption& name) {
+    const auto add = [&](QCPAbstractPlottable* drawn, const report::Caption& name) {
         drawn->setName(chartText(name));
         if (drawn->name().isEmpty())
             drawn->removeFromLegend();
         else
             named = true;
     };
-    for (const Region& region : c.data.regions) {
+    for (const report::Region& region : c.data.regions) {
         c.regions.push_back(new RegionFill(plot().xAxis, plot().yAxis, region));
         add(c.regions.back(), region.name);
     }
-    for (const Curve& curve : c.data.curves) {
-        c.places.push_back(placesOf(curve));
+    for (const report::Curve& curve : c.data.curves) {
+        c.places.push_back(report::placesOf(curve));
         const std::vector<double>& places = c.places.back();
         QCPGraph* low = nullptr;
-        if (curve.style == Curve::Style::Bars) {
+        if (curve.style == report::Curve::Style::Bars) {
             auto* bars = new QCPBars(plot().xAxis, plot().yAxis);
             bars->setData(toQt(places), toQt(curve.y), true);
             bars->setWidth(curve.x.size() > 1 ? curve.x[1] - curve.x[0] : 1);
@@ -134,7 +134,7 @@ void ChartView::build()
             path->setData(toQt(curve.x), toQt(curve.y));
             c.drawn.push_back(path);
         } else {
-            if (curve.style == Curve::Style::Band) {
+            if (curve.style == report::Curve::Style::Band) {
                 low = plot().addGraph();
                 low->setData(toQt(curve.x), toQt(curve.y_low), true);
                 low->removeFromLegend();
@@ -158,25 +158,25 @@ void ChartView::applyStyle()
     for (std::size_t i = 0; i < c.regions.size(); ++i)
         c.regions[i]->setBrush(faint(style().colour(c.data.regions[i].colour, i), 45));
     for (std::size_t i = 0; i < c.drawn.size(); ++i) {
-        const Curve& curve = c.data.curves[i];
+        const report::Curve& curve = c.data.curves[i];
         const QColor colour = style().colour(curve.colour, i);
         const double width = curve.along.empty() ? style().lineWidth : 1.2 * style().lineWidth;
         QCPAbstractPlottable* drawn = c.drawn[i];
         switch (curve.style) {
-            case Curve::Style::Line:
+            case report::Curve::Style::Line:
                 drawn->setPen(curve.thin ? QPen(faint(colour, 110), 1) : QPen(colour, width));
                 break;
-            case Curve::Style::Dashed: drawn->setPen(QPen(colour, width, Qt::DashLine)); break;
-            case Curve::Style::Bars:
+            case report::Curve::Style::Dashed: drawn->setPen(QPen(colour, width, Qt::DashLine)); break;
+            case report::Curve::Style::Bars:
                 drawn->setPen(QPen(colour, 0));
                 drawn->setBrush(faint(colour, 150));
                 break;
-            case Curve::Style::Band:
+            case report::Curve::Style::Band:
                 drawn->setPen(Qt::NoPen);
                 c.lowEdges[i]->setPen(Qt::NoPen);
                 drawn->setBrush(faint(colour, 90));
                 break;
-            case Curve::Style::Points:
+            case report::Curve::Style::Points:
                 drawn->setPen(QPen(colour, width));
                 if (auto* graph = qobject_cast<QCPGraph*>(drawn)) {
                     graph->setLineStyle(QCPGraph::lsNone);
@@ -190,7 +190,7 @@ void ChartView::applyStyle()
 void ChartView::fitRanges()
 {
     if (content_->holds) return;  // the ground must not move under the pointer
-    const Interval x = shownX(content_->data), y = shownY(content_->data);
+    const Interval x = report::shownX(content_->data), y = report::shownY(content_->data);
     plot().xAxis->setRange(x.from, x.to);
     plot().yAxis->setRange(y.from, y.to);
 }
@@ -211,14 +211,14 @@ void ChartView::keepScalesEqual()
 QString ChartView::readoutAt(double x, double y) const
 {
     const Content& c = *content_;
-    const Plot& data = c.data;
+    const report::Plot& data = c.data;
     if (c.hasPaths()) return pathReadout(x, y);
     const auto onX = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
     const auto onY = [&](double value) { return onAxis(*plot().yAxis, value, locale()); };
     bool counts = false;  // an x that only takes whole numbers is spoken as one
     for (std::size_t k = 0; k < data.curves.size() && !counts; ++k) {
         const std::vector<double>& places = c.places[k];
-        if (data.curves[k].style != Curve::Style::Bars || places.empty()) continue;
+        if (data.curves[k].style != report::Curve::Style::Bars || places.empty()) continue;
         const std::size_t i = nearest(places, x);
         if (std::abs(places[i] - x) > (data.curves[k].x[1] - data.curves[k].x[0]) / 2) continue;
         x = places[i];
@@ -230,16 +230,16 @@ QString ChartView::readoutAt(double x, double y) const
     parts << (counts && !data.x.unit.empty() ? place : spokenTitle(data.x) + ' ' + place);
     bool any = false;
     for (std::size_t k = 0; k < data.curves.size(); ++k) {
-        const Curve& curve = data.curves[k];
+        const report::Curve& curve = data.curves[k];
         const std::vector<double>& places = c.places[k];
         if (!isRead(curve) || places.empty() || x < places.front() || x > places.back()) continue;
         const std::size_t i = nearest(places, x);
         if (i >= curve.y.size() || std::isnan(curve.y[i])) continue;
-        const QString name = captionText(curve.name).empty() ? spokenTitle(data.y) : chartText(curve.name);
+        const QString name = report::captionText(curve.name).empty() ? spokenTitle(data.y) : chartText(curve.name);
         any = true;
         if (i < curve.said.size())
             parts << name + ' ' + withUnit(readable(curve.said[i], 0.1, locale()), curve.said_unit);
-        else if (curve.style == Curve::Style::Band)
+        else if (curve.style == report::Curve::Style::Band)
             parts << name + ' ' + onY(curve.y_low[i]) + "…" + withUnit(onY(curve.y[i]), data.y.unit);
         else
             parts << name + ' ' + withUnit(onY(curve.y[i]), data.y.unit);
@@ -251,11 +251,11 @@ QString ChartView::readoutAt(double x, double y) const
 
 QString ChartView::pathReadout(double x, double y) const
 {
-    const Plot& data = content_->data;
-    const Curve* nearest = nullptr;
+    const report::Plot& data = content_->data;
+    const report::Curve* nearest = nullptr;
     std::size_t sample = 0;
     double least = infinity;
-    for (const Curve& curve : data.curves)
+    for (const report::Curve& curve : data.curves)
         for (std::size_t i = 0; i < (isRead(curve) ? samplesOf(curve) : 0); ++i) {
             const double away = std::hypot(curve.x[i] - x, curve.y[i] - y);
             if (away >= least) continue;
@@ -267,7 +267,7 @@ QString ChartView::pathReadout(double x, double y) const
     const double px = nearest->x[sample], py = nearest->y[sample];
     const auto number = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
     QStringList parts;
-    if (!captionText(nearest->name).empty()) parts << chartText(nearest->name);
+    if (!report::captionText(nearest->name).empty()) parts << chartText(nearest->name);
     if (sample < nearest->along.size())
         parts << readable(nearest->along[sample], 100, locale()) + screenText(data.along.unit);
     parts << "X " + number(px) << "Y " + number(py);
@@ -281,7 +281,7 @@ void ChartView::setMarker(std::optional<double> place)
     c.marked = place;
     c.lines->markedX = c.hasPaths() ? std::nullopt : place;
     c.lines->markedPlaces.clear();
-    for (const Curve& curve : c.data.curves) {
+    for (const report::Curve& curve : c.data.curves) {
         if (!place || !isRead(curve) || curve.along.empty()) continue;
         std::size_t best = 0;
         double least = infinity;
@@ -296,4 +296,4 @@ void ChartView::setMarker(std::optional<double> place)
     drawOverlay();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

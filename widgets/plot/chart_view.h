@@ -5,7 +5,7 @@
 #include "engine/report/chart.h"
 #include "widgets/plot/plot_canvas.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 class ChartView : public PlotCanvas {
     Q_OBJECT
@@ -16,8 +16,8 @@ public:
 
     /// Shows `data`; the user's zoom stays when the title is the same as before, a handle that is held stays with the
     /// pointer.
-    void setData(Plot data);
-    const Plot& data() const;
+    void setData(report::Plot data);
+    const report::Plot& data() const;
 
     /// Moves a handle alone, without touching the curves; inside its ranges. Unknown keys are ignored.
     void setHandle(const QString& key, double x, double y);
@@ -58,4 +58,4 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

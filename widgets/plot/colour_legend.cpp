@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 struct Tick {
@@ -15,7 +15,7 @@ struct Tick {
 };
 
 /// Round shares of the limit and the tolerance; numbers nearer than `apart` (in units of the value) give way to it.
-std::vector<Tick> ticksOf(const DeviationColours& colours, double apart)
+std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
 {
     std::vector<Tick> ticks;
     if (colours.tolerance && *colours.tolerance < colours.limit)
@@ -47,8 +47,8 @@ QString signedNumber(const Tick& tick, double limit, const QLocale& locale)
 
 }  // namespace
 
-void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationColours& colours, const QString& title,
-                       const QFont& font, const QColor& text, const QLocale& locale)
+void paintColourLegend(QPainter& painter, const QRectF& room, const report::DeviationColours& colours,
+                       const QString& title, const QFont& font, const QColor& text, const QLocale& locale)
 {
     const QFontMetricsF metrics(font);
     const double line = metrics.height();
@@ -63,7 +63,7 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
     const auto height = [&](double value) { return bar.center().y() - value / limit * bar.height() / 2; };
     const int rows = std::max(1, static_cast<int>(bar.height()));
     for (int row = 0; row < rows; ++row) {
-        const Rgb c = colours(limit * (1 - 2 * (row + 0.5) / rows));
+        const report::Rgb c = colours(limit * (1 - 2 * (row + 0.5) / rows));
         painter.fillRect(
             QRectF(bar.left(), bar.top() + row * bar.height() / rows, bar.width(), bar.height() / rows + 0.6),
             QColor(c.red, c.green, c.blue));
@@ -84,7 +84,8 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationCol
     painter.restore();
 }
 
-int colourLegendWidth(const DeviationColours& colours, const QString& title, const QFont& font, const QLocale& locale)
+int colourLegendWidth(const report::DeviationColours& colours, const QString& title, const QFont& font,
+                      const QLocale& locale)
 {
     QFont bold = font;
     bold.setBold(true);
@@ -140,7 +141,7 @@ void ColourLegend::setTitle(const QString& title)
     update();
 }
 
-void ColourLegend::setColours(const DeviationColours& colours)
+void ColourLegend::setColours(const report::DeviationColours& colours)
 {
     colours_ = colours;
     edit_->setLimit(colours.limit);
@@ -162,4 +163,4 @@ void ColourLegend::paintEvent(QPaintEvent*)
                       palette().color(QPalette::WindowText), locale());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -8,14 +8,15 @@
 class QDoubleSpinBox;
 class QPainter;
 
-namespace lathelier {
+namespace lathelier::plot {
 
 /// Paints title, bar, numbers and the marks of the tolerance into `room`.
-void paintColourLegend(QPainter& painter, const QRectF& room, const DeviationColours& colours, const QString& title,
-                       const QFont& font, const QColor& text, const QLocale& locale);
+void paintColourLegend(QPainter& painter, const QRectF& room, const report::DeviationColours& colours,
+                       const QString& title, const QFont& font, const QColor& text, const QLocale& locale);
 
 /// The narrowest width in which the numbers of a legend fit.
-int colourLegendWidth(const DeviationColours& colours, const QString& title, const QFont& font, const QLocale& locale);
+int colourLegendWidth(const report::DeviationColours& colours, const QString& title, const QFont& font,
+                      const QLocale& locale);
 
 /// The edit field of a scale's limit: "± 0.15 mm".
 class LimitEdit : public QWidget {
@@ -40,7 +41,7 @@ class ColourLegend : public QWidget {
 public:
     explicit ColourLegend(QWidget* parent = nullptr);
     void setTitle(const QString& title);
-    void setColours(const DeviationColours& colours);
+    void setColours(const report::DeviationColours& colours);
     QSize sizeHint() const override;
 
 signals:
@@ -51,8 +52,8 @@ protected:
 
 private:
     QString title_;
-    DeviationColours colours_;
+    report::DeviationColours colours_;
     LimitEdit* edit_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

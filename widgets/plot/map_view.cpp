@@ -9,7 +9,7 @@
 #include "widgets/core/language.h"
 #include "widgets/plot/colour_legend.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 /// A picture stretched over a rectangle of plot coordinates, cells kept sharp.
@@ -54,7 +54,7 @@ private:
 class LegendInMargin : public QCPLayerable {
 public:
     explicit LegendInMargin(QCustomPlot* plot) : QCPLayerable(plot, "axes") {}
-    DeviationColours colours;
+    report::DeviationColours colours;
     QString title;
     QFont font;
     QColor text;
@@ -79,8 +79,8 @@ private:
 }  // namespace
 
 struct MapView::Content {
-    ColourMap data;
-    DeviationColours colours;
+    report::ColourMap data;
+    report::DeviationColours colours;
     GridPicture* picture = nullptr;
     LegendInMargin* legend = nullptr;
     LimitEdit* edit = nullptr;
@@ -108,7 +108,7 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
 
 MapView::~MapView() = default;
 
-const ColourMap& MapView::data() const
+const report::ColourMap& MapView::data() const
 {
     return content_->data;
 }
@@ -121,12 +121,12 @@ QString MapView::csv() const
     return QString::fromStdString(toCsv(content_->data, screenLanguage()));
 }
 
-void MapView::setData(ColourMap data)
+void MapView::setData(report::ColourMap data)
 {
-    const auto extent = [](const ColourMap& d) { return std::array{d.x_from, d.x_to, d.y_from, d.y_to}; };
+    const auto extent = [](const report::ColourMap& d) { return std::array{d.x_from, d.x_to, d.y_from, d.y_to}; };
     const bool same = extent(data) == extent(content_->data) && !content_->data.empty();
     content_->data = std::move(data);
-    const ColourMap& d = content_->data;
+    const report::ColourMap& d = content_->data;
     setTitles(chartText(d.title), {}, chartText(d.x), chartText(d.y));
     content_->legend->title = chartText(d.value);
     recolour();
@@ -134,7 +134,7 @@ void MapView::setData(ColourMap data)
     placeEdit();
 }
 
-void MapView::setColours(const DeviationColours& colours)
+void MapView::setColours(const report::DeviationColours& colours)
 {
     content_->colours = colours;
     content_->legend->colours = colours;
@@ -146,7 +146,7 @@ void MapView::setColours(const DeviationColours& colours)
 
 void MapView::recolour()
 {
-    const ColourMap& d = content_->data;
+    const report::ColourMap& d = content_->data;
     if (d.empty()) return content_->picture->set({}, {});
     QImage image(d.columns, d.rows, QImage::Format_ARGB32_Premultiplied);
     for (int row = 0; row < d.rows; ++row) {
@@ -154,7 +154,7 @@ void MapView::recolour()
         for (int column = 0; column < d.columns; ++column) {
             const float value = d.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(d.columns) +
                                          static_cast<std::size_t>(column)];
-            const Rgb c = content_->colours(static_cast<double>(value));
+            const report::Rgb c = content_->colours(static_cast<double>(value));
             line[column] = std::isnan(value) ? 0 : qRgb(c.red, c.green, c.blue);
         }
     }
@@ -188,8 +188,8 @@ void MapView::applyStyle()
 
 QString MapView::readoutAt(double x, double y) const
 {
-    const ColourMap& d = content_->data;
-    const auto axis = [&](const Axis& a, double value, double span) {
+    const report::ColourMap& d = content_->data;
+    const auto axis = [&](const report::Axis& a, double value, double span) {
         return spokenTitle(a) + ' ' + readable(value, span, locale()) + ' ' + screenText(a.unit);
     };
     const double value = d.at(x, y);
@@ -199,7 +199,7 @@ QString MapView::readoutAt(double x, double y) const
 
 void MapView::fitRanges()
 {
-    const ColourMap& d = content_->data;
+    const report::ColourMap& d = content_->data;
     plot().xAxis->setRange(d.x_from, d.x_to);
     plot().yAxis->setRange(d.y_from, d.y_to);
 }
@@ -227,4 +227,4 @@ void MapView::resizeEvent(QResizeEvent* event)
     placeEdit();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

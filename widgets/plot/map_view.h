@@ -3,7 +3,7 @@
 
 #include "widgets/plot/plot_canvas.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 class MapView : public PlotCanvas {
     Q_OBJECT
@@ -13,11 +13,11 @@ public:
     ~MapView() override;
 
     /// The colours of the scale are set apart: they follow the user at once.
-    void setData(ColourMap data);
-    const ColourMap& data() const;
+    void setData(report::ColourMap data);
+    const report::ColourMap& data() const;
 
     /// Recolours at once.
-    void setColours(const DeviationColours& colours);
+    void setColours(const report::DeviationColours& colours);
 
     /// Marks one place, picked here or in a linked view.
     void setMarker(std::optional<QPointF> place);
@@ -46,4 +46,4 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

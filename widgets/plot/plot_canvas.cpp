@@ -6,7 +6,7 @@
 #include "engine/report/ticks.h"
 #include "widgets/plot/plot_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 constexpr int lowestWithLegend = 10;  // lines of type
@@ -14,13 +14,14 @@ constexpr int lowestWithLegend = 10;  // lines of type
 /// The ticks and numbers of the report.
 class ChartTicker : public QCPAxisTicker {
 public:
-    explicit ChartTicker(Axis::Scale scale) : scale_(scale) {}
+    explicit ChartTicker(report::Axis::Scale scale) : scale_(scale) {}
 
     void generate(const QCPRange& range, const QLocale& locale, QChar, int, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override
     {
         // Steps of 1, 2, 5 leave up to 2.5 times fewer ticks than asked for: so many that they lie about the count.
-        const Ticks found = axisTicks(scale_, {range.lower, range.upper}, tickCount() + (tickCount() + 1) / 2);
+        const report::Ticks found =
+            report::axisTicks(scale_, {range.lower, range.upper}, tickCount() + (tickCount() + 1) / 2);
         ticks = {found.values.begin(), found.values.end()};
         if (subTicks) *subTicks = {found.minor.begin(), found.minor.end()};
         if (!labels) return;
@@ -28,11 +29,12 @@ public:
         numbers.number = [&](double value) { return locale.toString(value, 'g', 6).toStdString(); };
         numbers.fixed = [&](double value, int decimals) { return locale.toString(value, 'f', decimals).toStdString(); };
         labels->clear();
-        for (const double value : found.values) *labels << QString::fromStdString(tickLabel(value, found, numbers));
+        for (const double value : found.values)
+            *labels << QString::fromStdString(report::tickLabel(value, found, numbers));
     }
 
 private:
-    Axis::Scale scale_;
+    report::Axis::Scale scale_;
 };
 
 }  // namespace
@@ -74,7 +76,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
         (*line)->setVisible(false);
         (*line)->setSelectable(false);
     }
-    setScales(Axis::Scale::Linear, Axis::Scale::Linear);
+    setScales(report::Axis::Scale::Linear, report::Axis::Scale::Linear);
     connect(plot_, &QCustomPlot::mousePress, this, &PlotCanvas::mousePressed);
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
     connect(plot_, &QCustomPlot::mouseRelease, this, &PlotCanvas::mouseReleased);
@@ -92,13 +94,13 @@ void PlotCanvas::setTitles(const QString& title, const QString& remark, const QS
     setAccessibleName(title);
 }
 
-void PlotCanvas::setScales(Axis::Scale x, Axis::Scale y)
+void PlotCanvas::setScales(report::Axis::Scale x, report::Axis::Scale y)
 {
-    const auto set = [](QCPAxis* axis, QCPAxis* opposite, Axis::Scale scale) {
+    const auto set = [](QCPAxis* axis, QCPAxis* opposite, report::Axis::Scale scale) {
         const auto ticker = QSharedPointer<ChartTicker>::create(scale);
         ticker->setTickCount(axis->ticker()->tickCount());
         for (QCPAxis* side : {axis, opposite}) {  // one ticker, so that both sides have the same ticks
-            side->setScaleType(scale == Axis::Scale::Logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+            side->setScaleType(scale == report::Axis::Scale::Logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
             side->setTicker(ticker);
         }
     };
@@ -274,4 +276,4 @@ void PlotCanvas::resizeEvent(QResizeEvent* event)
     redraw();  // the plot itself was resized before this event, with the old texts
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

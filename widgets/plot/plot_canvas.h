@@ -11,7 +11,7 @@
 
 class QCustomPlot;
 
-namespace lathelier {
+namespace lathelier::plot {
 
 class PlotCanvas : public PlotWidget {
     Q_OBJECT
@@ -41,7 +41,7 @@ protected:
     QCustomPlot& plot() const { return *plot_; }
     const PlotStyle& style() const { return style_; }
     void setTitles(const QString& title, const QString& remark, const QString& x, const QString& y);
-    void setScales(Axis::Scale x, Axis::Scale y);
+    void setScales(report::Axis::Scale x, report::Axis::Scale y);
     void setReadout(const QString& text);
     void showLegend(bool shown);
     void leaveRoomInTitle(int pixels);  ///< at its right end
@@ -84,4 +84,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -3,7 +3,7 @@
 
 #include "widgets/plot/plot_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 QImage PlotCanvas::picture(double scale)
 {
@@ -41,4 +41,4 @@ bool PlotCanvas::saveVector(const QString& path)
     return done;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -3,7 +3,7 @@
 
 #include "widgets/plot/plot_parts.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
 {
@@ -121,4 +121,4 @@ void PlotCanvas::keyPressEvent(QKeyEvent* event)
     plot_->replot();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -6,7 +6,7 @@
 #include "widgets/plot/plot_canvas.h"
 #include "widgets/plot/text_line.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 struct PlotCanvas::Parts {
     TextLine* title;                  ///< above the plot
@@ -22,4 +22,4 @@ struct PlotCanvas::Parts {
     bool viewChosen = false;          ///< the user has zoomed or panned
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

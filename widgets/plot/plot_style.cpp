@@ -5,7 +5,7 @@
 
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 QColor mix(const QColor& a, const QColor& b, double share)
@@ -19,32 +19,32 @@ QColor mix(const QColor& a, const QColor& b, double share)
 PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
     : background(palette.color(QPalette::Base)), text(palette.color(QPalette::Text)), grid(mix(background, text, 0.15))
 {
-    limit = colour(ColourRole::Limit);
-    marker = colour(ColourRole::Mark);
+    limit = colour(report::ColourRole::Limit);
+    marker = colour(report::ColourRole::Mark);
     lineWidth = std::max(1.4, QFontMetricsF(font).height() / 10);
 }
 
-QColor PlotStyle::colour(const ChartColour& meaning, std::size_t position) const
+QColor PlotStyle::colour(const report::ChartColour& meaning, std::size_t position) const
 {
-    return toQt(colourOf(meaning, position, dark() ? Ground::Dark : Ground::Light));
+    return toQt(report::colourOf(meaning, position, dark() ? report::Ground::Dark : report::Ground::Light));
 }
 
-QColor toQt(const Rgb& colour)
+QColor toQt(const report::Rgb& colour)
 {
     return {colour.red, colour.green, colour.blue};
 }
 
-QString chartText(const Caption& caption)
+QString chartText(const report::Caption& caption)
 {
-    return QString::fromStdString(captionText(caption, screenLanguage()));
+    return QString::fromStdString(report::captionText(caption, screenLanguage()));
 }
 
-QString chartText(const Axis& axis)
+QString chartText(const report::Axis& axis)
 {
-    return QString::fromStdString(axisLabel(axis, screenLanguage()));
+    return QString::fromStdString(report::axisLabel(axis, screenLanguage()));
 }
 
-QString spokenTitle(const Axis& axis)
+QString spokenTitle(const report::Axis& axis)
 {
     return chartText(axis.title).section(',', 0, 0);
 }
@@ -66,4 +66,4 @@ QString readable(double value, double span, const QLocale& locale)
     return text;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -10,7 +10,7 @@
 
 class QCustomPlot;
 
-namespace lathelier {
+namespace lathelier::plot {
 
 struct PlotStyle {
     QColor background;  ///< of the sheet
@@ -24,16 +24,16 @@ struct PlotStyle {
 
     bool dark() const { return background.lightness() < 128; }
     /// As in the report, on this background.
-    QColor colour(const ChartColour& meaning, std::size_t position = 0) const;
+    QColor colour(const report::ChartColour& meaning, std::size_t position = 0) const;
 };
 
-QColor toQt(const Rgb& colour);
+QColor toQt(const report::Rgb& colour);
 
 /// The words of a chart in the language of the screen.
-QString chartText(const Caption& caption);
-QString chartText(const Axis& axis);  ///< with its unit
+QString chartText(const report::Caption& caption);
+QString chartText(const report::Axis& axis);  ///< with its unit
 /// The title as the pointer says it: what explains it behind a comma ("along the axis, from …") is left to the axis.
-QString spokenTitle(const Axis& axis);
+QString spokenTitle(const report::Axis& axis);
 
 /// A palette for paper: dark on white, whatever the desktop looks like.
 QPalette paperPalette();
@@ -41,4 +41,4 @@ QPalette paperPalette();
 /// "-0.0042": fixed digits that fit `span`, in the user's locale, with a true minus sign.
 QString readable(double value, double span, const QLocale& locale);
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

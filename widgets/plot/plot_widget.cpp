@@ -12,14 +12,14 @@
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 /// Whole or not at all.
 bool write(const QString& path, const QByteArray& bytes)
 {
     try {
-        writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+        io::writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
         return true;
     } catch (const Error&) {
         return false;
@@ -62,7 +62,7 @@ bool PlotWidget::savePicture(const QString& path)
         if (!buffer.open(QIODevice::WriteOnly) || !picture().save(&buffer, "PNG")) return false;
     } else {
         try {
-            const PartFolder aside;
+            const io::PartFolder aside;
             QFile file(QFile::decodeName(aside.path().c_str()) + "/plot." + QFileInfo(path).suffix());
             if (!saveVector(file.fileName()) || !file.open(QIODevice::ReadOnly)) return false;
             bytes = file.readAll();
@@ -78,4 +78,4 @@ bool PlotWidget::saveData(const QString& path) const
     return write(path, csv().toUtf8());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -6,7 +6,7 @@
 
 class QMenu;
 
-namespace lathelier {
+namespace lathelier::plot {
 
 class PlotWidget : public QWidget {
     Q_OBJECT
@@ -41,4 +41,4 @@ private:
     void askAndSaveData();
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -9,7 +9,7 @@
 
 #include "widgets/plot/plot_style.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 namespace {
 
@@ -35,7 +35,7 @@ double away(double a_deg, double b_deg)
 }
 
 /// First, lowest, highest and last of a run of samples, in their order.
-void addRun(PolarLine& line, const PolarPlot::Trace& trace, std::size_t begin, std::size_t end)
+void addRun(PolarLine& line, const report::PolarPlot::Trace& trace, std::size_t begin, std::size_t end)
 {
     std::size_t low = begin, high = begin;
     for (std::size_t i = begin; i < end; ++i) {
@@ -50,7 +50,7 @@ void addRun(PolarLine& line, const PolarPlot::Trace& trace, std::size_t begin, s
     }
 }
 
-PolarLine lineOf(const PolarPlot::Trace& trace)
+PolarLine lineOf(const report::PolarPlot::Trace& trace)
 {
     PolarLine line;
     const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
@@ -95,14 +95,14 @@ double rounded(double value, bool up)
     return best * power;
 }
 
-double baseOf(const PolarPlot& plot)
+double baseOf(const report::PolarPlot& plot)
 {
     return plot.base_radius_mm > 0 ? plot.base_radius_mm : 1;
 }
 
 }  // namespace
 
-double deviationAt(const PolarPlot::ReferenceLine& circle, double base_radius_mm, double angle_deg)
+double deviationAt(const report::PolarPlot::ReferenceLine& circle, double base_radius_mm, double angle_deg)
 {
     const double c = std::cos(radians(angle_deg)), s = std::sin(radians(angle_deg));
     const double along_um = circle.x_um * c + circle.y_um * s;
@@ -113,7 +113,7 @@ double deviationAt(const PolarPlot::ReferenceLine& circle, double base_radius_mm
     return inside < 0 ? none : along_um + std::sqrt(inside) - base_radius_mm * 1000;
 }
 
-PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent)
+PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t silent)
 {
     auto picture = std::make_shared<PolarPicture>();
     picture->silent = silent;
@@ -124,13 +124,13 @@ PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent)
         low = std::min(low, value);
         high = std::max(high, value);
     };
-    for (const PolarPlot::Trace& trace : picture->plot.traces) {
+    for (const report::PolarPlot::Trace& trace : picture->plot.traces) {
         picture->lines.push_back(lineOf(trace));
         for (const double value : picture->lines.back().deviation_um) see(value);
     }
-    for (const PolarPlot::ReferenceLine& circle : picture->plot.circles)
+    for (const report::PolarPlot::ReferenceLine& circle : picture->plot.circles)
         for (int angle = 0; angle < 360; angle += 10) see(deviationAt(circle, picture->plot.base_radius_mm, angle));
-    for (const PolarPlot::Mark& mark : picture->plot.contacts) see(mark.deviation_um);
+    for (const report::PolarPlot::Mark& mark : picture->plot.contacts) see(mark.deviation_um);
     if (low <= high) {
         picture->lowest_um = low;
         picture->highest_um = high;
@@ -138,7 +138,7 @@ PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent)
     return picture;
 }
 
-std::optional<std::size_t> nearestSample(const PolarPlot::Trace& trace, double angle_deg)
+std::optional<std::size_t> nearestSample(const report::PolarPlot::Trace& trace, double angle_deg)
 {
     std::optional<std::size_t> nearest;
     double least = 5;
@@ -192,7 +192,7 @@ double division_um(const PolarScale& scale, double smallest_px)
     return rounded(smallest_px / scale.pixelsPerUm(), true);
 }
 
-QString toCsv(const PolarPlot& plot)
+QString toCsv(const report::PolarPlot& plot)
 {
     QString text = QStringLiteral("trace,angle_deg,deviation_um\n");
     const auto number = [](double value) { return QString::number(value, 'g', 17); };
@@ -201,15 +201,15 @@ QString toCsv(const PolarPlot& plot)
             text += '"' + name.replace('"', "\"\"") + "\"," + number(angle_deg) + ',' + number(deviation) + '\n';
     };
     int position = 0;
-    for (const PolarPlot::Trace& trace : plot.traces) {
+    for (const report::PolarPlot::Trace& trace : plot.traces) {
         ++position;
         QString name = chartText(trace.name);
         if (name.isEmpty()) name = QString::number(position);
         const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
         for (std::size_t i = 0; i < count; ++i) add(name, trace.angle_deg[i], trace.deviation_um[i]);
     }
-    const PolarPlot::ReferenceLine* named = nullptr;
-    for (const PolarPlot::ReferenceLine& circle : plot.circles) {
+    const report::PolarPlot::ReferenceLine* named = nullptr;
+    for (const report::PolarPlot::ReferenceLine& circle : plot.circles) {
         ++position;
         QString name = chartText(circle.name);
         if (!name.isEmpty())
@@ -222,10 +222,10 @@ QString toCsv(const PolarPlot& plot)
             name = QString::number(position);
         for (int angle = 0; angle < 360; ++angle) add(name, angle, deviationAt(circle, plot.base_radius_mm, angle));
     }
-    for (const PolarPlot::Mark& mark : plot.contacts)
+    for (const report::PolarPlot::Mark& mark : plot.contacts)
         add(mark.outer ? PolarWords::tr("outer contact") : PolarWords::tr("inner contact"), mark.angle_deg,
             mark.deviation_um);
     return text;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

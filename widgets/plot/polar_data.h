@@ -11,11 +11,11 @@
 
 #include "engine/report/chart.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 /// The words of polar plots.
 struct PolarWords {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::PolarWords)
+    Q_DECLARE_TR_FUNCTIONS(lathelier::plot::PolarWords)
 };
 
 /// A trace as it is drawn: for each tenth of a degree at most the first, lowest, highest and last sample.
@@ -27,7 +27,7 @@ struct PolarLine {
 
 /// A plot with what its view draws of it. Made in the worker, because it looks at every sample.
 struct PolarPicture {
-    PolarPlot plot;
+    report::PolarPlot plot;
     std::vector<PolarLine> lines;  ///< one for each trace
     double lowest_um = 0;          ///< of all that is drawn
     double highest_um = 0;
@@ -38,14 +38,14 @@ struct PolarPicture {
 
 using PolarPicturePtr = std::shared_ptr<const PolarPicture>;
 
-PolarPicturePtr polarPicture(PolarPlot plot, std::size_t silent = 0);
+PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t silent = 0);
 
 /// Deviation of a circle that lies off the centre, seen from the base circle's centre at this angle; exact, so that it
 /// is right at every magnification (where it looks like a limaçon). NaN where the ray misses it.
-double deviationAt(const PolarPlot::ReferenceLine& circle, double base_radius_mm, double angle_deg);
+double deviationAt(const report::PolarPlot::ReferenceLine& circle, double base_radius_mm, double angle_deg);
 
 /// The sample of a trace that is nearest to an angle; nullopt when it has none within 5°.
-std::optional<std::size_t> nearestSample(const PolarPlot::Trace& trace, double angle_deg);
+std::optional<std::size_t> nearestSample(const report::PolarPlot::Trace& trace, double angle_deg);
 
 /// How large deviations are drawn.
 class PolarScale {
@@ -80,6 +80,6 @@ double division_um(const PolarScale& scale, double smallest_px);
 
 /// One line for each sample: trace, angle, deviation; then the reference circles degree by degree and the contacts, all
 /// as deviations from the base circle. Decimal point in every locale.
-QString toCsv(const PolarPlot& plot);
+QString toCsv(const report::PolarPlot& plot);
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

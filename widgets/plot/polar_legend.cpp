@@ -5,7 +5,7 @@
 
 #include "widgets/plot/polar_painter.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 namespace {
 
@@ -28,14 +28,14 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames)
         if (!text.isEmpty() && !known) lines.push_back({text, colour, kind});
     };
     std::size_t position = 0;
-    for (const PolarPlot::Trace& trace : picture_.plot.traces)
+    for (const report::PolarPlot::Trace& trace : picture_.plot.traces)
         add(chartText(trace.name), style_.colour(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
-    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
+    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles)
         add(chartText(circle.name), style_.colour(circle.colour, position++),
             circle.dashed ? Kind::Dashed : Kind::Line);
     for (const bool outer : {true, false})
         if (std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
-                        [&](const PolarPlot::Mark& mark) { return mark.outer == outer; }))
+                        [&](const report::PolarPlot::Mark& mark) { return mark.outer == outer; }))
             add(outer ? PolarWords::tr("outer contact") : PolarWords::tr("inner contact"), style_.text,
                 outer ? Kind::Outer : Kind::Inner);
     return lines;
@@ -124,4 +124,4 @@ void PolarPainter::paintLegend(QPainter& painter) const
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

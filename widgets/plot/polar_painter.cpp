@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::plot {
 
 namespace {
 
@@ -173,9 +173,9 @@ void PolarPainter::paintGrid(QPainter& painter) const
     painter.drawLine(centre - QPointF(0, line / 3), centre + QPointF(0, line / 3));
 }
 
-std::vector<PolarPlace> PolarPainter::drawnPlaces() const
+std::vector<report::PolarPlace> PolarPainter::drawnPlaces() const
 {
-    std::vector<PolarPlace> places;
+    std::vector<report::PolarPlace> places;
     const auto add = [&](double angle_deg, double deviation_um) {
         if (!std::isfinite(angle_deg) || !std::isfinite(deviation_um)) return;
         const QPointF arm = scale_.at(angle_deg, deviation_um) - scale_.centre();
@@ -183,9 +183,9 @@ std::vector<PolarPlace> PolarPainter::drawnPlaces() const
     };
     for (const PolarLine& line : picture_.lines)
         for (std::size_t i = 0; i < line.angle_deg.size(); ++i) add(line.angle_deg[i], line.deviation_um[i]);
-    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles)
+    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles)
         for (int angle = 0; angle < 360; ++angle) add(angle, deviationAt(circle, picture_.plot.base_radius_mm, angle));
-    for (const PolarPlot::Mark& mark : picture_.plot.contacts) add(mark.angle_deg, mark.deviation_um);
+    for (const report::PolarPlot::Mark& mark : picture_.plot.contacts) add(mark.angle_deg, mark.deviation_um);
     return places;
 }
 
@@ -197,7 +197,7 @@ void PolarPainter::paintScale(QPainter& painter) const
     const int every = std::max(1, static_cast<int>(std::ceil(1.6 * metrics.height() / step)));
     const int inward = static_cast<int>((scale_.base_px() - 2 * metrics.height()) / step);
     const int outward = static_cast<int>((scale_.room_px() - scale_.base_px()) / step);
-    std::vector<RingLabel> labels;
+    std::vector<report::RingLabel> labels;
     QStringList texts;
     const auto add = [&](int ring) {
         const double radius = scale_.base_px() + ring * step;
@@ -208,7 +208,7 @@ void PolarPainter::paintScale(QPainter& painter) const
     add(0);  // the first to get a place
     for (int ring = every; ring <= outward; ring += every) add(ring);
     for (int ring = -every; ring >= -inward; ring -= every) add(ring);
-    placeRingLabels(labels, drawnPlaces(), scale_.room_px());
+    report::placeRingLabels(labels, drawnPlaces(), scale_.room_px());
     QColor ground = style_.background;
     ground.setAlphaF(0.75);
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -225,7 +225,7 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
 {
     painter.setBrush(Qt::NoBrush);
     for (std::size_t t = 0; t < picture_.lines.size(); ++t) {
-        const PolarPlot::Trace& trace = picture_.plot.traces[t];
+        const report::PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin != thin) continue;
         QColor colour = style_.colour(trace.colour, t);
         if (thin) colour.setAlphaF(0.35);
@@ -251,7 +251,7 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
 void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
-    for (const PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
+    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
         painter.setPen(QPen(style_.colour(circle.colour, position++), style_.lineWidth,
                             circle.dashed ? Qt::DashLine : Qt::SolidLine));
         QPolygonF points;
@@ -278,7 +278,7 @@ void PolarPainter::paintMark(QPainter& painter, const QPointF& place, bool outer
 
 void PolarPainter::paintContacts(QPainter& painter) const
 {
-    for (const PolarPlot::Mark& mark : picture_.plot.contacts)
+    for (const report::PolarPlot::Mark& mark : picture_.plot.contacts)
         paintMark(painter, scale_.at(mark.angle_deg, mark.deviation_um), mark.outer, style_.text);
 }
 
@@ -290,7 +290,7 @@ void PolarPainter::paintAngle(QPainter& painter, double angle_deg, const QColor&
     painter.setPen(QPen(colour, strong ? style_.lineWidth : 1, strong ? Qt::SolidLine : Qt::DotLine));
     painter.drawLine(centre, end);
     for (std::size_t t = 0; t < picture_.spoken(); ++t) {
-        const PolarPlot::Trace& trace = picture_.plot.traces[t];
+        const report::PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin) continue;
         const auto nearest = nearestSample(trace, angle_deg);
         if (!nearest) continue;
@@ -303,4 +303,4 @@ void PolarPainter::paintAngle(QPainter& painter, double angle_deg, const QColor&
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

@@ -8,7 +8,7 @@
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/polar_data.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 /// Lays out and draws one picture in one rectangle.
 class PolarPainter {
@@ -60,7 +60,7 @@ private:
     Legend column(Legend legend) const;
     Legend rows(Legend legend, double width_px) const;
     QString remark() const;
-    std::vector<PolarPlace> drawnPlaces() const;
+    std::vector<report::PolarPlace> drawnPlaces() const;
     void paintTitle(QPainter& painter) const;
     void paintGrid(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
@@ -83,4 +83,4 @@ private:
 /// The magnification as the share of the drawn base radius that one micrometre takes.
 double sharePerUm(const PolarPicture& picture, double magnification);
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

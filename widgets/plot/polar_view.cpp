@@ -12,7 +12,7 @@
 #include "widgets/core/language.h"
 #include "widgets/plot/polar_painter.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 namespace {
 
 /// Another reference circle of the same part, not another part.
@@ -21,10 +21,10 @@ bool sizesAgree(double a_mm, double b_mm)
     return std::abs(a_mm - b_mm) <= 0.01 * std::max(std::abs(a_mm), std::abs(b_mm));
 }
 
-const PolarPlot::Trace* firstTrace(const PolarPicturePtr& picture)
+const report::PolarPlot::Trace* firstTrace(const PolarPicturePtr& picture)
 {
     if (!picture) return nullptr;
-    for (const PolarPlot::Trace& trace : picture->plot.traces)
+    for (const report::PolarPlot::Trace& trace : picture->plot.traces)
         if (!trace.thin) return &trace;
     return picture->plot.traces.empty() ? nullptr : &picture->plot.traces.front();
 }
@@ -78,12 +78,12 @@ void PolarView::forgetPixmap()
 
 QString PolarView::spoken(double angle_deg) const
 {
-    const PolarPlot::Trace* first = firstTrace(picture_);
+    const report::PolarPlot::Trace* first = firstTrace(picture_);
     if (!first) return {};
     const auto nearest = nearestSample(*first, angle_deg);
     QStringList parts{screenNumber(nearest ? first->angle_deg[*nearest] : angle_deg, 1) + "°"};
     for (std::size_t t = 0; t < picture_->spoken(); ++t) {
-        const PolarPlot::Trace& trace = picture_->plot.traces[t];
+        const report::PolarPlot::Trace& trace = picture_->plot.traces[t];
         if (trace.thin) continue;
         const auto sample = nearestSample(trace, angle_deg);
         if (!sample) continue;
@@ -255,7 +255,7 @@ void PolarView::wheelEvent(QWheelEvent* event)
 
 void PolarView::step(int samples)
 {
-    const PolarPlot::Trace* first = firstTrace(picture_);
+    const report::PolarPlot::Trace* first = firstTrace(picture_);
     if (!first || first->angle_deg.empty()) return;
     const auto count = static_cast<int>(first->angle_deg.size());
     const auto at = nearestSample(*first, marker_.value_or(0));
@@ -305,4 +305,4 @@ void PolarView::resizeEvent(QResizeEvent* event)
     forgetPixmap();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

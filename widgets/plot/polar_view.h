@@ -8,7 +8,7 @@
 #include "widgets/plot/plot_widget.h"
 #include "widgets/plot/polar_data.h"
 
-namespace lathelier {
+namespace lathelier::plot {
 
 /// The wheel (or + and -) changes the magnification, a double click (or Home) fits it again; ← and → move the mark from
 /// sample to sample of the first trace, Escape or the menu takes it away.
@@ -81,4 +81,4 @@ private:
     int wheel_ = 0;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

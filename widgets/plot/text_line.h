@@ -3,7 +3,7 @@
 
 #include <qcustomplot.h>
 
-namespace lathelier {
+namespace lathelier::plot {
 
 class TextLine : public QCPLayoutElement {
 public:
@@ -74,4 +74,4 @@ private:
     Qt::Alignment alignment_ = Qt::AlignLeft;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::plot

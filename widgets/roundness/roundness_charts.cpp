@@ -6,11 +6,11 @@
 
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::roundness_panel {
 
-Table circleTable(const form::RoundnessResult& result)
+report::Table circleTable(const form::RoundnessResult& result)
 {
-    Table table;
+    report::Table table;
     table.title = LT_TEXT("Engine", "Reference circles");
     table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt (µm)"),    LT_TEXT("Engine", "Radius (mm)"),
                      LT_TEXT("Engine", "x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "Proved to (µm)")};
@@ -26,9 +26,9 @@ Table circleTable(const form::RoundnessResult& result)
     return table;
 }
 
-Table hintTable(const form::RoundnessResult& result)
+report::Table hintTable(const form::RoundnessResult& result)
 {
-    Table table;
+    report::Table table;
     table.title = LT_TEXT("Engine", "What the undulations say");
     table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude (µm)"), LT_TEXT("Engine", "Share (%)"),
                      LT_TEXT("Engine", "Usual cause")};
@@ -38,15 +38,15 @@ Table hintTable(const form::RoundnessResult& result)
     return table;
 }
 
-PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const signal::Harmonic& harmonic)
+plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const signal::Harmonic& harmonic)
 {
-    PolarPlot plot = picture->plot;
-    PolarPlot::Trace wave;
+    report::PolarPlot plot = picture->plot;
+    report::PolarPlot::Trace wave;
     wave.name = std::to_string(harmonic.upr) + " UPR  " + screenNumber(harmonic.amplitude, 2).toStdString() + " µm";
     wave.colour = 5;  // none of the circles has it
     // A wave runs about the least-squares circle, the first of them, whatever circle deviations count from.
     const auto ground_um = [&](double angle_deg) {
-        return plot.circles.empty() ? 0 : deviationAt(plot.circles.front(), plot.base_radius_mm, angle_deg);
+        return plot.circles.empty() ? 0 : plot::deviationAt(plot.circles.front(), plot.base_radius_mm, angle_deg);
     };
     const int samples = std::max(360, 16 * harmonic.upr);
     for (int i = 0; i < samples; ++i) {
@@ -56,7 +56,7 @@ PolarPicturePtr withHarmonic(const PolarPicturePtr& picture, const signal::Harmo
                                     harmonic.amplitude * std::cos(harmonic.upr * angle - harmonic.phase_rad));
     }
     plot.traces.push_back(std::move(wave));
-    return polarPicture(std::move(plot), 1);  // a part of the profile, not a second one
+    return plot::polarPicture(std::move(plot), 1);  // a part of the profile, not a second one
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::roundness_panel

@@ -3,14 +3,14 @@
 
 #include "widgets/trajectory_common/spindle_panel.h"
 
-namespace lathelier {
+namespace lathelier::roundness_panel {
 
 class RoundnessViews;
 
 /// The panel's line of the panel table.
 PanelFacts roundnessPanelFacts();
 
-class RoundnessPanel : public SpindlePanel {
+class RoundnessPanel : public trajectory_common::SpindlePanel {
     Q_OBJECT
 
 public:
@@ -19,9 +19,9 @@ public:
     RoundnessViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const SpindlePicture>& picture) override;
-    Headline headline(const SpindlePicture& picture) const override;
-    Document document(const SpindlePicture& picture) const override;
+    void showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture) override;
+    report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
+    report::Document document(const trajectory_common::SpindlePicture& picture) const override;
     std::vector<PanelExport> exports() const override;
     void retranslate() override;
 
@@ -29,4 +29,4 @@ private:
     RoundnessViews* views_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::roundness_panel

@@ -7,22 +7,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/form/roundness_report.h"
+#include "engine/form/roundness/roundness_report.h"
 #include "widgets/core/language.h"
 #include "widgets/roundness/roundness_charts.h"
 
-namespace lathelier {
+namespace lathelier::roundness_panel {
 
-RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
+RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* parent)
     : QWidget(parent),
       angle_(angle),
-      section_(new SectionBar),
+      section_(new trajectory_common::SectionBar),
       form_(new QToolButton),
       laid_(new QToolButton),
       difference_(new QLabel),
       synthetic_(new QLabel),
-      polar_(new PolarView),
-      spectrum_(new ChartView),
+      polar_(new plot::PolarView),
+      spectrum_(new plot::ChartView),
+      heroes_(new HeroViews),
       tabs_(new QTabWidget),
       circles_(new CopyTable),
       methods_(new CopyTable),
@@ -41,26 +42,17 @@ RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
     buildBar();
     tabs_->setDocumentMode(true);
     for (CopyTable* table : {circles_, methods_, hints_, numbers_}) tabs_->addTab(table, QString());
-    auto* side = new QSplitter(Qt::Vertical);
-    side->addWidget(spectrum_);
-    side->addWidget(tabs_);
-    side->setChildrenCollapsible(false);
-    side->setStretchFactor(0, 1);
-    side->setStretchFactor(1, 1);
-    auto* both = new QSplitter(Qt::Horizontal);
-    both->addWidget(polar_);
-    both->addWidget(side);
-    both->setChildrenCollapsible(false);
-    both->setStretchFactor(0, 1);
-    both->setStretchFactor(1, 1);
-    layout->addWidget(both, 1);
+    heroes_->add("polar", polar_);
+    heroes_->add("spectrum", spectrum_);
+    heroes_->add("tables", tabs_);
+    layout->addWidget(heroes_, 1);
 
-    connect(section_, &SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);
-    connect(polar_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
-    connect(&angle_, &MarkedAngle::changed, this, &RoundnessViews::markAngle);
-    connect(polar_, &PolarView::unmarked, this, [this] { angle_.set({}); });
-    connect(spectrum_, &PlotCanvas::clickTakenBack, this, [this] { markHarmonic(harmonicBefore_); });
-    connect(spectrum_, &PlotCanvas::clicked, this, [this](double upr, double) {
+    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);
+    connect(polar_, &plot::PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
+    connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &RoundnessViews::markAngle);
+    connect(polar_, &plot::PolarView::unmarked, this, [this] { angle_.set({}); });
+    connect(spectrum_, &plot::PlotCanvas::clickTakenBack, this, [this] { markHarmonic(harmonicBefore_); });
+    connect(spectrum_, &plot::PlotCanvas::clicked, this, [this](double upr, double) {
         harmonicBefore_ = harmonic_;
         const int wanted = static_cast<int>(std::lround(upr));
         markHarmonic(harmonic_ == wanted ? std::nullopt : std::optional(wanted));
@@ -69,8 +61,8 @@ RoundnessViews::RoundnessViews(MarkedAngle& angle, QWidget* parent)
         const auto& hints = picture_->roundness()->hints;
         if (row < static_cast<int>(hints.size())) markHarmonic(hints[static_cast<std::size_t>(row)].upr);
     });
-    for (PlotWidget* plot : {static_cast<PlotWidget*>(polar_), static_cast<PlotWidget*>(spectrum_)})
-        connect(plot, &PlotWidget::notWritten, this, &RoundnessViews::notWritten);
+    for (plot::PlotWidget* plot : {static_cast<plot::PlotWidget*>(polar_), static_cast<plot::PlotWidget*>(spectrum_)})
+        connect(plot, &plot::PlotWidget::notWritten, this, &RoundnessViews::notWritten);
     retranslate();
 }
 
@@ -100,7 +92,8 @@ void RoundnessViews::buildBar()
     connect(group, &QButtonGroup::idToggled, this, [this] { showPolar(); });
 }
 
-void RoundnessViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen)
+void RoundnessViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+                                bool sectionChosen)
 {
     const bool newTrace = picture->trace && (!picture_ || picture_->trace != picture->trace);
     picture_ = picture;
@@ -124,7 +117,7 @@ void RoundnessViews::setPicture(const std::shared_ptr<const SpindlePicture>& pic
 void RoundnessViews::showPolar()
 {
     if (!picture_) return;
-    PolarPicturePtr shown = laid_->isChecked() && picture_->laid ? picture_->laid : picture_->polar;
+    plot::PolarPicturePtr shown = laid_->isChecked() && picture_->laid ? picture_->laid : picture_->polar;
     if (harmonic_ && shown == picture_->polar) {
         const std::vector<signal::Harmonic>& all = picture_->roundness()->harmonics;
         const auto wanted =
@@ -141,7 +134,7 @@ void RoundnessViews::showTables()
     circles_->setTable(circleTable(result));
     methods_->setTable(methodTable(result, screenLanguage()));
     hints_->setTable(hintTable(result));
-    Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
+    report::Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
     if (picture_->superimposed)
         document.sections.insert(document.sections.begin(),
                                  superimposeSection(*picture_->superimposed, screenLanguage()));
@@ -173,6 +166,9 @@ void RoundnessViews::retranslate()
     laid_->setText(tr("Laid over"));
     laid_->setToolTip(tr("The profile and the trace over each other, and their difference"));
     synthetic_->setText(tr("Synthetic data"));
+    heroes_->setTitle("polar", tr("Roundness plot"));
+    heroes_->setTitle("spectrum", tr("Harmonic content"));
+    heroes_->setTitle("tables", tr("Tables"));
     const QStringList names{tr("Circles"), tr("Methods"), tr("Undulations"), tr("Numbers")};
     for (int i = 0; i < names.size(); ++i) {
         tabs_->setTabText(i, names[i]);
@@ -181,4 +177,4 @@ void RoundnessViews::retranslate()
     if (picture_) setPicture(picture_, !section_->isWorst());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::roundness_panel

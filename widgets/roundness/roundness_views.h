@@ -3,28 +3,30 @@
 #pragma once
 
 #include <QLabel>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/core/copy_table.h"
+#include "widgets/core/panel/copy_table.h"
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
-namespace lathelier {
+namespace lathelier::roundness_panel {
 
 class RoundnessViews : public QWidget {
     Q_OBJECT
 
 public:
-    explicit RoundnessViews(MarkedAngle& angle, QWidget* parent = nullptr);
+    explicit RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen);
+    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen);
 
     /// Draws this undulation in the polar plot too; none: takes it away.
     void markHarmonic(std::optional<int> upr);
+
+    HeroViews* heroes() const { return heroes_; }
 
     void retranslate();
 
@@ -38,17 +40,18 @@ private:
     void showTables();
     void markAngle();
 
-    MarkedAngle& angle_;
-    std::shared_ptr<const SpindlePicture> picture_;
+    trajectory_common::MarkedAngle& angle_;
+    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
     std::optional<int> harmonic_;
     std::optional<int> harmonicBefore_;  ///< the last click
-    SectionBar* section_;
+    trajectory_common::SectionBar* section_;
     QToolButton* form_;
     QToolButton* laid_;
     QLabel* difference_;
     QLabel* synthetic_;
-    PolarView* polar_;
-    ChartView* spectrum_;
+    plot::PolarView* polar_;
+    plot::ChartView* spectrum_;
+    HeroViews* heroes_;
     QTabWidget* tabs_;
     CopyTable* circles_;
     CopyTable* methods_;
@@ -56,4 +59,4 @@ private:
     CopyTable* numbers_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::roundness_panel

@@ -14,7 +14,7 @@
 #include "engine/core/parallel.h"
 #include "widgets/scene/scene_camera.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 namespace {
 
 constexpr std::size_t mostThinned = 200000;
@@ -131,7 +131,7 @@ bool SceneActor::sameGeometry(const SceneObject& other) const
            other.onSurface == object_.onSurface && (!other.onSurface || other.values == object_.values);
 }
 
-void SceneActor::update(const SceneObject& object, const DeviationColours& colours,
+void SceneActor::update(const SceneObject& object, const report::DeviationColours& colours,
                         const std::optional<SceneAxis>& axis)
 {
     object_ = object;
@@ -139,7 +139,7 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
     const std::size_t count = scan.points_mm.size();
     unsigned char* out = full_.colours->GetPointer(0);
     const bool valued = object.values && object.values->size() == count;
-    const auto store = [&](std::size_t i, Rgb c) {
+    const auto store = [&](std::size_t i, report::Rgb c) {
         out[3 * i] = c.red;
         out[3 * i + 1] = c.green;
         out[3 * i + 2] = c.blue;
@@ -151,24 +151,26 @@ void SceneActor::update(const SceneObject& object, const DeviationColours& colou
         const double facing = shade(outward(object, axis, i));
         return valued ? 0.9 + 0.1 * facing : 0.72 + 0.28 * facing;
     };
-    const auto shaded = [&](Rgb c, double b) {
+    const auto shaded = [&](report::Rgb c, double b) {
         const auto part = [&](int v) { return static_cast<std::uint8_t>(std::clamp(std::lround(b * v), 0L, 255L)); };
-        return Rgb{part(c.red), part(c.green), part(c.blue)};
+        return report::Rgb{part(c.red), part(c.green), part(c.blue)};
     };
-    const Rgb plain{static_cast<std::uint8_t>(object.colour.red()), static_cast<std::uint8_t>(object.colour.green()),
-                    static_cast<std::uint8_t>(object.colour.blue())};
+    const report::Rgb plain{static_cast<std::uint8_t>(object.colour.red()),
+                            static_cast<std::uint8_t>(object.colour.green()),
+                            static_cast<std::uint8_t>(object.colour.blue())};
     // A table spares evaluating the colour rule (powers and roots) a million times.
     constexpr int steps = 4096;
-    std::vector<Rgb> table(steps + 1);
+    std::vector<report::Rgb> table(steps + 1);
     for (int i = 0; i <= steps; ++i)
         table[static_cast<std::size_t>(i)] = colours(colours.limit * (2.0 * i / steps - 1));
     parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            Rgb c = plain;
+            report::Rgb c = plain;
             if (valued) {
                 const double value = static_cast<double>((*object.values)[i]);
                 const double at = std::clamp((value / colours.limit + 1) / 2, 0.0, 1.0);
-                c = std::isnan(value) ? Rgb{150, 150, 150} : table[static_cast<std::size_t>(std::lround(at * steps))];
+                c = std::isnan(value) ? report::Rgb{150, 150, 150}
+                                      : table[static_cast<std::size_t>(std::lround(at * steps))];
             }
             store(i, shaded(c, brightness(i)));
         }
@@ -211,4 +213,4 @@ void SceneActor::setSection(vtkPlane* plane)
     }
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

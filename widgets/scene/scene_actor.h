@@ -17,7 +17,7 @@
 #include "engine/report/colours.h"
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 class SceneActor {
 public:
@@ -32,7 +32,8 @@ public:
     bool sameGeometry(const SceneObject& other) const;
 
     /// Takes over colour, values and visibility.
-    void update(const SceneObject& object, const DeviationColours& colours, const std::optional<SceneAxis>& axis);
+    void update(const SceneObject& object, const report::DeviationColours& colours,
+                const std::optional<SceneAxis>& axis);
     void setMoving(bool moving);
     /// How many points are drawn while moving; meshes of moderate size are drawn whole.
     void setBudget(std::size_t points);
@@ -59,4 +60,4 @@ private:
     Layer thin_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -6,7 +6,7 @@
 #include <QSlider>
 #include <QToolButton>
 
-namespace lathelier {
+namespace lathelier::scene {
 
 SceneBar::SceneBar(QWidget* parent) : QWidget(parent)
 {
@@ -65,4 +65,4 @@ void SceneBar::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange) setTexts();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -9,7 +9,7 @@ class QAbstractButton;
 class QComboBox;
 class QSlider;
 
-namespace lathelier {
+namespace lathelier::scene {
 
 class SceneBar : public QWidget {
     Q_OBJECT
@@ -18,7 +18,7 @@ public:
     explicit SceneBar(QWidget* parent = nullptr);
 
 signals:
-    void viewpointWanted(lathelier::SceneViewpoint viewpoint);
+    void viewpointWanted(lathelier::scene::SceneViewpoint viewpoint);
     void parallelWanted(bool parallel);
     void sectionWanted(int sceneAxis, double share);  ///< sceneAxis -1: whole
 
@@ -34,4 +34,4 @@ private:
     QSlider* slider_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

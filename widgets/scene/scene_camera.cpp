@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-namespace lathelier {
+namespace lathelier::scene {
 namespace {
 
 constexpr double halfViewAngle = 15 * M_PI / 180;
@@ -91,4 +91,4 @@ std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most)
     return order;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -8,7 +8,7 @@
 
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 /// Where the eye is and how it projects. View coordinates: x right, y up, z toward the eye, which is the origin.
 struct SceneCamera {
@@ -39,4 +39,4 @@ struct SceneSection {
 /// Indices that show the whole evenly when only the first n of them are drawn: at most `most`, always the same.
 std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most);
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -17,7 +17,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 struct SceneCanvas::Graphics {
     QOffscreenSurface surface;
@@ -163,4 +163,4 @@ void SceneCanvas::showEvent(QShowEvent* event)
     if (!current_) drawSoon();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

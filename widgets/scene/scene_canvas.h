@@ -10,7 +10,7 @@
 
 class vtkRenderer;
 
-namespace lathelier {
+namespace lathelier::scene {
 
 class SceneCanvas : public QWidget {
     Q_OBJECT
@@ -54,4 +54,4 @@ private:
     bool current_ = false;  ///< the picture shows what is to be seen
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

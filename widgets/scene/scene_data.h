@@ -10,7 +10,7 @@
 
 #include "engine/core/scan.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 /// A cloud or mesh in the scene. Equal `scan` and pose are uploaded once, however often the colours change.
 struct SceneObject {
@@ -41,4 +41,4 @@ struct PickedPlace {
 /// Standard views of a part whose long axis lies level.
 enum class SceneViewpoint { Oblique, Side, Top, End };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

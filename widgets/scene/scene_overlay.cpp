@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace lathelier {
+namespace lathelier::scene {
 
 SceneRuler::SceneRuler(QWidget* parent) : QWidget(parent)
 {
@@ -83,4 +83,4 @@ SceneLabel::SceneLabel(QWidget* parent) : QLabel(parent)
     hide();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

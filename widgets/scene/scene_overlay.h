@@ -7,7 +7,7 @@
 
 #include "widgets/scene/scene_camera.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 /// x, y, z as seen by the camera, and a bar of a round length.
 class SceneRuler : public QWidget {
@@ -37,4 +37,4 @@ public:
     explicit SceneLabel(QWidget* parent = nullptr);
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -7,7 +7,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 SceneBox extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& frame)
 {
@@ -72,4 +72,4 @@ void SceneView::Parts::aim(const SceneCamera& camera)
     eye->SetViewAngle(2 * std::atan(camera.halfHeight_mm / camera.distance_mm) * 180 / M_PI);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -17,7 +17,7 @@
 #include "widgets/scene/scene_pick.h"
 #include "widgets/scene/scene_view.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 /// A box, in the coordinates of some frame.
 struct SceneBox {
@@ -32,17 +32,17 @@ struct SceneView::Parts {
     SceneCanvas* canvas = nullptr;  ///< null where nothing can be drawn
     vtkNew<vtkPlane> plane;         ///< of the section, relative to `origin`
 
-    SceneBar* bar = nullptr;         ///< viewpoints, projection and section
-    ColourLegend* legend = nullptr;  ///< colour scale beside the picture
-    SceneRuler* ruler = nullptr;     ///< directions of x, y, z and a bar of a round length
-    SceneLabel* label = nullptr;     ///< text beside the marked place
-    SceneLabel* cross = nullptr;     ///< sign at the marked place
+    SceneBar* bar = nullptr;               ///< viewpoints, projection and section
+    plot::ColourLegend* legend = nullptr;  ///< colour scale beside the picture
+    SceneRuler* ruler = nullptr;           ///< directions of x, y, z and a bar of a round length
+    SceneLabel* label = nullptr;           ///< text beside the marked place
+    SceneLabel* cross = nullptr;           ///< sign at the marked place
 
     std::vector<SceneObject> objects;                  ///< as given to setObjects()
     std::vector<std::unique_ptr<SceneActor>> actors;   ///< one for each object, in their order
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< middle of the objects: geometry is uploaded relative to it
     std::optional<SceneAxis> axis;                     ///< long axis of the part; none: `longest`
-    DeviationColours colours;                          ///< from deviation to colour
+    report::DeviationColours colours;                  ///< from deviation to colour
     std::optional<SceneSection> section;               ///< what is drawn; none: all
     std::optional<Eigen::Vector3d> marked;             ///< place of the marker in the scene; none: no marker
 
@@ -67,4 +67,4 @@ struct SceneView::Parts {
     void aim(const SceneCamera& camera);
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

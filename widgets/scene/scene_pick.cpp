@@ -5,7 +5,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
                                         const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
@@ -85,4 +85,4 @@ std::optional<SceneHit> firstHit(const Scan& mesh, const Eigen::Isometry3d& scen
     return best;
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

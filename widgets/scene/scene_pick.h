@@ -7,7 +7,7 @@
 #include "engine/core/scan.h"
 #include "widgets/scene/scene_camera.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 struct ScenePick {
     std::size_t index = 0;  ///< of the point in its cloud
@@ -32,4 +32,4 @@ struct SceneHit {
 std::optional<SceneHit> firstHit(const Scan& mesh, const Eigen::Isometry3d& scene_T_mesh, const SceneCamera& camera,
                                  const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer);
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -9,7 +9,7 @@
 
 #include "widgets/scene/scene_parts.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 namespace {
 
 constexpr int restAfter_ms = 250;
@@ -42,7 +42,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.canvas->setAccessibleName(tr("3-D view"));
     setFocusProxy(p.canvas);
 
-    p.legend = new ColourLegend(this);
+    p.legend = new plot::ColourLegend(this);
     p.legend->setAutoFillBackground(true);
     row->addWidget(p.legend);
     p.ruler = new SceneRuler(p.canvas);
@@ -52,7 +52,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.cross->setFrameShape(QFrame::NoFrame);
     p.cross->setText(QStringLiteral("⊕"));
     p.legend->hide();
-    connect(p.legend, &ColourLegend::limitEdited, this, &SceneView::limitEdited);
+    connect(p.legend, &plot::ColourLegend::limitEdited, this, &SceneView::limitEdited);
     connect(p.bar, &SceneBar::viewpointWanted, this, &SceneView::setViewpoint);
     connect(p.bar, &SceneBar::parallelWanted, this, &SceneView::setParallel);
     connect(p.bar, &SceneBar::sectionWanted, this, [this](int sceneAxis, double share) {
@@ -155,7 +155,7 @@ void SceneView::setLongAxis(const std::optional<SceneAxis>& axis)
     if (news) parts_->aimed = false;
 }
 
-void SceneView::setColours(const DeviationColours& colours)
+void SceneView::setColours(const report::DeviationColours& colours)
 {
     Parts& p = *parts_;
     if (p.colours == colours && canDraw()) return p.legend->setColours(colours);
@@ -244,4 +244,4 @@ void SceneView::render()
     if (canDraw()) parts_->canvas->drawSoon();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -11,7 +11,7 @@
 #include "engine/report/colours.h"
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 class SceneView : public QWidget {
     Q_OBJECT
@@ -29,7 +29,7 @@ public:
     void setLongAxis(const std::optional<SceneAxis>& axis);
 
     /// Recolours at once. The legend stands beside the picture while an object has values.
-    void setColours(const DeviationColours& colours);
+    void setColours(const report::DeviationColours& colours);
     void setScaleTitle(const QString& title);
 
     void setViewpoint(SceneViewpoint viewpoint);
@@ -69,9 +69,9 @@ public:
 
 signals:
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
-    void surfacePicked(int object, const lathelier::PickedPlace& place);  ///< of a mesh
-    void limitEdited(double limit);                                       ///< the user wants another colour scale
-    void notWritten(const QString& path);                                 ///< the system refused to write this file
+    void surfacePicked(int object, const lathelier::scene::PickedPlace& place);  ///< of a mesh
+    void limitEdited(double limit);        ///< the user wants another colour scale
+    void notWritten(const QString& path);  ///< the system refused to write this file
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -98,4 +98,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

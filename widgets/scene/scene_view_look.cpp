@@ -14,7 +14,7 @@
 #include "widgets/plot/plot_style.h"
 #include "widgets/scene/scene_parts.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 
 void SceneView::layOver()
 {
@@ -53,8 +53,8 @@ void SceneView::applyStyle(bool paper)
     if (!canDraw()) return;
     const QColor back = paper ? QColor(Qt::white) : QWidget::palette().color(QPalette::Base);
     p.canvas->renderer().SetBackground(back.redF(), back.greenF(), back.blueF());
-    const QPalette inks = paper ? paperPalette() : QWidget::palette();
-    const PlotStyle style(inks, font());
+    const QPalette inks = paper ? plot::paperPalette() : QWidget::palette();
+    const plot::PlotStyle style(inks, font());
     QFont large = font();
     large.setPointSizeF(1.6 * large.pointSizeF());
     p.cross->setFont(large);
@@ -119,7 +119,7 @@ void SceneView::savePicture(const QString& path)
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     picture().save(&buffer, "PNG");
-    writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    io::writeFile(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 void SceneView::showMenu(const QPoint& place)
@@ -141,4 +141,4 @@ void SceneView::showMenu(const QPoint& place)
     menu.exec(parts_->canvas->mapToGlobal(place));
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

@@ -7,7 +7,7 @@
 
 #include "widgets/scene/scene_parts.h"
 
-namespace lathelier {
+namespace lathelier::scene {
 namespace {
 
 constexpr double turnOverHeight_deg = 200;  // a drag over the height of the picture turns the part round to its back
@@ -215,4 +215,4 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::scene

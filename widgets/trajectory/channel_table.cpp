@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/core/copy_table.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/copy_table.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 namespace {
 
 const QStringList signalKeys{"", "marker", "angle", "X3", "-X3", "Y3", "-Y3", "Xp", "-Xp", "Yp", "-Yp"};
@@ -18,14 +18,14 @@ QString bare(QString signal)
     return signal.startsWith('-') ? signal.mid(1) : signal;
 }
 
-QString unitText(ProbeChannel::Unit unit)
+QString unitText(io::ProbeChannel::Unit unit)
 {
     switch (unit) {
-        case ProbeChannel::Unit::Micrometre: return QStringLiteral("µm");
-        case ProbeChannel::Unit::Millimetre: return QStringLiteral("mm");
-        case ProbeChannel::Unit::Volt: return QStringLiteral("V");
-        case ProbeChannel::Unit::Degree: return QStringLiteral("°");
-        case ProbeChannel::Unit::Unknown: return ChannelTable::tr("not stated");
+        case io::ProbeChannel::Unit::Micrometre: return QStringLiteral("µm");
+        case io::ProbeChannel::Unit::Millimetre: return QStringLiteral("mm");
+        case io::ProbeChannel::Unit::Volt: return QStringLiteral("V");
+        case io::ProbeChannel::Unit::Degree: return QStringLiteral("°");
+        case io::ProbeChannel::Unit::Unknown: return ChannelTable::tr("not stated");
     }
     return {};
 }
@@ -53,7 +53,7 @@ ChannelTable::ChannelTable(QWidget* parent) : QTableWidget(parent)
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
-void ChannelTable::setRecord(const ProbeRecord* record, const std::string& map)
+void ChannelTable::setRecord(const io::ProbeRecord* record, const std::string& map)
 {
     setAccessibleName(tr("Channels of the record"));
     setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Unit"), tr("Range"), tr("Gain"), tr("Signal")});
@@ -67,7 +67,7 @@ void ChannelTable::setRecord(const ProbeRecord* record, const std::string& map)
     channels_ = static_cast<int>(record->channels.size());
     setRowCount(channels_);
     for (int row = 0; row < channels_; ++row) {
-        const ProbeChannel& channel = record->channels[static_cast<std::size_t>(row)];
+        const io::ProbeChannel& channel = record->channels[static_cast<std::size_t>(row)];
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const double value : channel.values)
             if (std::isfinite(value)) {
@@ -118,4 +118,4 @@ void ChannelTable::choose(int channel, const QString& signal)
     emit mapEdited(map.join(',').toStdString());
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

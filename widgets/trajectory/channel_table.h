@@ -3,9 +3,9 @@
 
 #include <QTableWidget>
 
-#include "engine/io/probe_record.h"
+#include "engine/io/probe/probe_record.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 
 /// Place, name, unit, range and gain of each channel, and the signal it carries, to be chosen. Writes nothing itself.
 class ChannelTable : public QTableWidget {
@@ -15,7 +15,7 @@ public:
     explicit ChannelTable(QWidget* parent = nullptr);
 
     /// `map`: as TrajectoryParameters::channels.
-    void setRecord(const ProbeRecord* record, const std::string& map);
+    void setRecord(const io::ProbeRecord* record, const std::string& map);
 
 signals:
     void mapEdited(const std::string& map);
@@ -27,4 +27,4 @@ private:
     int channels_ = 0;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

@@ -9,16 +9,17 @@
 #include "widgets/core/language.h"
 #include "widgets/plot/plot_style.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 
 /// The words of these plots.
 struct TrajectoryCharts {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::TrajectoryCharts)
+    Q_DECLARE_TR_FUNCTIONS(lathelier::trajectory_panel::TrajectoryCharts)
 };
 
 namespace {
 
-const QColor axisBlue = toQt(colourOf(0)), toolOrange = toQt(colourOf(1));  // as in the charts
+const QColor axisBlue = plot::toQt(report::colourOf(0)),
+             toolOrange = plot::toQt(report::colourOf(1));  // as in the charts
 
 const std::vector<double>& mean(const trajectory::TrajectorySection& section, trajectory::Probe probe)
 {
@@ -80,7 +81,7 @@ double stackMagnification(const trajectory::TrajectoryResult& result)
     return std::pow(10, std::floor(std::log10(0.3 * length_mm / (reach_um / 1000))));
 }
 
-std::vector<SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification)
+std::vector<scene::SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification)
 {
     auto axis = std::make_shared<Scan>(), tool = std::make_shared<Scan>();
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
@@ -89,7 +90,7 @@ std::vector<SceneObject> stackedTrajectories(const trajectory::TrajectoryResult&
         addDots(*axis, mean(section, trajectory::Probe::X3), mean(section, trajectory::Probe::Y3), z, magnification);
         addDots(*tool, mean(section, trajectory::Probe::Xp), mean(section, trajectory::Probe::Yp), z, magnification);
     }
-    SceneObject first, second;
+    scene::SceneObject first, second;
     first.name = TrajectoryCharts::tr("workpiece axis");
     first.scan = axis;
     first.colour = axisBlue;
@@ -130,4 +131,4 @@ Eigen::Vector3d placeInStack(const trajectory::TrajectoryResult& result, const S
             placeOf(section, place.section)};
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

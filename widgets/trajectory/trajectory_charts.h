@@ -6,14 +6,14 @@
 #include "engine/trajectory/trajectory.h"
 #include "widgets/scene/scene_data.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 
 /// "synchronous 2.1 µm · asynchronous 5.3 µm · total 6.7 µm"
 QString motionText(const trajectory::ErrorMotion& motion);
 
 /// The trajectories of all sections, one above the other along z, as dense dots; displacements drawn `magnification`
 /// times larger.
-std::vector<SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification);
+std::vector<scene::SceneObject> stackedTrajectories(const trajectory::TrajectoryResult& result, double magnification);
 double stackMagnification(const trajectory::TrajectoryResult& result);
 
 /// Where a dot of these objects belongs, and where the axis stands among them at an angle on the part.
@@ -28,4 +28,4 @@ Eigen::Vector3d placeInStack(const trajectory::TrajectoryResult& result, const S
 /// The sample of a section nearest to an angle on the part.
 std::size_t sampleAt(const trajectory::TrajectorySection& section, double angle_deg);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

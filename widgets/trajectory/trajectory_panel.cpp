@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/form/form_verification.h"
+#include "engine/form/verify/form_verification.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/quantity_table.h"
 #include "engine/trajectory/section_file.h"
@@ -15,46 +15,38 @@
 #include "widgets/trajectory/trajectory_views.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 namespace {
 
 constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
 
 PanelInputs panelInputs()
 {
-    return spindleInputs({&recordRole()}, {"workpiece_diameter_mm", "z_mm", "feed_mm_rev"},
-                         {"channels", "sensitivity_um_per_V", "marker_threshold_V", "channel_skew_s", "rotation",
-                          "points", "revolutions", "sections", "drift", "outlier_sigmas"},
-                         LT_TEXT("Engine", "Drop a probe record here: a table, or a pair .dat and .par of L-Graph."));
+    return trajectory_common::spindleInputs(
+        {&trajectory_common::recordRole()}, {"workpiece_diameter_mm", "z_mm", "feed_mm_rev"},
+        {"channels", "sensitivity_um_per_V", "marker_threshold_V", "channel_skew_s", "rotation", "points",
+         "revolutions", "sections", "drift", "outlier_sigmas"},
+        LT_TEXT("Engine", "Drop a probe record here: a table, or a pair .dat and .par of L-Graph."));
 }
 
-Headline motionHeadline(const trajectory::TrajectorySection& section)
+report::QuantityTable motionTable(const trajectory::TrajectorySection& section, std::size_t probe)
 {
-    Headline headline;
-    headline.text = TrajectoryPanel::tr("Spindle X3: %1 · %2 turns")
-                        .arg(motionText(section.spindle))
-                        .arg(section.revolutions_used)
-                        .toStdString();
-    return headline;
-}
-
-QuantityTable motionTable(const trajectory::TrajectorySection& section, std::size_t probe)
-{
-    return quantityTable(std::string(probeNames[probe]), section.error_motion[probe],
-                         {"synchronous_um", "asynchronous_um", "total_um"});
+    return report::quantityTable(std::string(probeNames[probe]), section.error_motion[probe],
+                                 {"synchronous_um", "asynchronous_um", "total_um"});
 }
 
 /// The motion in the chosen section. The workpiece's form is the report of the other panels.
-Document reportOf(const SpindlePicture& picture, const Language& language)
+report::Document reportOf(const trajectory_common::SpindlePicture& picture, const Language& language)
 {
     const trajectory::TrajectoryResult& result = *picture.trajectory;
     const trajectory::TrajectorySection& section = *picture.chosenSection();
-    Document document;
+    report::Document document;
     document.title = LT_TEXT("Engine", "Motion of spindle and tool");
     document.verification = {&form::formVerification()};
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
-    Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {motionHeadline(section)}};
+    report::Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"),
+                           {trajectory::motionAnswer(section, language)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
     motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm, trajectory::Probe::X3, language));
@@ -63,8 +55,8 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
     document.sections.push_back(
         {LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section, language), envelopePlot(section)}});
     document.sections.push_back(trajectoryMethod(result, language));
-    saySection(picture, document);
-    document.results = {trajectoryJson(picture)};
+    trajectory_common::saySection(picture, document);
+    document.results = {trajectory_common::trajectoryJson(picture)};
     return document;
 }
 
@@ -72,40 +64,43 @@ Document reportOf(const SpindlePicture& picture, const Language& language)
 
 PanelFacts trajectoryPanelFacts()
 {
-    PanelFacts facts =
-        spindleFacts("trajectory", LT_TEXT("Engine", "Trajectory"), "trajectory", SpindleWant::Trajectory);
+    PanelFacts facts = trajectory_common::spindleFacts("trajectory", LT_TEXT("Engine", "Trajectory"), "trajectory",
+                                                       trajectory_common::SpindleWant::Trajectory);
     facts.make = [](Session& session) -> PanelBase* { return new TrajectoryPanel(session); };
-    facts.report = [](const PanelState& state, Stores& stores, const Language& language, const Progress& progress) {
-        const SpindlePicture picture = answeredPicture(state, SpindleWant::Longitudinal, stores, progress);
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
+        const trajectory_common::SpindlePicture picture =
+            trajectory_common::answeredPicture(state, trajectory_common::SpindleWant::Longitudinal, stores, progress);
         return reportOf(picture, language);
     };
     return facts;
 }
 
 TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(), SpindleWant::Trajectory, parent),
+    : trajectory_common::SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(),
+                                      trajectory_common::SpindleWant::Trajectory, parent),
       views_(new TrajectoryViews(markedAngle()))
 {
-    setViews(views_);
+    setViews(views_, views_->heroes());
     connect(views_, &TrajectoryViews::sectionWanted, this, &TrajectoryPanel::chooseSection);
     connect(views_, &TrajectoryViews::notWritten, this, &TrajectoryPanel::sayNotWritten);
     connect(views_, &TrajectoryViews::mapEdited, this,
             [this](const std::string& map) { setParameter("channels", map, tr("Change the channels")); });
 }
 
-void TrajectoryPanel::showResult(const std::shared_ptr<const SpindlePicture>& picture)
+void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
 {
     views_->setPicture(picture, isSectionChosen(),
                        fromValues<trajectory::TrajectoryParameters>(state().parameters).channels);
 }
 
-Headline TrajectoryPanel::headline(const SpindlePicture& picture) const
+report::Answer TrajectoryPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     const trajectory::TrajectorySection* chosen = picture.chosenSection();
-    return chosen ? motionHeadline(*chosen) : Headline();
+    return chosen ? trajectory::motionAnswer(*chosen, screenLanguage()) : report::Answer();
 }
 
-Document TrajectoryPanel::document(const SpindlePicture& picture) const
+report::Document TrajectoryPanel::document(const trajectory_common::SpindlePicture& picture) const
 {
     return reportOf(picture, screenLanguage());
 }
@@ -123,4 +118,4 @@ void TrajectoryPanel::retranslate()
     views_->retranslate();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

@@ -1,7 +1,6 @@
 #include "widgets/trajectory/trajectory_views.h"
 
 #include <QHBoxLayout>
-#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -12,23 +11,23 @@
 #include "widgets/trajectory/channel_table.h"
 #include "widgets/trajectory/trajectory_charts.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_panel {
 
-TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
+TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget* parent)
     : QWidget(parent),
       angle_(angle),
-      section_(new SectionBar),
-      angleBar_(new AngleBar(angle)),
+      section_(new trajectory_common::SectionBar),
+      angleBar_(new trajectory_common::AngleBar(angle)),
       all_(new QCheckBox),
       synthetic_(new QLabel),
-      pages_(new QTabWidget),
-      axes_(new ChartView),
+      heroes_(new HeroViews),
+      axes_(new plot::ChartView),
       probe_(new QComboBox),
       motionText_(new QLabel),
-      motion_(new PolarView),
-      coordinates_(new ChartView),
-      signals_(new ChartView),
-      scene_(new SceneView),
+      motion_(new plot::PolarView),
+      coordinates_(new plot::ChartView),
+      signals_(new plot::ChartView),
+      scene_(new scene::SceneView),
       spaceText_(new QLabel),
       channelTable_(new ChannelTable),
       recordText_(new QLabel)
@@ -38,7 +37,6 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
     coordinates_->setObjectName("coordinates");
     signals_->setObjectName("signals");
     scene_->setObjectName("scene");
-    pages_->setObjectName("pages");
     probe_->setObjectName("probe");
     all_->setObjectName("allSections");
     all_->setChecked(true);
@@ -47,57 +45,45 @@ TrajectoryViews::TrajectoryViews(MarkedAngle& angle, QWidget* parent)
     layout->setSpacing(4);
     buildBar();
 
-    auto* upper = new QSplitter(Qt::Horizontal);
-    upper->addWidget(axes_);
-    upper->addWidget(makeMotion());
-    upper->setStretchFactor(0, 1);
-    upper->setStretchFactor(1, 1);
-    upper->setChildrenCollapsible(false);
-    auto* rows = new QSplitter(Qt::Vertical);
-    rows->addWidget(upper);
-    rows->addWidget(coordinates_);
-    rows->setStretchFactor(0, 5);
-    rows->setStretchFactor(1, 4);
-    coordinates_->setMinimumHeight(11 * fontMetrics().height());  // so that its axes keep their titles and numbers
-    rows->setChildrenCollapsible(false);
     auto* space = new QWidget;
     auto* spaceLayout = new QVBoxLayout(space);
     spaceLayout->setContentsMargins(0, 4, 0, 0);
     spaceLayout->addWidget(spaceText_);
     spaceLayout->addWidget(scene_, 1);
-    pages_->setDocumentMode(true);
-    pages_->insertTab(Trajectories, rows, QString());
-    pages_->insertTab(Signals, signals_, QString());
-    pages_->insertTab(Space, space, QString());
-    pages_->insertTab(Record, makeRecord(), QString());
-    layout->addWidget(pages_, 1);
+    heroes_->add("motion", makeMotion());
+    heroes_->add("axes", axes_);
+    heroes_->add("coordinates", coordinates_);
+    heroes_->add("space", space);
+    heroes_->add("signals", signals_);
+    heroes_->add("record", makeRecord());
+    layout->addWidget(heroes_, 1);
 
-    connect(section_, &SectionBar::sectionWanted, this, &TrajectoryViews::sectionWanted);
+    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &TrajectoryViews::sectionWanted);
     connect(all_, &QCheckBox::toggled, this, [this] { showSection(); });
     connect(probe_, qOverload<int>(&QComboBox::activated), this, [this] { showMotion(); });
-    connect(motion_, &PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
-    connect(coordinates_, &PlotCanvas::clicked, this, [this](double deg, double) {
+    connect(motion_, &plot::PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
+    connect(coordinates_, &plot::PlotCanvas::clicked, this, [this](double deg, double) {
         if (!picture_ || !picture_->chosenSection()) return;
         const trajectory::TrajectorySection& chosen = *picture_->chosenSection();
         const std::vector<double> angles = partAngles_deg(chosen);
         for (std::size_t i = 0; i < chosen.angle_deg.size(); ++i)
             if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
     });
-    connect(axes_, &PlotCanvas::clicked, this, &TrajectoryViews::markNear);
-    connect(motion_, &PolarView::unmarked, this, [this] { angle_.set({}); });
-    for (PlotCanvas* plot : {static_cast<PlotCanvas*>(axes_), static_cast<PlotCanvas*>(coordinates_)})
-        connect(plot, &PlotCanvas::clickTakenBack, &angle_, &MarkedAngle::takeBack);
-    connect(scene_, &SceneView::pointPicked, this, [this](int path, qint64 dot) {
+    connect(axes_, &plot::PlotCanvas::clicked, this, &TrajectoryViews::markNear);
+    connect(motion_, &plot::PolarView::unmarked, this, [this] { angle_.set({}); });
+    for (plot::PlotCanvas* plot : {static_cast<plot::PlotCanvas*>(axes_), static_cast<plot::PlotCanvas*>(coordinates_)})
+        connect(plot, &plot::PlotCanvas::clickTakenBack, &angle_, &trajectory_common::MarkedAngle::takeBack);
+    connect(scene_, &scene::SceneView::pointPicked, this, [this](int path, qint64 dot) {
         const StackedPlace place = stackedPlace(*inScene_, static_cast<std::size_t>(path), dot);
         angle_.set(place.angle_deg);
         if (place.section != picture_->section) emit sectionWanted(inScene_->sections[place.section].section);
     });
     connect(channelTable_, &ChannelTable::mapEdited, this, &TrajectoryViews::mapEdited);
-    connect(pages_, &QTabWidget::currentChanged, this, [this] { showSpace(); });
-    connect(&angle_, &MarkedAngle::changed, this, &TrajectoryViews::markAngle);
-    for (PlotWidget* plot : {static_cast<PlotWidget*>(axes_), static_cast<PlotWidget*>(motion_),
-                             static_cast<PlotWidget*>(coordinates_), static_cast<PlotWidget*>(signals_)})
-        connect(plot, &PlotWidget::notWritten, this, &TrajectoryViews::notWritten);
+    connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &TrajectoryViews::markAngle);
+    for (plot::PlotWidget* plot :
+         {static_cast<plot::PlotWidget*>(axes_), static_cast<plot::PlotWidget*>(motion_),
+          static_cast<plot::PlotWidget*>(coordinates_), static_cast<plot::PlotWidget*>(signals_)})
+        connect(plot, &plot::PlotWidget::notWritten, this, &TrajectoryViews::notWritten);
     retranslate();
 }
 
@@ -143,8 +129,8 @@ QWidget* TrajectoryViews::makeRecord()
     return page;
 }
 
-void TrajectoryViews::setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen,
-                                 const std::string& channels)
+void TrajectoryViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+                                 bool sectionChosen, const std::string& channels)
 {
     const bool problem = picture->problem.has_value();
     const bool news = !picture_ || picture_->problem.has_value() != problem;
@@ -153,9 +139,10 @@ void TrajectoryViews::setPicture(const std::shared_ptr<const SpindlePicture>& pi
     section_->setPicture(*picture, sectionChosen);
     synthetic_->setVisible(picture->synthetic);
     all_->setVisible(picture->trajectory && picture->trajectory->sections.size() > 1);
-    for (const Page page : {Trajectories, Space}) pages_->setTabEnabled(page, !problem);
-    if (problem && news) pages_->setCurrentIndex(Record);  // where it can be mended
-    if (!problem && news) pages_->setCurrentIndex(Trajectories);
+    const QSignalBlocker quiet(heroes_);  // what nobody chose is not kept with the project
+    const QString before = heroes_->hero();
+    for (const char* key : {"motion", "axes", "coordinates", "space"}) heroes_->setAvailable(key, !problem);
+    if (news) heroes_->setHero(problem ? "record" : before == "record" ? "motion" : before);  // where it can be mended
     showRecord();
     showSection();
     showSpace();
@@ -178,7 +165,7 @@ void TrajectoryViews::showMotion()
     if (!chosen) return;
     const auto probe = static_cast<trajectory::Probe>(std::max(0, probe_->currentIndex()));
     const double diameter_mm = picture_->trajectory->workpiece_diameter_mm;
-    motion_->setPicture(polarPicture(errorMotionPlot(*chosen, diameter_mm, probe, screenLanguage())));
+    motion_->setPicture(plot::polarPicture(errorMotionPlot(*chosen, diameter_mm, probe, screenLanguage())));
     const QString text = motionText(chosen->error_motion[static_cast<std::size_t>(probe)]);
     motionText_->setText(text);
     motionText_->setToolTip(
@@ -189,8 +176,8 @@ void TrajectoryViews::showMotion()
 void TrajectoryViews::showRecord()
 {
     const auto& file = picture_->records.front()->file;
-    const auto* record = std::get_if<ProbeRecord>(&file.record);
-    pages_->setTabEnabled(Signals, record != nullptr);
+    const auto* record = std::get_if<io::ProbeRecord>(&file.record);
+    heroes_->setAvailable("signals", record != nullptr);
     channelTable_->setVisible(record != nullptr);
     channelTable_->setRecord(record, channels_);
     if (picture_->time_signals) signals_->setData(signalsPlot(*picture_->time_signals, screenLanguage()));
@@ -206,9 +193,9 @@ void TrajectoryViews::showRecord()
                          .arg(record->channels.size());
     } else {
         lines << tr("Averages over the revolutions: %1 sections")
-                     .arg(std::get<AveragedRecord>(file.record).sections.size());
+                     .arg(std::get<io::AveragedRecord>(file.record).sections.size());
     }
-    const Values& header = record ? record->header : std::get<AveragedRecord>(file.record).header;
+    const Values& header = record ? record->header : std::get<io::AveragedRecord>(file.record).header;
     QStringList said;
     for (const auto& [name, value] : header) said << QString::fromStdString(name) + " = " + screenText(value);
     if (!said.isEmpty()) lines << tr("The file says: %1").arg(said.join(QStringLiteral(" · ")));
@@ -217,13 +204,13 @@ void TrajectoryViews::showRecord()
 
 void TrajectoryViews::showSpace()
 {
-    if (!picture_ || !picture_->trajectory || pages_->currentIndex() != Space) return;
+    if (!picture_ || !picture_->trajectory) return;
     if (inScene_ == picture_->trajectory) return;
     inScene_ = picture_->trajectory;
     const double magnification = stackMagnification(*inScene_);
     spaceText_->setText(tr("Workpiece axis (blue) and tool (orange) of all sections along z; displacements × %1")
                             .arg(screenNumber(magnification, 0)));
-    scene_->setLongAxis(SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    scene_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
     scene_->setObjects(stackedTrajectories(*inScene_, magnification));
     markInSpace();
 }
@@ -282,12 +269,14 @@ void TrajectoryViews::retranslate()
     synthetic_->setText(tr("Synthetic data"));
     probe_->setToolTip(tr("The probe whose error motion is shown"));
     probe_->setAccessibleName(probe_->toolTip());
-    pages_->setTabText(Trajectories, tr("Trajectories"));
-    pages_->setTabText(Signals, tr("Signals"));
-    pages_->setTabText(Space, tr("All sections in 3-D"));
-    pages_->setTabText(Record, tr("Record and channels"));
+    heroes_->setTitle("motion", tr("Error motion"));
+    heroes_->setTitle("axes", tr("Trajectories"));
+    heroes_->setTitle("coordinates", tr("Coordinates"));
+    heroes_->setTitle("space", tr("All sections in 3-D"));
+    heroes_->setTitle("signals", tr("Signals"));
+    heroes_->setTitle("record", tr("Record and channels"));
     inScene_.reset();
     if (picture_) setPicture(picture_, !section_->isWorst(), channels_);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

@@ -5,27 +5,31 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QTabWidget>
 #include <QWidget>
 
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
-namespace lathelier {
+namespace lathelier::scene {
+class SceneView;
+}
+
+namespace lathelier::trajectory_panel {
 
 class ChannelTable;
-class SceneView;
 
 class TrajectoryViews : public QWidget {
     Q_OBJECT
 
 public:
-    explicit TrajectoryViews(MarkedAngle& angle, QWidget* parent = nullptr);
+    explicit TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
     /// `channels`: the map in force.
-    void setPicture(const std::shared_ptr<const SpindlePicture>& picture, bool sectionChosen,
+    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen,
                     const std::string& channels);
+    HeroViews* heroes() const { return heroes_; }
     void retranslate();
 
 signals:
@@ -34,7 +38,6 @@ signals:
     void notWritten(const QString& path);
 
 private:
-    enum Page { Trajectories, Signals, Space, Record };
     QWidget* makeMotion();
     QWidget* makeRecord();
     void buildBar();
@@ -46,25 +49,25 @@ private:
     void markNear(double x_um, double y_um);
     void markInSpace();
 
-    MarkedAngle& angle_;
-    std::shared_ptr<const SpindlePicture> picture_;
+    trajectory_common::MarkedAngle& angle_;
+    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
     std::string channels_;
-    SectionBar* section_;
-    AngleBar* angleBar_;
+    trajectory_common::SectionBar* section_;
+    trajectory_common::AngleBar* angleBar_;
     QCheckBox* all_;
     QLabel* synthetic_;
-    QTabWidget* pages_;
-    ChartView* axes_;
+    HeroViews* heroes_;
+    plot::ChartView* axes_;
     QComboBox* probe_;
     QLabel* motionText_;
-    PolarView* motion_;
-    ChartView* coordinates_;
-    ChartView* signals_;
-    SceneView* scene_;
+    plot::PolarView* motion_;
+    plot::ChartView* coordinates_;
+    plot::ChartView* signals_;
+    scene::SceneView* scene_;
     QLabel* spaceText_;
     ChannelTable* channelTable_;
     QLabel* recordText_;
     std::shared_ptr<const trajectory::TrajectoryResult> inScene_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_panel

@@ -7,7 +7,7 @@
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 namespace {
 
 constexpr int frame_ms = 40;
@@ -174,4 +174,4 @@ void AngleBar::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange) retranslate();
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

@@ -10,7 +10,7 @@
 
 #include "widgets/trajectory_common/spindle_panel.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 
 /// "◀ Section 7 of 20 · z 35 mm ▶ worst". Hidden when there is no record.
 class SectionBar : public QWidget {
@@ -64,4 +64,4 @@ private:
     QTimer timer_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

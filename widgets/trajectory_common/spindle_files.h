@@ -1,32 +1,33 @@
 // Probe records and profiles that were read, kept until the user takes what has changed.
 #pragma once
 
-#include "engine/io/probe_reader.h"
-#include "engine/io/profile_reader.h"
+#include "engine/io/probe/probe_reader.h"
+#include "engine/io/profile/profile_reader.h"
 #include "engine/report/document.h"
-#include "widgets/core/file_cache.h"
+#include "widgets/core/files/file_cache.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 
-using LoadedRecordPtr = std::shared_ptr<const Loaded<ProbeFile>>;
-using LoadedProfilePtr = std::shared_ptr<const Loaded<ProfileFile>>;
+using LoadedRecordPtr = std::shared_ptr<const Loaded<io::ProbeFile>>;
+using LoadedProfilePtr = std::shared_ptr<const Loaded<io::ProfileFile>>;
 
 /// Source::import are ImportOptions and RecorderOptions; errors as readProbeRecord().
-class RecordStore : public FileCache<ProbeFile> {
+class RecordStore : public FileCache<io::ProbeFile> {
 public:
     RecordStore() : FileCache(60) {}
 
 protected:
-    ProbeFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
+    io::ProbeFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
 };
 
 /// Source::import are ImportOptions and ProfileOptions; errors as readProfile().
-class ProfileStore : public FileCache<ProfileFile> {
+class ProfileStore : public FileCache<io::ProfileFile> {
 public:
     ProfileStore() : FileCache(12) {}
 
 protected:
-    ProfileFile read(const Source& source, InputFiles& inputs, const Progress& progress) const override;
+    io::ProfileFile read(const project::Source& source, io::InputFiles& inputs,
+                         const Progress& progress) const override;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "widgets/core/input_column.h"
+#include "widgets/core/form/input_column.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 const InputRole& recordRole()
 {
     static const InputRole role = [] {
@@ -14,7 +14,7 @@ const InputRole& recordRole()
         result.hint = LT_TEXT("Engine", "One record of all sections, or one for each: CSV or L-Graph");
         result.required = false;
         result.several = true;
-        result.kinds = {&probeRecordFiles()};
+        result.kinds = {&io::probeRecordFiles()};
         return result;
     }();
     return role;
@@ -28,7 +28,7 @@ const InputRole& profileRole()
         result.label = LT_TEXT("Engine", "Measured profile");
         result.hint = LT_TEXT("Engine", "x and y, or angle and radius, of one section; goes before the record");
         result.required = false;
-        result.kinds = {&profileFiles()};
+        result.kinds = {&io::profileFiles()};
         return result;
     }();
     return role;
@@ -46,30 +46,30 @@ const InputRole& traceRole()
     return role;
 }
 
-bool hasRecord(const PanelState& state)
+bool hasRecord(const project::PanelState& state)
 {
     return state.inputs.count(recordRole().role) > 0;
 }
 
-bool hasProfile(const PanelState& state)
+bool hasProfile(const project::PanelState& state)
 {
     return state.inputs.count(profileRole().role) > 0;
 }
 
-void assignSpindleFiles(PanelState& state, const std::vector<FoundFile>& files, bool profiles)
+void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>& files, bool profiles)
 {
     QStringList given;
-    std::map<QString, const FileKind*> kinds;
+    std::map<QString, const io::FileKind*> kinds;
     for (const FoundFile& file : files) {
         given << QString::fromStdString(file.path);
         kinds[given.back()] = file.kind;
     }
     std::vector<std::string> paths;
     for (const QString& path : counted(given)) paths.push_back(path.toStdString());
-    std::vector<Source> records, others;
-    for (const std::string& path : probeRecordFiles().counted_once(paths)) {
+    std::vector<project::Source> records, others;
+    for (const std::string& path : io::probeRecordFiles().counted_once(paths)) {
         const QString name = QString::fromStdString(path);
-        (!profiles || kinds[name] == &probeRecordFiles() ? records : others).push_back(newSource(name));
+        (!profiles || kinds[name] == &io::probeRecordFiles() ? records : others).push_back(newSource(name));
     }
     if (!records.empty()) {
         setSources(state, recordRole(), records);
@@ -86,4 +86,4 @@ void assignSpindleFiles(PanelState& state, const std::vector<FoundFile>& files, 
     if (others.size() > 1) setSources(state, traceRole(), {others[1]});
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

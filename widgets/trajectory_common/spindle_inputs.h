@@ -3,20 +3,20 @@
 
 #include <vector>
 
-#include "widgets/core/kind_finder.h"
-#include "widgets/core/panel_facts.h"
+#include "widgets/core/files/kind_finder.h"
+#include "widgets/core/panel/panel_facts.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 
 const InputRole& recordRole();   ///< probe records, one or one for each section
 const InputRole& profileRole();  ///< a measured profile
 const InputRole& traceRole();    ///< a second one, to be laid over
 
-bool hasRecord(const PanelState& state);
-bool hasProfile(const PanelState& state);
+bool hasRecord(const project::PanelState& state);
+bool hasProfile(const project::PanelState& state);
 
 /// Records go to the record; other files are profiles: the first one is the profile, a second one the trace. Profiles
 /// go nowhere when `profiles` is false: then they are records, whose reader says what is wrong with them.
-void assignSpindleFiles(PanelState& state, const std::vector<FoundFile>& files, bool profiles);
+void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>& files, bool profiles);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

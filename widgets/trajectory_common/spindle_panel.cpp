@@ -4,17 +4,17 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/io/probe_reader.h"
-#include "engine/io/profile_reader.h"
-#include "widgets/core/input_box.h"
+#include "engine/io/probe/probe_reader.h"
+#include "engine/io/profile/profile_reader.h"
+#include "widgets/core/form/input_box.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 namespace {
 
-double numberOf(const FileFacts& facts, const char* name)
+double numberOf(const io::FileFacts& facts, const char* name)
 {
     const Value* value = find(facts.details, name);
     if (!value) return std::numeric_limits<double>::quiet_NaN();
@@ -47,12 +47,12 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
     facts.state = spindleState;
     const bool roundness = want == SpindleWant::Roundness;
-    facts.kinds = {&probeRecordFiles()};
-    if (roundness) facts.kinds.push_back(&profileFiles());
-    facts.hasWork = [roundness](const PanelState& state) {
+    facts.kinds = {&io::probeRecordFiles()};
+    if (roundness) facts.kinds.push_back(&io::profileFiles());
+    facts.hasWork = [roundness](const project::PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };
-    facts.missing = [roundness](const PanelState& state) {
+    facts.missing = [roundness](const project::PanelState& state) {
         std::vector<Text> labels;
         if (!hasRecord(state) && !(roundness && hasProfile(state)))
             labels.push_back(roundness ? LT_TEXT("Engine", "Probe record or profile") : recordRole().label);
@@ -92,7 +92,7 @@ SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelI
 {
 }
 
-SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
+SpindlePanel::Compute SpindlePanel::compute(const project::PanelState& state) const
 {
     fromValues<trajectory::TrajectoryParameters>(
         state.parameters);  // refuses now, not in the worker, what is out of range
@@ -102,22 +102,22 @@ SpindlePanel::Compute SpindlePanel::compute(const PanelState& state) const
     };
 }
 
-void SpindlePanel::assignFiles(PanelState& state, const std::vector<FoundFile>& files) const
+void SpindlePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     assignSpindleFiles(state, files, want_ == SpindleWant::Roundness);
 }
 
-Worker::Job SpindlePanel::makeReadingJob(const PanelState& state) const
+Worker::Job SpindlePanel::makeReadingJob(const project::PanelState& state) const
 {
     return [profiles = session().stores().of<ProfileStore>(),
             state](const Progress& progress) -> std::shared_ptr<const void> {
         for (const InputRole* role : {&profileRole(), &traceRole()})
-            for (const Source& source : sourcesOf(state, *role)) profiles->load(source, progress);
+            for (const project::Source& source : sourcesOf(state, *role)) profiles->load(source, progress);
         return nullptr;
     };
 }
 
-QString SpindlePanel::understood(const InputRole& role, const Source& source) const
+QString SpindlePanel::understood(const InputRole& role, const project::Source& source) const
 {
     if (role.role != recordRole().role) {
         const LoadedProfilePtr loaded = session().stores().of<ProfileStore>()->known(source);
@@ -126,12 +126,12 @@ QString SpindlePanel::understood(const InputRole& role, const Source& source) co
     }
     const LoadedRecordPtr loaded = session().stores().of<RecordStore>()->known(source);
     if (!loaded) return {};
-    const FileFacts& facts = loaded->file.facts;
+    const io::FileFacts& facts = loaded->file.facts;
     QStringList amount;
-    if (const auto* averages = std::get_if<AveragedRecord>(&loaded->file.record)) {
+    if (const auto* averages = std::get_if<io::AveragedRecord>(&loaded->file.record)) {
         amount << tr("averages of %L1 sections").arg(averages->sections.size());
     } else {
-        const auto& record = std::get<ProbeRecord>(loaded->file.record);
+        const auto& record = std::get<io::ProbeRecord>(loaded->file.record);
         amount << tr("%L1 channels").arg(record.channels.size()) << tr("%L1 frames").arg(record.frames());
         const double duration_s = numberOf(facts, "duration_s");
         if (std::isfinite(duration_s)) amount << tr("%1 s").arg(screenNumber(duration_s, 2));
@@ -156,7 +156,7 @@ void SpindlePanel::setParameter(const std::string& key, const Value& value, cons
                                 const QString& mergeKey)
 {
     editState(
-        step, [&](PanelState& state) { lathelier::set(state.parameters, key, value); }, mergeKey);
+        step, [&](project::PanelState& state) { lathelier::set(state.parameters, key, value); }, mergeKey);
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

@@ -4,10 +4,10 @@
 
 #include <QObject>
 
-#include "widgets/core/panel.h"
+#include "widgets/core/panel/panel.h"
 #include "widgets/trajectory_common/spindle_picture.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 
 /// The angle that all views of the workspace mark, seen from the part, 0…360°. Lives in the GUI thread, one for each
 /// session (Stores).
@@ -50,12 +50,12 @@ public:
     MarkedAngle& markedAngle() const { return *angle_; }
 
 protected:
-    Compute compute(const PanelState& state) const override;
+    Compute compute(const project::PanelState& state) const override;
     Notes notes(const SpindlePicture& picture) const override { return picture.notes; }
     std::optional<Error> problem(const SpindlePicture& picture) const override { return picture.problem; }
-    void assignFiles(PanelState& state, const std::vector<FoundFile>& files) const override;
-    Worker::Job makeReadingJob(const PanelState& state) const override;
-    QString understood(const InputRole& role, const Source& source) const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
 
     /// Changes one shared parameter: one undo step, or one with its neighbours of the same `mergeKey`.
     void setParameter(const std::string& key, const Value& value, const QString& step, const QString& mergeKey = {});
@@ -65,4 +65,4 @@ private:
     std::shared_ptr<MarkedAngle> angle_;
 };
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
-#include "engine/form/roundness_report.h"
+#include "engine/form/roundness/roundness_report.h"
 #include "widgets/core/language.h"
-#include "widgets/core/memo.h"
-#include "widgets/core/panel_facts.h"
+#include "widgets/core/panel/panel_facts.h"
+#include "widgets/core/work/memo.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 namespace {
 
 constexpr int signalPoints = 200000;  // of a channel: single turns have to be seen when zoomed in
@@ -32,7 +32,7 @@ std::string keyOf(const Values& values)
 
 /// Content, not path: the same bytes read in the same way.
 template <class File>
-std::string keyOf(const std::shared_ptr<const Loaded<File>>& file, const Source& source)
+std::string keyOf(const std::shared_ptr<const Loaded<File>>& file, const project::Source& source)
 {
     return source.path + "\n" + file->digest() + "\n" + keyOf(source.import);
 }
@@ -45,7 +45,7 @@ void add(std::vector<Item>& items, const std::vector<Item>& more)
 
 class Finder {
 public:
-    Finder(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
+    Finder(const project::PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
         : state_(state), want_(want), stores_(stores), progress_(progress), answers_(stores.of<SpindleAnswers>())
     {
     }
@@ -61,13 +61,13 @@ public:
             readRecords();
         if (want_ == SpindleWant::Roundness && trace != state_.inputs.end()) layOver(trace->second);
         if (want_ == SpindleWant::Roundness && picture_.roundness())
-            picture_.polar = polarPicture(roundnessPolarPlot(*picture_.roundness(), screenLanguage()));
-        if (picture_.superimposed) picture_.laid = polarPicture(laidPlot());
+            picture_.polar = plot::polarPicture(roundnessPolarPlot(*picture_.roundness(), screenLanguage()));
+        if (picture_.superimposed) picture_.laid = plot::polarPicture(laidPlot());
         return std::move(picture_);
     }
 
 private:
-    void readProfile(const Source& source)
+    void readProfile(const project::Source& source)
     {
         picture_.profile =
             stores_.of<ProfileStore>()->load(source, progress_.part(0, 0.3, LT_TEXT("Engine", "Reading the profile")));
@@ -84,7 +84,7 @@ private:
 
     void readRecords()
     {
-        const std::vector<Source> sources = sourcesOf(state_, recordRole());
+        const std::vector<project::Source> sources = sourcesOf(state_, recordRole());
         const auto store = stores_.of<RecordStore>();
         std::string key;
         const Progress reading = progress_.part(0, 0.4, LT_TEXT("Engine", "Reading the record"));
@@ -103,7 +103,7 @@ private:
             picture_.trajectory =
                 answers_->trajectories.find(profileKey_, progress_.part(0.5, 0.95, LT_TEXT("Engine", "Trajectories")),
                                             [&](const Progress& progress) {
-                                                std::vector<const ProbeFile*> files;
+                                                std::vector<const io::ProbeFile*> files;
                                                 for (const LoadedRecordPtr& record : picture_.records)
                                                     files.push_back(&record->file);
                                                 return trajectory::trajectory(files, parameters, progress);
@@ -121,7 +121,7 @@ private:
 
     void readSignals(const trajectory::TrajectoryParameters& parameters)
     {
-        const auto* record = std::get_if<ProbeRecord>(&picture_.records.front()->file.record);
+        const auto* record = std::get_if<io::ProbeRecord>(&picture_.records.front()->file.record);
         if (!record) return;
         picture_.time_signals = answers_->time_signals.find(
             profileKey_, progress_.part(0.4, 0.5, LT_TEXT("Engine", "Signals")),
@@ -140,7 +140,7 @@ private:
         if (chosen != sections.end()) picture_.section = static_cast<std::size_t>(chosen - sections.begin());
     }
 
-    void layOver(const Source& source)
+    void layOver(const project::Source& source)
     {
         picture_.trace =
             stores_.of<ProfileStore>()->load(source, progress_.part(0.9, 0.95, LT_TEXT("Engine", "Reading the trace")));
@@ -167,14 +167,14 @@ private:
         add(picture_.notes, picture_.trace->file.notes);
     }
 
-    PolarPlot laidPlot() const
+    report::PolarPlot laidPlot() const
     {
         const form::SuperimposeResult& result = *picture_.superimposed;
-        PolarPlot plot;
+        report::PolarPlot plot;
         plot.title = LT_TEXT("Engine", "Laid over each other");
         plot.base_radius_mm = picture_.roundness()->circles.LSCI.radius_mm;
-        const auto add = [&](const Caption& name, const std::vector<double>& deviation_um, int colour) {
-            PolarPlot::Trace trace;
+        const auto add = [&](const report::Caption& name, const std::vector<double>& deviation_um, int colour) {
+            report::PolarPlot::Trace trace;
             trace.name = name;
             trace.angle_deg = result.angle_deg;
             trace.deviation_um = deviation_um;
@@ -189,7 +189,7 @@ private:
         return plot;
     }
 
-    const PanelState& state_;
+    const project::PanelState& state_;
     SpindleWant want_;
     Stores& stores_;
     const Progress& progress_;
@@ -212,32 +212,33 @@ const form::RoundnessResult* SpindlePicture::roundness() const
     return chosen ? &chosen->roundness : nullptr;
 }
 
-SpindlePicture findPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
+SpindlePicture findPicture(const project::PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
 {
     return Finder(state, want, stores, progress).find();
 }
 
-SpindlePicture answeredPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress)
+SpindlePicture answeredPicture(const project::PanelState& state, SpindleWant want, Stores& stores,
+                               const Progress& progress)
 {
     SpindlePicture picture = findPicture(state, want, stores, progress);
     if (picture.problem) throw *picture.problem;
     return picture;
 }
 
-void saySection(const SpindlePicture& picture, Document& document)
+void saySection(const SpindlePicture& picture, report::Document& document)
 {
     const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection();
     if (!section || document.sections.empty()) return;
     const bool placed = std::isfinite(section->z_mm);
-    Paragraph words{
+    report::Paragraph words{
         placed ? LT_TEXT("Engine", "Section {section} of {count}, {z_mm} mm from the free end; revolutions: {turns}.")
                : LT_TEXT("Engine", "Section {section} of {count}; revolutions: {turns}."),
         {{"section", std::int64_t{section->section}},
          {"count", static_cast<std::int64_t>(picture.trajectory->sections.size())},
          {"turns", std::int64_t{section->revolutions_used}}}};
     if (placed) words.values.emplace_back("z_mm", section->z_mm);
-    std::vector<Block>& blocks = document.sections.front().blocks;
+    std::vector<report::Block>& blocks = document.sections.front().blocks;
     blocks.insert(blocks.begin() + (blocks.empty() ? 0 : 1), words);  // below the headline
 }
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

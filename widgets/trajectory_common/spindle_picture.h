@@ -5,16 +5,16 @@
 #include <optional>
 #include <vector>
 
-#include "engine/form/roundness.h"
-#include "engine/form/superimpose.h"
+#include "engine/form/roundness/roundness.h"
+#include "engine/form/roundness/superimpose.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
 #include "engine/trajectory/trajectory.h"
-#include "widgets/core/stores.h"
+#include "widgets/core/files/stores.h"
 #include "widgets/plot/polar_data.h"
 #include "widgets/trajectory_common/spindle_files.h"
 
-namespace lathelier {
+namespace lathelier::trajectory_common {
 
 /// Key of the state in the project, and of its parameters beside those of the engine.
 inline constexpr const char* spindleState = "roundness";
@@ -33,8 +33,8 @@ struct SpindlePicture {
     LoadedProfilePtr trace;                                         ///< laid on the profile or the section's image
     std::shared_ptr<const form::SuperimposeResult> superimposed;    ///< of `trace`; null without two profiles
 
-    PolarPicturePtr polar;  ///< of the roundness; with Roundness only
-    PolarPicturePtr laid;   ///< of the two superimposed profiles
+    plot::PolarPicturePtr polar;  ///< of the roundness; with Roundness only
+    plot::PolarPicturePtr laid;   ///< of the two superimposed profiles
 
     std::vector<InputFile> inputs;  ///< files that this picture rests on
     Notes notes;                    ///< of results and files
@@ -46,7 +46,7 @@ struct SpindlePicture {
 };
 
 /// Says in a report's first section which section of the record it is about; nothing for a profile.
-void saySection(const SpindlePicture& picture, Document& document);
+void saySection(const SpindlePicture& picture, report::Document& document);
 
 /// What a panel needs of it.
 enum class SpindleWant { Roundness, Trajectory, Longitudinal };
@@ -54,14 +54,15 @@ enum class SpindleWant { Roundness, Trajectory, Longitudinal };
 /// Reads and computes what is not there yet; safe from any thread, and computed once however many panels ask.
 /// With Trajectory a record without an answer gives a picture with `problem`. Errors: those of the readers and of
 /// roundness(), superimpose(), trajectory(). Throws Cancelled.
-SpindlePicture findPicture(const PanelState& state, SpindleWant want, Stores& stores, const Progress& progress = {});
+SpindlePicture findPicture(const project::PanelState& state, SpindleWant want, Stores& stores,
+                           const Progress& progress = {});
 
 /// The same where nobody would look at a picture without an answer: its problem is thrown.
-SpindlePicture answeredPicture(const PanelState& state, SpindleWant want, Stores& stores,
+SpindlePicture answeredPicture(const project::PanelState& state, SpindleWant want, Stores& stores,
                                const Progress& progress = {});
 
 /// The objects that the command line writes for these results.
 std::string roundnessJson(const SpindlePicture& picture);
 std::string trajectoryJson(const SpindlePicture& picture);
 
-}  // namespace lathelier
+}  // namespace lathelier::trajectory_common

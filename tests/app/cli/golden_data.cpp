@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "engine/sample/sample.h"
+#include "engine/sample/sample_files.h"
 #include "tests/app/cli/golden_spindle.h"
 #include "tests/app/cli/golden_wrong_kind.h"
 #include "tests/engine/io/lgraph_files.h"
@@ -74,13 +75,13 @@ std::string rows(const Scan& scan)
 }
 
 /// A scan as the practice data, tilted and shifted, of which about one point in eight is kept: 92 000.
-Scan thinScan(const ShaftModel& shaft, std::uint64_t seed, double tilt_deg)
+Scan thinScan(const sample::ShaftModel& shaft, std::uint64_t seed, double tilt_deg)
 {
-    ScannerModel scanner;
+    sample::ScannerModel scanner;
     scanner.seed = seed;
     const Eigen::AngleAxisd tilt(tilt_deg * std::numbers::pi / 180, Eigen::Vector3d(1, 2, 0).normalized());
     scanner.frame_T_scan = Eigen::Translation3d(tilt_deg, 0, -tilt_deg) * tilt;
-    Scan scan = scanShaft(shaft, scanner);
+    Scan scan = sample::scanShaft(shaft, scanner);
     std::vector<Eigen::Vector3d> kept;
     for (std::uint32_t i = 0; i < scan.points_mm.size(); ++i)
         if ((i * 2654435761U) >> 29 == 0) kept.push_back(scan.points_mm[i]);  // Knuth's multiplicative hash
@@ -190,20 +191,20 @@ void makeData(const std::string& folder)
     write("three_points.csv", "x,y\n1,0\n0,1\n-1,0\n");
     write("straight.csv", "x,y\n1,2\n2,4\n3,6\n4,8\n5,10\n");
 
-    write("shaft.xyz", rows(thinScan(nominalShaft(), 1, 0.3)));
-    write("copy.xyz", rows(thinScan(copiedShaft(), 2, 4)));
-    ScannerModel coarse;
+    write("shaft.xyz", rows(thinScan(sample::nominalShaft(), 1, 0.3)));
+    write("copy.xyz", rows(thinScan(sample::copiedShaft(), 2, 4)));
+    sample::ScannerModel coarse;
     coarse.row_pitch_mm = 0.5;
     coarse.angle_step_deg = 2;
     write("cylinder.xyz", rows(11 * 60, [](int i) {
               const double t = 2 * std::numbers::pi * (i % 60) / 60, r = 25 + 0.004 * std::cos(3 * t);
               return Eigen::Vector3d(3 + r * std::cos(t), r * std::sin(t), 8.0 * (i / 60));
           }));
-    write("coarse.xyz", rows(scanShaft(nominalShaft(), coarse)));
+    write("coarse.xyz", rows(sample::scanShaft(sample::nominalShaft(), coarse)));
     write("facets36.stl", facets());
-    write("nominal.stl", binaryStl(shaftMesh(nominalShaft())));
-    writeSample(folder + "/sample");
-    write("bracket.xyz", rows(scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
+    write("nominal.stl", binaryStl(sample::shaftMesh(sample::nominalShaft())));
+    sample::writeSample(folder + "/sample");
+    write("bracket.xyz", rows(sample::scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
 }
 
 }  // namespace lathelier::golden

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 #include "tests/engine/form/form_data.h"
 
 namespace lathelier::form {

@@ -1,7 +1,7 @@
 // Three ways: our circles beside CGAL's and ALGLIB's, where these are installed and solve the same problem.
 #include <gtest/gtest.h>
 
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 #include "tests/engine/form/form_data.h"
 #include "tests/engine/form/profiles.h"
 #include "tests/peers/circle_peers.h"

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 #include "tests/engine/form/profiles.h"
 
 namespace lathelier::form {

@@ -1,5 +1,5 @@
 // Closed forms, traps and degenerate input of the four reference circles.
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 #include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/form/cylindricity.h"
+#include "engine/form/cylinder/cylindricity.h"
 #include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
-#include "engine/form/circles.h"
+#include "engine/form/circle/circles.h"
 #include "tests/engine/core/code_of_error.h"
 
 namespace lathelier::form {

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "engine/core/random.h"
-#include "engine/form/roundness.h"
-#include "engine/form/two_point.h"
+#include "engine/form/circle/two_point.h"
+#include "engine/form/roundness/roundness.h"
 
 namespace lathelier::form {
 namespace {
@@ -87,7 +87,7 @@ TEST(LongProfile, MethodsOfUnevenStepsAgreeWithRunsOfTheirOwn)
     RoundnessParameters parameters;
     parameters.cutoff_upr = 15;
     const RoundnessResult own = roundness(profile, parameters);
-    EXPECT_EQ(own.filter_way, signal::FilterWay::Series);  // else the table takes the same way
+    EXPECT_EQ(own.filter_method, signal::FilterMethod::Series);  // else the table takes the same way
     for (const ReferenceCircle which :
          {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI})
         EXPECT_NEAR(table.methods[1].RONt_um[static_cast<std::size_t>(which)], own.circles.of(which).RONt_um, 1e-3);

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "engine/core/random.h"
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier::form {

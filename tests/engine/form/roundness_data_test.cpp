@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/form/form_codes.h"
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 #include "tests/engine/form/form_data.h"
 
 namespace lathelier::form {

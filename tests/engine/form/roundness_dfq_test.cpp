@@ -1,5 +1,5 @@
 // Roundness as Q-DAS characteristics: what a company's statistics read of it.
-#include "engine/form/roundness_dfq.h"
+#include "engine/form/roundness/roundness_dfq.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ RoundnessParameters limited()
 
 TEST(RoundnessDfq, severalProfilesAreValuesOfOneCharacteristic)
 {
-    const QdasFile file =
+    const io::QdasFile file =
         qdasFile({resultOf("data/shaft_01.csv", 0.002, limited()), resultOf("data/shaft_02.csv", 0.003, limited()),
                   resultOf("data/shaft_03.csv", 0.004, limited())},
                  {"21.04.2015/12:00:00", "", "21.04.2015/12:10:00"});
     EXPECT_EQ(file.part_number, "shaft");
     ASSERT_EQ(file.characteristics.size(), 4U);
-    for (const QdasCharacteristic& c : file.characteristics) {
+    for (const io::QdasCharacteristic& c : file.characteristics) {
         EXPECT_EQ(c.values.size(), 3U);
         EXPECT_LT(c.values[0], c.values[2]);
         ASSERT_EQ(c.measured.size(), 3U);
@@ -59,7 +59,7 @@ TEST(RoundnessDfq, whatIsFilteredOtherwiseIsAnotherCharacteristic)
 {
     RoundnessParameters other = limited();
     other.cutoff_upr = 15;
-    const QdasFile file = qdasFile({resultOf("a", 0.002, limited()), resultOf("b", 0.002, other)});
+    const io::QdasFile file = qdasFile({resultOf("a", 0.002, limited()), resultOf("b", 0.002, other)});
     EXPECT_EQ(file.characteristics.size(), 8U);
     EXPECT_EQ(file.part_number, "a");
 }

@@ -7,7 +7,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/form/form_codes.h"
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier::form {

@@ -1,4 +1,4 @@
-#include "engine/form/roundness_report.h"
+#include "engine/form/roundness/roundness_report.h"
 
 #include <gtest/gtest.h>
 
@@ -20,66 +20,87 @@ RoundnessResult made(RoundnessParameters parameters = {})
     return roundness(profile, parameters);
 }
 
-TEST(RoundnessReport, TheHeadlineNamesCircleFilterAndVerdict)
+TEST(RoundnessReport, TheAnswerNamesCircleFilterLimitAndVerdict)
 {
     RoundnessParameters parameters;
-    EXPECT_EQ(headline(made()).text.find("RONt(MZCI) "), 0u);
-    EXPECT_NE(headline(made()).text.find("no filter"), std::string::npos);
-    EXPECT_FALSE(headline(made()).verdict);
+    EXPECT_EQ(report::valueLine(answer(made())).find("RONt(MZCI) "), 0u);
+    EXPECT_NE(report::sentenceText(answer(made())).find("no filter"), std::string::npos);
+    EXPECT_FALSE(answer(made()).verdict);
     parameters.cutoff_upr = 50;
     parameters.tolerance_um = 20;
-    const Headline pass = headline(made(parameters));
-    EXPECT_NE(pass.text.find("G 1-50\u00A0UPR"), std::string::npos) << pass.text;
-    EXPECT_NE(pass.text.find("within 20\u00A0µm"), std::string::npos) << pass.text;
-    EXPECT_EQ(pass.verdict, true);
+    const report::Answer pass = answer(made(parameters));
+    EXPECT_NE(report::sentenceText(pass).find("G 1-50\u00A0UPR"), std::string::npos) << report::sentenceText(pass);
+    EXPECT_EQ(report::limitText(pass), "limit 20\u00A0µm");
+    EXPECT_EQ(pass.verdict, Verdict::Pass);
+    EXPECT_EQ(pass.expanded_uncertainty, made(parameters).RONt_expanded_uncertainty_um);
     parameters.tolerance_um = 2;
     parameters.circle = ReferenceCircle::LSCI;
-    const Headline fail = headline(made(parameters));
-    EXPECT_EQ(fail.text.find("RONt(LSCI) "), 0u);
-    EXPECT_NE(fail.text.find("above 2\u00A0µm"), std::string::npos) << fail.text;
-    EXPECT_EQ(fail.verdict, false);
+    const report::Answer fail = answer(made(parameters));
+    EXPECT_EQ(report::valueLine(fail).find("RONt(LSCI) "), 0u);
+    EXPECT_EQ(report::limitText(fail), "limit 2\u00A0µm");
+    EXPECT_EQ(fail.verdict, Verdict::Fail);
     const double value = headlineDeviation_um(made(parameters));
     parameters.tolerance_um = value;
     parameters.decision = DecisionRule::Guarded;
-    const Headline open = headline(made(parameters));
-    EXPECT_FALSE(open.verdict);
-    EXPECT_NE(open.text.find("? not decided"), std::string::npos) << open.text;
+    const report::Answer open = answer(made(parameters));
+    EXPECT_EQ(open.verdict, Verdict::Undecided);
+    EXPECT_NE(report::sentenceText(open).find("within the uncertainty"), std::string::npos);
     EXPECT_EQ(filterName({15, 500}), "G 15-500 UPR");
+}
+
+TEST(RoundnessReport, TheAnswerSaysWhatOtherMethodsWouldSay)
+{
+    RoundnessParameters parameters;
+    parameters.tolerance_um = 1000;
+    EXPECT_NE(report::sentenceText(answer(made(parameters))).find("within by all "), std::string::npos);
+    parameters.tolerance_um = 1e-4;
+    EXPECT_NE(report::sentenceText(answer(made(parameters))).find("above by all "), std::string::npos);
+    const RoundnessResult result = made();
+    double least_um = HUGE_VAL, most_um = 0;
+    for (const MethodRow& row : result.methods)
+        for (const double value_um : row.RONt_um)
+            if (!row.undersampled && std::isfinite(value_um)) {
+                least_um = std::min(least_um, value_um);
+                most_um = std::max(most_um, value_um);
+            }
+    parameters.tolerance_um = (least_um + most_um) / 2;
+    const std::string between = report::sentenceText(answer(made(parameters)));
+    EXPECT_NE(between.find("methods: look at the filter"), std::string::npos) << between;
 }
 
 TEST(RoundnessReport, HoldsEverythingOnce)
 {
     RoundnessParameters parameters;
     parameters.tolerance_um = 20;
-    const std::string html = toHtml(roundnessReport({made(parameters)}, {}));
+    const std::string html = report::toHtml(roundnessReport({made(parameters)}, {}));
     for (const std::string wanted : {"minimum zone (MZCI)", "maximum inscribed (MICI)", "Sizes across the section",
                                      "Deviations magnified", "Undulations per revolution", "how much of the value",
                                      "As in the source paper", "Expanded uncertainty", "within tolerance", "ISO 12181"})
         EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
     EXPECT_EQ(html.find("<left>"), std::string::npos);
     EXPECT_EQ(html.find("nan"), std::string::npos);
-    const std::string several = toHtml(roundnessReport({made(parameters), made()}, {}));
+    const std::string several = report::toHtml(roundnessReport({made(parameters), made()}, {}));
     EXPECT_NE(several.find("All profiles"), std::string::npos);
     EXPECT_NE(several.find("section 1 &lt;left&gt;"), std::string::npos);
-    EXPECT_NE(toPlainText(roundnessSummary(made(parameters))).find("✓ within tolerance"), std::string::npos);
+    EXPECT_NE(report::toPlainText(roundnessSummary(made(parameters))).find("✓ within tolerance"), std::string::npos);
 }
 
 TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
 {
     const RoundnessResult result = made();
-    const PolarPlot plot = roundnessPolarPlot(result);
+    const report::PolarPlot plot = roundnessPolarPlot(result);
     EXPECT_EQ(plot.contacts.size(), result.circles.MZCI.contacts.size());
     EXPECT_EQ(plot.circles.size(), 5u);
     ASSERT_EQ(plot.traces.size(), 1u);
     EXPECT_EQ(plot.traces[0].angle_deg.size(), 721u);
     // A contact lies on its reference line, and on the profile.
-    for (const PolarPlot::Mark& mark : plot.contacts) {
-        const PolarPlot::ReferenceLine& line = plot.circles[mark.outer ? 1 : 2];
+    for (const report::PolarPlot::Mark& mark : plot.contacts) {
+        const report::PolarPlot::ReferenceLine& line = plot.circles[mark.outer ? 1 : 2];
         const double angle = mark.angle_deg * std::numbers::pi / 180;
         const double on = line.deviation_um + line.x_um * std::cos(angle) + line.y_um * std::sin(angle);
         EXPECT_NEAR(on, mark.deviation_um, 1e-3);
     }
-    const Plot spectrum = spectrumPlot(result);
+    const report::Plot spectrum = spectrumPlot(result);
     EXPECT_EQ(spectrum.curves[0].y.size() + 1, spectrum.curves[0].x.size());
     EXPECT_NEAR(spectrum.curves[0].y[0], 4, .1);
 }
@@ -92,14 +113,14 @@ TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)
         parameters.circle = which;
         const RoundnessResult result = made(parameters);
         const FittedCircle& circle = result.circles.of(which);
-        const PolarPlot plot = roundnessPolarPlot(result);
+        const report::PolarPlot plot = roundnessPolarPlot(result);
         EXPECT_EQ(plot.base_radius_mm, circle.radius_mm);
-        EXPECT_NE(captionText(plot.traces[0].name).find(name(which)), std::string::npos);
+        EXPECT_NE(report::captionText(plot.traces[0].name).find(name(which)), std::string::npos);
         const auto [low, high] =
             std::minmax_element(plot.traces[0].deviation_um.begin(), plot.traces[0].deviation_um.end());
         EXPECT_NEAR(*low, 1000 * (circle.inner_radius_mm - circle.radius_mm), 1e-6) << name(which);
         EXPECT_NEAR(*high, 1000 * (circle.outer_radius_mm - circle.radius_mm), 1e-6) << name(which);
-        for (const PolarPlot::Mark& mark : plot.contacts)
+        for (const report::PolarPlot::Mark& mark : plot.contacts)
             EXPECT_NEAR(mark.deviation_um, mark.outer ? *high : *low, 1e-3) << name(which);
     }
 }
@@ -113,8 +134,8 @@ TEST(RoundnessReport, TheLegendOfTheCirclesDoesNotDependOnTheChosenOne)
         RoundnessResult result = made(parameters);
         result.RONt_expanded_uncertainty_um = which == ReferenceCircle::LSCI ? 0.5 : 0.005;
         std::vector<std::string> names;
-        for (const PolarPlot::ReferenceLine& line : roundnessPolarPlot(result).circles)
-            names.push_back(captionText(line.name));
+        for (const report::PolarPlot::ReferenceLine& line : roundnessPolarPlot(result).circles)
+            names.push_back(report::captionText(line.name));
         if (first.empty()) first = names;
         EXPECT_EQ(names, first);
     }
@@ -123,8 +144,8 @@ TEST(RoundnessReport, TheLegendOfTheCirclesDoesNotDependOnTheChosenOne)
 TEST(RoundnessReport, SuperimposedProfiles)
 {
     const Profile a = lobedProfile(evenAngles(360), {{2, .004, 1}, {3, .002, 0}});
-    const Section section = superimposeSection(superimpose(a, a));
-    EXPECT_NE(toPlainText(section).find("largest difference 0.00 µm"), std::string::npos);
+    const report::Section section = superimposeSection(superimpose(a, a));
+    EXPECT_NE(report::toPlainText(section).find("Largest difference of the profiles 0.00\u00A0µm"), std::string::npos);
 }
 
 }  // namespace

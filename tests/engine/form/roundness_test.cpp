@@ -1,8 +1,8 @@
-#include "engine/form/roundness.h"
+#include "engine/form/roundness/roundness.h"
 
 #include "engine/core/core_codes.h"
 #include "engine/form/form_codes.h"
-#include "engine/form/roundness_quantities.h"
+#include "engine/form/roundness/roundness_quantities.h"
 
 #include <gtest/gtest.h>
 
@@ -210,7 +210,7 @@ TEST(Roundness, AKeywayDoesNotRingThroughTheFilter)
     parameters.cutoff_upr = 50;
     parameters.exclude_deg = {{99.9, 108.1}};
     const RoundnessResult result = roundness(profile, parameters);
-    EXPECT_EQ(result.filter_way, signal::FilterWay::Regression);
+    EXPECT_EQ(result.filter_method, signal::FilterMethod::Regression);
     EXPECT_NEAR(result.circles.MZCI.RONt_um, whole, .03 * whole);
 }
 

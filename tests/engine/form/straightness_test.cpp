@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 
 #include "engine/core/random.h"
-#include "engine/form/cylindricity.h"
+#include "engine/form/cylinder/cylindricity.h"
+#include "engine/form/cylinder/straightness.h"
 
 namespace lathelier::form {
 namespace {

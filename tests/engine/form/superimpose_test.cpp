@@ -1,4 +1,4 @@
-#include "engine/form/superimpose.h"
+#include "engine/form/roundness/superimpose.h"
 #include "engine/form/form_codes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Q-DAS files: what is written comes back, bit for bit.
 #include "engine/core/core_codes.h"
-#include "engine/io/dfq_writer.h"
+#include "engine/io/qdas/dfq_writer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,14 +9,14 @@
 
 #include "engine/core/error.h"
 #include "engine/io/io_codes.h"
-#include "engine/io/windows1252.h"
+#include "engine/io/text/windows1252.h"
 
 namespace lathelier {
 namespace {
 
-QdasFile example()
+io::QdasFile example()
 {
-    QdasFile file;
+    io::QdasFile file;
     file.part_number = "shaft 7";
     file.part_description = "Gehäuse Ø50";
     file.machine = "16K20";
@@ -28,15 +28,15 @@ QdasFile example()
     return file;
 }
 
-void expectEqual(const QdasFile& a, const QdasFile& b)
+void expectEqual(const io::QdasFile& a, const io::QdasFile& b)
 {
     EXPECT_EQ(a.part_number, b.part_number);
     EXPECT_EQ(a.part_description, b.part_description);
     EXPECT_EQ(a.machine, b.machine);
     ASSERT_EQ(a.characteristics.size(), b.characteristics.size());
     for (std::size_t i = 0; i < a.characteristics.size(); ++i) {
-        const QdasCharacteristic& p = a.characteristics[i];
-        const QdasCharacteristic& q = b.characteristics[i];
+        const io::QdasCharacteristic& p = a.characteristics[i];
+        const io::QdasCharacteristic& q = b.characteristics[i];
         EXPECT_EQ(p.number, q.number);
         EXPECT_EQ(p.description, q.description);
         EXPECT_EQ(p.unit, q.unit);
@@ -55,7 +55,7 @@ void expectEqual(const QdasFile& a, const QdasFile& b)
 
 TEST(Dfq, theFieldsOfTheTransferFormat)
 {
-    const std::string written = toDfq(example());
+    const std::string written = io::toDfq(example());
     EXPECT_EQ(written,
               "K0100 2\r\nK1001 shaft 7\r\nK1002 Geh\xE4use \xD8"
               "50\r\nK1082 16K20\r\n"
@@ -66,49 +66,49 @@ TEST(Dfq, theFieldsOfTheTransferFormat)
               "K0001/1 5.25\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n"
               "K0001/2 50.0004\r\nK0002/2 0\r\nK0004/2 21.04.2015/12:00:00\r\n"
               "K0001/1 6\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:05:00\r\n");
-    expectEqual(readDfq("test", written), example());
+    expectEqual(io::readDfq("test", written), example());
 }
 
 TEST(Dfq, valuesThatAreNoneAreMarkedInvalid)
 {
-    QdasFile file = example();
+    io::QdasFile file = example();
     file.characteristics[0].values = {1.5, std::nan(""), std::numeric_limits<double>::infinity()};
-    const QdasFile back = readDfq("test", toDfq(file));
+    const io::QdasFile back = io::readDfq("test", io::toDfq(file));
     ASSERT_EQ(back.characteristics[0].values.size(), 3U);
     EXPECT_EQ(back.characteristics[0].values[0], 1.5);
     EXPECT_TRUE(std::isnan(back.characteristics[0].values[1]));
     EXPECT_TRUE(std::isnan(back.characteristics[0].values[2]));
-    EXPECT_EQ(toDfq(file).find("nan"), std::string::npos);
+    EXPECT_EQ(io::toDfq(file).find("nan"), std::string::npos);
 }
 
 TEST(Dfq, lettersOutsideWindows1252)
 {
-    QdasFile file = example();
+    io::QdasFile file = example();
     file.part_description = "wałek, вал";
-    const std::string written = toDfq(file);
+    const std::string written = io::toDfq(file);
     EXPECT_TRUE(written.starts_with("\xEF\xBB\xBF"));
-    expectEqual(readDfq("test", written), file);
+    expectEqual(io::readDfq("test", written), file);
     // Letters whose bytes would pass for UTF-8 do not come back as another letter.
     file.part_description = "Ã¤";
-    expectEqual(readDfq("test", toDfq(file)), file);
-    EXPECT_EQ(toWindows1252("€ …"), "\x80 \x85");
+    expectEqual(io::readDfq("test", io::toDfq(file)), file);
+    EXPECT_EQ(io::toWindows1252("€ …"), "\x80 \x85");
 }
 
 TEST(Dfq, descriptionsHaveEightyCharacters)
 {
-    QdasFile file = example();
+    io::QdasFile file = example();
     file.characteristics[0].description = std::string(79, 'a') + "µµ";
-    EXPECT_EQ(readDfq("test", toDfq(file)).characteristics[0].description, std::string(79, 'a') + "µ");
+    EXPECT_EQ(io::readDfq("test", io::toDfq(file)).characteristics[0].description, std::string(79, 'a') + "µ");
 }
 
 TEST(Dfq, bytesThatAreNoUtf8DoNotSpoilTheEncoding)
 {
-    QdasFile file = example();
+    io::QdasFile file = example();
     file.part_number =
         "wa\xB3"
         "ek";  // a file name of another country and time
     file.part_description = "вал";
-    const QdasFile back = readDfq("test", toDfq(file));
+    const io::QdasFile back = io::readDfq("test", io::toDfq(file));
     EXPECT_EQ(back.part_number, "wa³ek");
     EXPECT_EQ(back.part_description, "вал");
     EXPECT_EQ(back.characteristics[0].unit, "µm");
@@ -116,13 +116,13 @@ TEST(Dfq, bytesThatAreNoUtf8DoNotSpoilTheEncoding)
 
 TEST(Dfq, linesOfValuesInTheShortForm)
 {
-    const QdasFile file = readDfq("test",
-                                  "K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\n5.25\x14"
-                                  "0\x14"
-                                  "21.04.2015/12:00:00\x0F"
-                                  "6,5\x14"
-                                  "255\r\n5.5\x0F"
-                                  "6.75\r\n");
+    const io::QdasFile file = io::readDfq("test",
+                                          "K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\n5.25\x14"
+                                          "0\x14"
+                                          "21.04.2015/12:00:00\x0F"
+                                          "6,5\x14"
+                                          "255\r\n5.5\x0F"
+                                          "6.75\r\n");
     ASSERT_EQ(file.characteristics.size(), 2U);
     EXPECT_EQ(file.characteristics[0].values, (std::vector<double>{5.25, 5.5}));
     EXPECT_EQ(file.characteristics[0].measured, (std::vector<std::string>{"21.04.2015/12:00:00"}));
@@ -132,7 +132,7 @@ TEST(Dfq, linesOfValuesInTheShortForm)
 
 TEST(Dfq, aLimitThatDoesNotCountIsNone)
 {
-    const QdasFile file = readDfq("test", "K0100 1\r\nK2110/1 0\r\nK2111/1 5\r\nK2120/1 0\r\nK2121/1 2\r\n");
+    const io::QdasFile file = io::readDfq("test", "K0100 1\r\nK2110/1 0\r\nK2111/1 5\r\nK2120/1 0\r\nK2121/1 2\r\n");
     EXPECT_FALSE(file.characteristics[0].lower_limit);
     EXPECT_EQ(file.characteristics[0].upper_limit, 5.0);
     EXPECT_TRUE(file.characteristics[0].upper_is_natural);
@@ -140,19 +140,19 @@ TEST(Dfq, aLimitThatDoesNotCountIsNone)
 
 TEST(Dfq, itIsKnownByItsFirstField)
 {
-    EXPECT_TRUE(isDfq("K0100 1\r\n"));
-    EXPECT_TRUE(isDfq("\xEF\xBB\xBFK0101/0 1\r\n"));
-    EXPECT_TRUE(isDfq("\r\nK1001/1 shaft\r\n"));
-    EXPECT_FALSE(isDfq("K01 1\r\n"));
-    EXPECT_FALSE(isDfq("Kraft 1 2 3\n"));
-    EXPECT_FALSE(isDfq("1 2 3\nK0100 1\n"));
+    EXPECT_TRUE(io::isDfq("K0100 1\r\n"));
+    EXPECT_TRUE(io::isDfq("\xEF\xBB\xBFK0101/0 1\r\n"));
+    EXPECT_TRUE(io::isDfq("\r\nK1001/1 shaft\r\n"));
+    EXPECT_FALSE(io::isDfq("K01 1\r\n"));
+    EXPECT_FALSE(io::isDfq("Kraft 1 2 3\n"));
+    EXPECT_FALSE(io::isDfq("1 2 3\nK0100 1\n"));
 }
 
 TEST(Dfq, lineEndsInTextsCannotForgeFields)
 {
-    QdasFile file = example();
+    io::QdasFile file = example();
     file.part_number = "7\r\nK0001/1 99";
-    EXPECT_EQ(readDfq("test", toDfq(file)).characteristics[0].values.size(), 2U);
+    EXPECT_EQ(io::readDfq("test", io::toDfq(file)).characteristics[0].values.size(), 2U);
 }
 
 RC_GTEST_PROP(Dfq, roundTrip, ())
@@ -163,18 +163,18 @@ RC_GTEST_PROP(Dfq, roundTrip, ())
                                        std::erase_if(s, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
                                        return s;
                                    });
-    QdasFile file;
+    io::QdasFile file;
     file.part_number = *word;
     file.machine = *word;
     for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
-        QdasCharacteristic c;
+        io::QdasCharacteristic c;
         c.number = *word;
         c.unit = "µm";
         c.nominal = *rc::gen::arbitrary<double>();
         c.values = *rc::gen::arbitrary<std::vector<double>>();
         file.characteristics.push_back(c);
     }
-    const QdasFile back = readDfq("test", toDfq(file));
+    const io::QdasFile back = io::readDfq("test", io::toDfq(file));
     RC_ASSERT(back.part_number == file.part_number);
     RC_ASSERT(back.characteristics.size() == file.characteristics.size());
     for (std::size_t i = 0; i < file.characteristics.size(); ++i) {
@@ -188,7 +188,7 @@ TEST(Dfq, whatIsNoneIsRefusedAtItsLine)
 {
     const auto refused = [](const std::string& text) {
         try {
-            readDfq("test", text);
+            io::readDfq("test", text);
         } catch (const Error& error) {
             return error.code();
         }

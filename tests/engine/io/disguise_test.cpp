@@ -56,11 +56,11 @@ std::string utf16(const std::string& ascii, bool bigEndian, bool mark)
     return result;
 }
 
-void expectBase(const std::string& text, const ImportOptions& options = {}, double tolerance = 0)
+void expectBase(const std::string& text, const io::ImportOptions& options = {}, double tolerance = 0)
 {
     SCOPED_TRACE(text.substr(0, 300));
     try {
-        const ScanFile file = readText(text, options);
+        const io::ScanFile file = readText(text, options);
         ASSERT_EQ(file.scan.points_mm.size(), base.size());
         for (std::size_t i = 0; i < base.size(); ++i)
             EXPECT_LE((file.scan.points_mm[i] - base[i]).cwiseAbs().maxCoeff(), tolerance) << i;
@@ -215,12 +215,12 @@ TEST(Disguise, columnsBesideTheCoordinates)
 TEST(Disguise, normalsAreFoundByNameOrByTheirLength)
 {
     const std::string row = "1 2 3 0 0.6 0.8\n4 5 6 0 0 1\n7 8 9 1 0 0\n";
-    const ScanFile nameless = readText(row);
+    const io::ScanFile nameless = readText(row);
     ASSERT_TRUE(nameless.scan.hasNormals());
     EXPECT_NEAR(nameless.scan.normals[0].y(), 0.6, 1e-7);
     EXPECT_TRUE(readText("x y z nx ny nz\n1 2 3 0 3 4\n4 5 6 0 0 2\n").scan.hasNormals());
     EXPECT_FALSE(readText("1 2 3 255 128 0\n4 5 6 0 0 1\n7 8 9 1 0 0\n").scan.hasNormals());
-    const ScanFile unusable = readText("x y z nx ny nz\n1 2 3 0 0 0\n4 5 6 0 0 2\n");
+    const io::ScanFile unusable = readText("x y z nx ny nz\n1 2 3 0 0 0\n4 5 6 0 0 2\n");
     EXPECT_FALSE(unusable.scan.hasNormals());
     EXPECT_TRUE(contains(unusable.notes, notes::normalsUnusable));
 }
@@ -230,7 +230,7 @@ TEST(Disguise, rowsWithoutFiniteCoordinatesAreCounted)
     for (const char* word :
          {"nan", "NaN", "-nan", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "N/A", "#N/A", "null", "nan(ind)"}) {
         SCOPED_TRACE(word);
-        const ScanFile file = readText("1 2 3\n4 5 " + std::string(word) + "\n7 8 9\n");
+        const io::ScanFile file = readText("1 2 3\n4 5 " + std::string(word) + "\n7 8 9\n");
         EXPECT_EQ(file.scan.points_mm.size(), 2u);
         ASSERT_TRUE(contains(file.notes, notes::pointsNotFinite));
         ASSERT_EQ(file.facts.skipped.size(), 1u);
@@ -310,7 +310,7 @@ RC_GTEST_PROP(Disguise, whatWasWrittenIsReadBackBitForBit, ())
                                *rc::gen::arbitrary<bool>()};
     const std::string text = dress(points, disguise);
     RC_LOG() << text.substr(0, 500);
-    const ScanFile file = readText(text);
+    const io::ScanFile file = readText(text);
     RC_ASSERT(file.scan.points_mm.size() == points.size());
     for (std::size_t i = 0; i < points.size(); ++i) RC_ASSERT(file.scan.points_mm[i] == points[i]);
     RC_ASSERT(file.facts.decimal == (disguise.decimal == ',' ? "comma" : "point"));

@@ -35,7 +35,7 @@ protected:
     {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
     }
-    static std::string read(const std::string& name) { return std::string(FileBytes(name).view()); }
+    static std::string read(const std::string& name) { return std::string(io::FileBytes(name).view()); }
 
     fs::path folder_;
 };
@@ -63,9 +63,9 @@ std::string wordOf(const Error& error, const char* name)
 TEST_F(FileTest, readsBackWhatWasWritten)
 {
     const std::string content = std::string("line\n\0\xff end", 11);
-    writeFile(path("a"), content);
+    io::writeFile(path("a"), content);
     EXPECT_EQ(read(path("a")), content);
-    writeFile(path("a"), [](const auto& append) {
+    io::writeFile(path("a"), [](const auto& append) {
         for (int i = 0; i < 200000; ++i) append("0123456789");
     });
     EXPECT_EQ(read(path("a")).size(), 2000000u);
@@ -74,7 +74,7 @@ TEST_F(FileTest, readsBackWhatWasWritten)
 
 TEST_F(FileTest, anEmptyFileIsFine)
 {
-    writeFile(path("empty"), "");
+    io::writeFile(path("empty"), "");
     EXPECT_EQ(read(path("empty")), "");
 }
 
@@ -108,12 +108,12 @@ class RewrittenFile : public FileTest, public testing::WithParamInterface<bool> 
 TEST_P(RewrittenFile, isReadWholeOrRefused)
 {
     constexpr std::size_t size = 8'000'000;
-    writeFile(path("a"), std::string(size, 'A'));
+    io::writeFile(path("a"), std::string(size, 'A'));
     const Rewriter writer(path("a"), size, GetParam());
     int refused = 0, torn = 0;
     for (int i = 0; i < 40 || (i < 2000 && refused == 0); ++i) {
         try {
-            const FileBytes bytes(path("a"));
+            const io::FileBytes bytes(path("a"));
             const std::string_view text = bytes.view();
             // What is gone after it was read does not matter, nor what comes after.
             const bool whole = text.find_first_not_of(text.empty() ? 'A' : text.front()) == std::string_view::npos &&
@@ -133,19 +133,19 @@ INSTANTIATE_TEST_SUITE_P(InPlaceOrTruncated, RewrittenFile, testing::Bool());
 
 TEST_F(FileTest, aFileLargerThanTheMemoryIsRefusedBeforeItIsRead)
 {
-    writeFile(path("sparse"), "x");
+    io::writeFile(path("sparse"), "x");
     fs::resize_file(path("sparse"), std::uintmax_t{1} << 42);
-    const Error error = errorOf([&] { FileBytes file(path("sparse")); });
+    const Error error = errorOf([&] { io::FileBytes file(path("sparse")); });
     EXPECT_EQ(error.code(), errors::fileTooLarge);
     EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "found_MiB")), std::int64_t{1} << 22);
-    EXPECT_EQ(fileHead(path("sparse"), 3), std::string("x\0\0", 3));
+    EXPECT_EQ(io::fileHead(path("sparse"), 3), std::string("x\0\0", 3));
 }
 
 TEST_F(FileTest, releasedPagesReadAsZeros)
 {
     const std::string content(1'000'000, 'x');
-    writeFile(path("a"), content);
-    FileBytes bytes(path("a"));
+    io::writeFile(path("a"), content);
+    io::FileBytes bytes(path("a"));
     bytes.release(500'000);
     EXPECT_EQ(bytes.view().front(), '\0');
     EXPECT_EQ(bytes.view().substr(500'000), content.substr(500'000));
@@ -153,12 +153,12 @@ TEST_F(FileTest, releasedPagesReadAsZeros)
 
 TEST_F(FileTest, stampsTellAChangeOfTheSameSize)
 {
-    writeFile(path("a"), "one");
-    const std::string before = fileStamp(path("a"));
-    EXPECT_EQ(fileStamp(path("a")), before);
-    writeFile(path("a"), "two");
-    EXPECT_NE(fileStamp(path("a")), before);
-    EXPECT_EQ(fileStamp(path("none")), "missing");
+    io::writeFile(path("a"), "one");
+    const std::string before = io::fileStamp(path("a"));
+    EXPECT_EQ(io::fileStamp(path("a")), before);
+    io::writeFile(path("a"), "two");
+    EXPECT_NE(io::fileStamp(path("a")), before);
+    EXPECT_EQ(io::fileStamp(path("none")), "missing");
 }
 
 TEST_F(FileTest, sweepsWhatDeadProcessesLeft)
@@ -176,7 +176,7 @@ TEST_F(FileTest, sweepsWhatDeadProcessesLeft)
         fs::last_write_time(name, fs::file_time_type::clock::now() - std::chrono::hours(2));
     }
     std::ofstream(path(".lathelier-" + std::to_string(dead) + "-1.part")) << "x";
-    writeFile(path("a"), "content");
+    io::writeFile(path("a"), "content");
     EXPECT_FALSE(fs::exists(old));
     EXPECT_TRUE(fs::exists(mine));
     EXPECT_TRUE(fs::exists(other));
@@ -195,7 +195,7 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     ::setenv("TMPDIR", temporary.c_str(), 1);
     const pid_t killed = ::fork();
     if (killed == 0) {
-        const PartFolder mine;
+        const io::PartFolder mine;
         std::ofstream(mine.path() + "/plot.pdf") << "x";
         ::_exit(0);  // without destructors, as a killed program
     }
@@ -209,7 +209,7 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
     std::string own;
     {
-        const PartFolder later;
+        const io::PartFolder later;
         own = later.path();
         EXPECT_TRUE(fs::is_directory(own));
         EXPECT_EQ(fs::status(own).permissions(), fs::perms::owner_all);
@@ -218,23 +218,23 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     }
     EXPECT_FALSE(fs::exists(own));
     ::setenv("TMPDIR", path("missing").c_str(), 1);
-    EXPECT_EQ(errorOf([] { PartFolder(); }).code(), errors::fileNotWritable);
+    EXPECT_EQ(errorOf([] { io::PartFolder(); }).code(), errors::fileNotWritable);
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeRead)
 {
-    const Error missing = errorOf([&] { FileBytes file(path("missing")); });
+    const Error missing = errorOf([&] { io::FileBytes file(path("missing")); });
     EXPECT_EQ(missing.code(), errors::fileNotFound);
     EXPECT_EQ(wordOf(missing, "path"), path("missing"));
-    EXPECT_EQ(errorOf([&] { FileBytes file(""); }).code(), errors::fileNotFound);
-    const Error folder = errorOf([&] { FileBytes file(folder_.string()); });
+    EXPECT_EQ(errorOf([&] { io::FileBytes file(""); }).code(), errors::fileNotFound);
+    const Error folder = errorOf([&] { io::FileBytes file(folder_.string()); });
     EXPECT_EQ(folder.code(), errors::notAFile);
     EXPECT_EQ(wordOf(folder, "found"), "a folder");
-    EXPECT_EQ(wordOf(errorOf([&] { FileBytes file("/dev/zero"); }), "found"), "a device");
-    writeFile(path("secret"), "x");
+    EXPECT_EQ(wordOf(errorOf([&] { io::FileBytes file("/dev/zero"); }), "found"), "a device");
+    io::writeFile(path("secret"), "x");
     ::chmod(path("secret").c_str(), 0);
     if (::geteuid() != 0) {
-        EXPECT_EQ(errorOf([&] { FileBytes file(path("secret")); }).code(), errors::fileNotReadable);
+        EXPECT_EQ(errorOf([&] { io::FileBytes file(path("secret")); }).code(), errors::fileNotReadable);
     }
 }
 
@@ -255,17 +255,17 @@ TEST_F(FileTest, aPipeWithoutAWriterCanBeCancelled)
     std::stop_source stop;
     stop.request_stop();
     const Progress progress(stop.get_token(), {});
-    EXPECT_THROW(FileBytes(path("pipe"), progress), Cancelled);
+    EXPECT_THROW(io::FileBytes(path("pipe"), progress), Cancelled);
 }
 
 TEST_F(FileTest, aFailingWriteLeavesTheOldFileAndNothingElse)
 {
-    writeFile(path("a"), "old");
-    EXPECT_THROW(writeFile(path("a"),
-                           [](const auto& append) {
-                               append(std::string(1 << 20, 'x'));
-                               throw Cancelled();
-                           }),
+    io::writeFile(path("a"), "old");
+    EXPECT_THROW(io::writeFile(path("a"),
+                               [](const auto& append) {
+                                   append(std::string(1 << 20, 'x'));
+                                   throw Cancelled();
+                               }),
                  Cancelled);
     EXPECT_EQ(read(path("a")), "old");
     EXPECT_EQ(filesInFolder(), 1u);
@@ -280,7 +280,7 @@ TEST_F(FileTest, aDiskThatTakesNoMoreLeavesNothing)
     rlimit small = old;
     small.rlim_cur = 100000;
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    const Error error = errorOf([&] { writeFile(path("big"), std::string(1 << 20, 'x')); });
+    const Error error = errorOf([&] { io::writeFile(path("big"), std::string(1 << 20, 'x')); });
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
     EXPECT_EQ(error.code(), errors::fileNotWritable);
     EXPECT_EQ(wordOf(error, "reason"), "the file would be too large");
@@ -289,32 +289,34 @@ TEST_F(FileTest, aDiskThatTakesNoMoreLeavesNothing)
 
 TEST_F(FileTest, writesThroughLinksAndDevicesAndKeepsPermissions)
 {
-    writeFile(path("target"), "old");
+    io::writeFile(path("target"), "old");
     ::chmod(path("target").c_str(), 0640);
     fs::create_symlink(path("target"), path("link"));
-    writeFile(path("link"), "new");
+    io::writeFile(path("link"), "new");
     EXPECT_TRUE(fs::is_symlink(path("link")));
     EXPECT_EQ(read(path("target")), "new");
     EXPECT_EQ(fs::status(path("target")).permissions(), fs::perms(0640));
-    writeFile("/dev/null", "gone");
+    io::writeFile("/dev/null", "gone");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
-    const Error full = errorOf([] { writeFile("/dev/full", "x"); });
+    const Error full = errorOf([] { io::writeFile("/dev/full", "x"); });
     EXPECT_EQ(full.code(), errors::fileNotWritable);
     EXPECT_EQ(wordOf(full, "reason"), "the disk is full");
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeWritten)
 {
-    EXPECT_EQ(wordOf(errorOf([&] { writeFile(folder_.string(), "x"); }), "reason"), "it is a folder");
-    EXPECT_EQ(wordOf(errorOf([&] { writeFile(path("no/such/folder"), "x"); }), "reason"), "the folder does not exist");
-    EXPECT_EQ(wordOf(errorOf([&] { writeFile(path(std::string(300, 'n')), "x"); }), "reason"), "the name is too long");
+    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(folder_.string(), "x"); }), "reason"), "it is a folder");
+    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(path("no/such/folder"), "x"); }), "reason"),
+              "the folder does not exist");
+    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(path(std::string(300, 'n')), "x"); }), "reason"),
+              "the name is too long");
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
 TEST(Sha256, knownAnswers)  // FIPS 180-4 examples
 {
-    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(io::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(io::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::string plyHeader(const std::string& format, const std::string& vertex, cons
 const std::string doubles = "property double x\nproperty double y\nproperty double z\n";
 const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
 
-void expectCorners(const ScanFile& file, double tolerance = 0)
+void expectCorners(const io::ScanFile& file, double tolerance = 0)
 {
     ASSERT_EQ(file.scan.points_mm.size(), corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -55,7 +55,7 @@ TEST(Ply, binaryInBothByteOrdersKeepsDoubles)
         for (const int i : {0, 1, 2}) put(text, i, big);
         text += '\4';
         for (const int i : {0, 1, 2, 3}) put(text, i, big);
-        const ScanFile file = readText(text);
+        const io::ScanFile file = readText(text);
         expectCorners(file);
         EXPECT_EQ(file.scan.normals.at(3), Eigen::Vector3f(0, 0, 1));
         ASSERT_EQ(file.scan.triangles.size(), 3u);
@@ -75,7 +75,7 @@ TEST(Ply, asciiWithAnyLineEndAndOrderOfProperties)
         text += "0 255 0.1 0\n0 255 10.1 0\n0 255 0.1 1.0e1\n10 255 0.1 0\n3 0 1 2\n4 0 1 2 3\n";
         for (std::size_t at = 0; end != "\n" && (at = text.find('\n', at)) != std::string::npos; at += end.size())
             text.replace(at, 1, end);
-        const ScanFile file = readText(text);
+        const io::ScanFile file = readText(text);
         expectCorners(file);
         EXPECT_EQ(file.scan.triangles.size(), 3u);
     }
@@ -130,7 +130,7 @@ TEST(Ply, brokenHeadersAndBodiesAreLocated)
 TEST(Ply, pointsThatAreNotFiniteAreLeftOutWithTheirFaces)
 {
     std::string text = plyHeader("ascii", doubles, faces) + "0.1 0 0\nnan 0 0\n0.1 10 0\n0.1 0 10\n3 0 1 2\n3 0 2 3\n";
-    const ScanFile file = readText(text);
+    const io::ScanFile file = readText(text);
     EXPECT_EQ(file.scan.points_mm.size(), 3u);
     ASSERT_EQ(file.scan.triangles.size(), 1u);
     EXPECT_EQ(file.scan.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
@@ -168,7 +168,7 @@ TEST(Pcd, asciiBinaryAndCompressed)
     std::string compressed = pcdHeader("binary_compressed");
     put(compressed, static_cast<std::uint32_t>(packed.size()));
     put(compressed, static_cast<std::uint32_t>(columns.size()));
-    const ScanFile file = readText(compressed + packed);
+    const io::ScanFile file = readText(compressed + packed);
     expectCorners(file);
     EXPECT_EQ(file.facts.format, "pcd_binary_compressed");
     packed[3] = '\x15';
@@ -187,7 +187,7 @@ std::string asciiStl(const std::string& name)
 
 TEST(Stl, asciiSolidsShareEqualCorners)
 {
-    const ScanFile file = readText(asciiStl("first") + "\n" + asciiStl("second part, unit mm"));
+    const io::ScanFile file = readText(asciiStl("first") + "\n" + asciiStl("second part, unit mm"));
     expectCorners(file);
     EXPECT_EQ(file.scan.triangles.size(), 4u);
     EXPECT_EQ(file.scan.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
@@ -206,7 +206,7 @@ TEST(Stl, facetsThatBoundNothingAreCountedInANote)
     const std::size_t end = text.rfind("endsolid");
     const std::size_t sound = readText(text).scan.triangles.size();
     text.insert(end, flat + flat);
-    const ScanFile file = readText(text);
+    const io::ScanFile file = readText(text);
     EXPECT_EQ(file.scan.triangles.size(), sound);
     ASSERT_TRUE(contains(file.notes, notes::facetsDegenerate));
     for (const Note& note : file.notes)
@@ -228,7 +228,7 @@ TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
                 for (int k = 0; k < 3; ++k) put(text, static_cast<float>(corners[i][k]));
             put<std::uint16_t>(text, 0);
         }
-        const ScanFile file = readText(text);
+        const io::ScanFile file = readText(text);
         expectCorners(file, 1e-6);
         EXPECT_EQ(file.scan.triangles.size(), 2u);
         EXPECT_EQ(file.facts.format, "stl_binary");
@@ -239,7 +239,7 @@ TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
 
 TEST(Obj, polygonsNormalsAndIndicesFromBothEnds)
 {
-    const ScanFile file = readText(
+    const io::ScanFile file = readText(
         "# Units: mm\nmtllib part.mtl\no part\nv 0.1 0 0\nv 10.1 0 0 1.0\nv 0.1 10 0 0.5 0.5 0.5\nv 0.1 0 10\nvt 0 0\n"
         "vn 0 0 1\nvn 0 0 1\nvn 1 0 0\nvn 0 2 0\ng side\nusemtl steel\ns off\nf 1//1 2//2 3//3\nf -4/1/1 -2/1/3 \\\n "
         "-1/1/4\n");
@@ -264,7 +264,7 @@ TEST(Formats, decimalCommasOfCarelessPrograms)
 
 TEST(Facts, haveTheKeysOfTheCommandLine)
 {
-    const Json text = toJson(readScan("a.csv", "X;Y;Z\n1,5;2,5;3,5\n4,5;5,5;6,5\n", {}).facts);
+    const Json text = toJson(io::readScan("a.csv", "X;Y;Z\n1,5;2,5;3,5\n4,5;5,5;6,5\n", {}).facts);
     std::vector<std::string> keys;
     for (const auto& [key, value] : text.items()) keys.push_back(key);
     EXPECT_EQ(keys, (std::vector<std::string>{"path", "format", "encoding", "delimiter", "decimal", "unit",
@@ -285,19 +285,20 @@ TEST(Facts, haveTheKeysOfTheCommandLine)
 
 TEST(Options, speakTheKeysOfTheCommandLine)
 {
-    const auto options = fromValues<ImportOptions>({{"decimal", std::string("comma")},
-                                                    {"delimiter", std::string("pipe")},
-                                                    {"encoding", std::string("latin-1")},
-                                                    {"unit", std::string("um")}});
-    EXPECT_EQ(options.decimal, Decimal::Comma);
-    EXPECT_EQ(options.delimiter, Delimiter::Pipe);
-    EXPECT_EQ(options.encoding, Encoding::Latin1);
-    EXPECT_EQ(options.unit, LengthUnit::Micrometre);
+    const auto options = fromValues<io::ImportOptions>({{"decimal", std::string("comma")},
+                                                        {"delimiter", std::string("pipe")},
+                                                        {"encoding", std::string("latin-1")},
+                                                        {"unit", std::string("um")}});
+    EXPECT_EQ(options.decimal, io::Decimal::Comma);
+    EXPECT_EQ(options.delimiter, io::Delimiter::Pipe);
+    EXPECT_EQ(options.encoding, io::Encoding::Latin1);
+    EXPECT_EQ(options.unit, io::LengthUnit::Micrometre);
 }
 
 TEST(TextTables, ARemarkThatHoldsANameIsNoHeading)
 {
-    const ScanFile file = readScan("a.xyz", "# scanner X\n! more\n1.5 2.5 3.5\n40.5 5.5 6.5\n7.5 8.5 9.5\n", {});
+    const io::ScanFile file =
+        io::readScan("a.xyz", "# scanner X\n! more\n1.5 2.5 3.5\n40.5 5.5 6.5\n7.5 8.5 9.5\n", {});
     ASSERT_EQ(file.scan.points_mm.size(), 3u);
     EXPECT_EQ(file.scan.points_mm[1].x(), 40.5);
     EXPECT_EQ(file.scan.points_mm[1].z(), 6.5);

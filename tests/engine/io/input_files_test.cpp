@@ -15,19 +15,19 @@ TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
     const std::string path =
         (std::filesystem::temp_directory_path() / ("lathelier_inputs_" + std::to_string(::getpid()))).string();
     const std::string first(3'000'000, 'a');
-    writeFile(path, first);
-    InputFiles inputs(GetParam());
+    io::writeFile(path, first);
+    io::InputFiles inputs(GetParam());
     EXPECT_EQ(inputs.open(path), first);
-    writeFile(path, "another content");
+    io::writeFile(path, "another content");
     EXPECT_EQ(inputs.open(path), "another content");
     inputs.drop();
     inputs.drop();  // nothing is left to give back
     const std::vector<InputFile> files = inputs.list();
     ASSERT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0].bytes, 3'000'000);
-    EXPECT_EQ(files[0].sha256, sha256(first));
-    EXPECT_EQ(files[1].sha256, sha256("another content"));
-    EXPECT_EQ(files[1].sha256, fileSha256(path));
+    EXPECT_EQ(files[0].sha256, io::sha256(first));
+    EXPECT_EQ(files[1].sha256, io::sha256("another content"));
+    EXPECT_EQ(files[1].sha256, io::fileSha256(path));
     std::filesystem::remove(path);
 }
 

@@ -35,7 +35,7 @@ std::vector<std::array<T, 3>> numbersOf()
 }
 
 template <class T>
-void expectNumbers(const ScanFile& file)
+void expectNumbers(const io::ScanFile& file)
 {
     const auto numbers = numbersOf<T>();
     ASSERT_EQ(file.scan.points_mm.size(), numbers.size());
@@ -110,7 +110,7 @@ TEST(IntegerTypes, NormalsOfPlyAndPcdAreRead)
             put(pcd, value);
         }
     for (const std::string& text : {ply, pcd}) {
-        const ScanFile file = readText(text);
+        const io::ScanFile file = readText(text);
         ASSERT_EQ(file.scan.normals.size(), 4u);
         EXPECT_LT((file.scan.normals[2] - Eigen::Vector3f(0, 0.6F, 0.8F)).norm(), 1e-6F);
     }

@@ -1,5 +1,5 @@
 // JSON inputs: wrong types, missing keys, values out of range and unknown keys, each with its place.
-#include "engine/io/json_fields.h"
+#include "engine/io/json/json_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ constexpr const char* shaftText = R"({
 
 Shaft read(const std::string& text, Notes& notes)
 {
-    const JsonDocument document{text};
-    return readFields<Shaft>(document.root(), notes, {"schema"});
+    const io::JsonDocument document{text};
+    return io::readFields<Shaft>(document.root(), notes, {"schema"});
 }
 
 /// The text of `text` with `from` replaced, read; what is wrong with it.
@@ -56,9 +56,9 @@ TEST(JsonFields, WritesWhatItReads)
 {
     Notes notes;
     Shaft shaft = read(shaftText, notes);
-    EXPECT_EQ(read(objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
+    EXPECT_EQ(read(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
     shaft.material.reset();
-    EXPECT_EQ(read(objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
+    EXPECT_EQ(read(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
     EXPECT_TRUE(notes.empty());
 }
 

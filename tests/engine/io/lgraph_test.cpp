@@ -10,8 +10,8 @@
 #include <fstream>
 
 #include "engine/io/file_kind.h"
-#include "engine/io/lgraph_header.h"
-#include "engine/io/probe_reader.h"
+#include "engine/io/probe/lgraph_header.h"
+#include "engine/io/probe/probe_reader.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -23,20 +23,20 @@ using testing::makeDat;
 using testing::makePar;
 using testing::put;
 
-ProbeFile readMade(const LGraphSetup& setup, const RecorderOptions& options = {})
+io::ProbeFile readMade(const LGraphSetup& setup, const io::RecorderOptions& options = {})
 {
-    return readLGraph("made.par", makePar(setup), makeDat(setup.frames, setup.active.size()), options);
+    return io::readLGraph("made.par", makePar(setup), makeDat(setup.frames, setup.active.size()), options);
 }
 
-const ProbeRecord& record(const ProbeFile& file)
+const io::ProbeRecord& record(const io::ProbeFile& file)
 {
-    return std::get<ProbeRecord>(file.record);
+    return std::get<io::ProbeRecord>(file.record);
 }
 
 Error refusal(const std::string& par, const std::string& dat)
 {
     try {
-        readLGraph("made.par", par, dat, {}, {}, "made.dat");
+        io::readLGraph("made.par", par, dat, {}, {}, "made.dat");
     } catch (const Error& error) {
         EXPECT_TRUE(find(error.values(), "path"));
         EXPECT_TRUE(find(error.values(), "byte"));
@@ -64,8 +64,8 @@ TEST_P(LGraphVersions, everySampleIsWhereItBelongs)
     setup.version = GetParam();
     setup.gainCodes[2] = 2;  // channel 3, × 4
     setup.gainCodes[3] = 3;  // channel 4, × 8
-    const ProbeFile file = readMade(setup);
-    const ProbeRecord& made = record(file);
+    const io::ProbeFile file = readMade(setup);
+    const io::ProbeRecord& made = record(file);
     ASSERT_EQ(made.channels.size(), 3U);
     EXPECT_EQ(made.channels[0].name, "channel 1");
     EXPECT_EQ(made.channels[1].name, "channel 3");
@@ -152,7 +152,7 @@ TEST(LGraph, fullScaleByDeviceAndByOption)
 {
     LGraphSetup setup;
     setup.device = "L-761";
-    ProbeFile file = readMade(setup);
+    io::ProbeFile file = readMade(setup);
     EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 5 / 8000);
     EXPECT_TRUE(contains(file.notes, notes::fullScaleAssumed));
     file = readMade(setup, {4000, 10});
@@ -160,11 +160,11 @@ TEST(LGraph, fullScaleByDeviceAndByOption)
     EXPECT_TRUE(file.notes.empty());
     setup.device = "E440";
     file = readMade(setup);
-    EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Unknown);
+    EXPECT_EQ(record(file).channels[0].unit, io::ProbeChannel::Unit::Unknown);
     EXPECT_EQ(record(file).channels[0].values[2], 200);
     EXPECT_TRUE(contains(file.notes, notes::fullScaleUnknown));
     file = readMade(setup, {8000, 10});
-    EXPECT_EQ(record(file).channels[0].unit, ProbeChannel::Unit::Volt);
+    EXPECT_EQ(record(file).channels[0].unit, io::ProbeChannel::Unit::Volt);
     EXPECT_DOUBLE_EQ(record(file).channels[0].values[2], 200.0 * 10 / 8000);
 }
 
@@ -173,7 +173,7 @@ TEST(LGraph, aFasterConverterPausesBetweenFrames)
     LGraphSetup setup;
     setup.converter_kHz = 300;
     setup.delay_ms = 0.1 - 2.0 / 300;  // the rest of the frame
-    ProbeFile file = readMade(setup);
+    io::ProbeFile file = readMade(setup);
     EXPECT_NEAR(*record(file).channel_skew_s, 1 / 300e3, 1e-10);
     EXPECT_TRUE(file.notes.empty());
     setup.delay_ms = 0.02;
@@ -190,7 +190,7 @@ TEST(LGraph, severalSegmentsAreNoted)
     setup.version = Made::Two;
     std::string par = makePar(setup);
     put<std::int32_t>(par, 17131, 3);
-    EXPECT_TRUE(contains(readLGraph("made.par", par, makeDat(100, 3)).notes, notes::recordInSegments));
+    EXPECT_TRUE(contains(io::readLGraph("made.par", par, makeDat(100, 3)).notes, notes::recordInSegments));
 }
 
 class LGraphFiles : public ::testing::Test {
@@ -211,14 +211,14 @@ TEST_F(LGraphFiles, eitherOfThePairInAnyCase)
     const std::string dat = write("run1.DAT", makeDat(100, 3));
     const std::string par = write("run1.PAR", makePar(setup));
     for (const std::string& path : {dat, par}) {
-        EXPECT_EQ(findKind({&probeRecordFiles()}, path).likeness, Likeness::Certain);
-        EXPECT_EQ(record(readProbeRecord(path)).frames(), 100U);
+        EXPECT_EQ(io::findKind({&io::probeRecordFiles()}, path).likeness, io::Likeness::Certain);
+        EXPECT_EQ(record(io::readProbeRecord(path)).frames(), 100U);
     }
     write("run1.par", makePar({}).replace(0, 1, "9"));  // the partner in the same case comes first
-    EXPECT_EQ(record(readProbeRecord(dat)).frames(), 100U);
+    EXPECT_EQ(record(io::readProbeRecord(dat)).frames(), 100U);
     const std::string mixed = write("Run2.dat", makeDat(100, 3));
     write("RUN2.PAR", makePar(setup));
-    EXPECT_EQ(record(readProbeRecord(mixed)).frames(), 100U);
+    EXPECT_EQ(record(io::readProbeRecord(mixed)).frames(), 100U);
 }
 
 TEST_F(LGraphFiles, aMissingPartnerIsNamed)
@@ -226,9 +226,9 @@ TEST_F(LGraphFiles, aMissingPartnerIsNamed)
     const std::string dat = write("a.dat", makeDat(100, 3));
     const std::string par = write("b.par", makePar({}));
     for (const std::string& path : {dat, par}) {
-        EXPECT_EQ(findKind({&probeRecordFiles()}, path).kind, &probeRecordFiles());
+        EXPECT_EQ(io::findKind({&io::probeRecordFiles()}, path).kind, &io::probeRecordFiles());
         try {
-            readProbeRecord(path);
+            io::readProbeRecord(path);
             ADD_FAILURE();
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), errors::partnerMissing);
@@ -241,9 +241,9 @@ TEST_F(LGraphFiles, aMissingPartnerIsNamed)
 TEST_F(LGraphFiles, aTextNamedDatIsATable)
 {
     const std::string dat = write("table.dat", "t_s,X3_um,Y3_um\n0,1,2\n0.1,2,3\n0.2,3,4\n");
-    EXPECT_EQ(record(readProbeRecord(dat)).channels.size(), 2U);
+    EXPECT_EQ(record(io::readProbeRecord(dat)).channels.size(), 2U);
     const std::string cloud = write("cloud.dat", "1 2 3\n4 5 6\n7 8 9\n");
-    EXPECT_EQ(findKind({&probeRecordFiles()}, cloud).kind, nullptr);
+    EXPECT_EQ(io::findKind({&io::probeRecordFiles()}, cloud).kind, nullptr);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
         const std::string name = entry.path().filename().string();
         if (name >= "90") continue;
         SCOPED_TRACE(name);
-        const ScanFile file = readScan(entry.path().string());
+        const io::ScanFile file = io::readScan(entry.path().string());
         EXPECT_EQ(file.scan.points_mm.size(), 500u);
         const bool single = name.find("float") != std::string::npos || name.ends_with(".pcd");
         EXPECT_NEAR(cylinderDiameter(file.scan.points_mm), certifiedDiameter_mm, single ? 5e-4 : 1e-4);
@@ -33,7 +33,7 @@ TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
 TEST(OddEncodings, anEmptyFileIsRefused)
 {
     try {
-        readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
+        io::readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::fileEmpty);
@@ -44,15 +44,15 @@ TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
 {
     const std::string path = (folder / "odd_encodings/94_ambiguous_thousands_or_decimals.csv").string();
     try {
-        readScan(path);
+        io::readScan(path);
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::numberAmbiguous);
         EXPECT_EQ(testing::integerOf(error, "line"), 1);
         EXPECT_EQ(testing::integerOf(error, "column"), 1);
     }
-    EXPECT_EQ(readScan(path, {Decimal::Comma}).scan.points_mm.front(), Eigen::Vector3d(1.234, 5.678, 9.012));
-    EXPECT_EQ(readScan(path, {Decimal::Point}).scan.points_mm.front(), Eigen::Vector3d(1234, 5678, 9012));
+    EXPECT_EQ(io::readScan(path, {io::Decimal::Comma}).scan.points_mm.front(), Eigen::Vector3d(1.234, 5.678, 9.012));
+    EXPECT_EQ(io::readScan(path, {io::Decimal::Point}).scan.points_mm.front(), Eigen::Vector3d(1234, 5678, 9012));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Measured profiles: what the columns mean, in which unit, and what is refused.
-#include "engine/io/profile_reader.h"
+#include "engine/io/profile/profile_reader.h"
 #include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
 
@@ -12,7 +12,7 @@
 #include <map>
 #include <numbers>
 
-#include "engine/io/header_lines.h"
+#include "engine/io/text/header_lines.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -21,12 +21,13 @@ namespace {
 const std::string practice = LATHELIER_SOURCE_DIR "/tests/data/";
 constexpr double turn = 2 * std::numbers::pi;
 
-ProfileFile read(const std::string& text, const ProfileOptions& profile = {}, const ImportOptions& import = {})
+io::ProfileFile read(const std::string& text, const io::ProfileOptions& profile = {},
+                     const io::ImportOptions& import = {})
 {
-    return readProfile("test", text, import, profile);
+    return io::readProfile("test", text, import, profile);
 }
 
-Error refusal(const std::string& text, const ProfileOptions& profile = {}, const ImportOptions& import = {})
+Error refusal(const std::string& text, const io::ProfileOptions& profile = {}, const io::ImportOptions& import = {})
 {
     try {
         read(text, profile, import);
@@ -69,7 +70,7 @@ std::string commas(std::string text)
 }
 
 /// The points are those of the three lobes.
-void expectLobes(const ProfileFile& file, double tolerance_mm = 1e-8)
+void expectLobes(const io::ProfileFile& file, double tolerance_mm = 1e-8)
 {
     ASSERT_EQ(file.profile.points_mm.size(), static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
@@ -85,7 +86,7 @@ TEST(ProfileReader, practiceProfiles)
                                                          {"p10_turned_n200.csv", 200}, {"p13_outliers_n200.csv", 200},
                                                          {"p17_8pts.csv", 8},          {"p19_keyway_n3600.csv", 3520}};
     for (const auto& [name, points] : expected) {
-        const ProfileFile file = readProfile(practice + "form/" + name);
+        const io::ProfileFile file = io::readProfile(practice + "form/" + name);
         EXPECT_EQ(file.facts.format, "profile_xy");
         EXPECT_EQ(file.facts.unit_source, "stated");
         EXPECT_EQ(testing::furtherNotes(file.notes), 0U);
@@ -96,16 +97,16 @@ TEST(ProfileReader, practiceProfiles)
 
 TEST(ProfileReader, circlesInCoordinatePlanes)
 {
-    const ProfileFile yz = readProfile(practice + "nist_like/circle1.ds");
+    const io::ProfileFile yz = io::readProfile(practice + "nist_like/circle1.ds");
     ASSERT_EQ(yz.profile.points_mm.size(), 40U);
     EXPECT_EQ(yz.profile.points_mm[0], Eigen::Vector2d(-102.341986132733, 58.189094410737));
     EXPECT_TRUE(contains(yz.notes, notes::profilePlane));
-    const ProfileFile zx = readProfile(practice + "nist_like/circle2.ds");
+    const io::ProfileFile zx = io::readProfile(practice + "nist_like/circle2.ds");
     EXPECT_EQ(zx.profile.points_mm[0], Eigen::Vector2d(264.914159361227, 99.749827707211));
-    const ProfileFile xy = readProfile(practice + "nist_like/circle3.ds");
+    const io::ProfileFile xy = io::readProfile(practice + "nist_like/circle3.ds");
     EXPECT_EQ(xy.profile.points_mm[0], Eigen::Vector2d(9.805224989030, -1.964381885613));
     for (int i = 1; i <= 10; ++i)
-        EXPECT_GE(readProfile(practice + fmt::format("nist_like/circle{}.ds", i)).profile.points_mm.size(), 3U);
+        EXPECT_GE(io::readProfile(practice + fmt::format("nist_like/circle{}.ds", i)).profile.points_mm.size(), 3U);
 }
 
 TEST(ProfileReader, coordinatesInManyDisguises)
@@ -138,10 +139,10 @@ TEST(ProfileReader, otherColumnsAreLeftOutByName)
     expectLobes(
         read("index,x,y\n" + rows([&](int i, double a, double r) { return std::to_string(i) + "," + point(a, r); })));
     expectLobes(read(rows([&](int i, double a, double r) { return std::to_string(i + 1) + "," + point(a, r); })));
-    const ProfileFile file = read("x,y,z\n" + rows([&](int, double a, double r) { return point(a, r) + ",12.5"; }));
+    const io::ProfileFile file = read("x,y,z\n" + rows([&](int, double a, double r) { return point(a, r) + ",12.5"; }));
     expectLobes(file);
     EXPECT_FALSE(contains(file.notes, notes::coordinateIgnored));
-    const ProfileFile stack =
+    const io::ProfileFile stack =
         read("x,y,z\n" + rows([&](int i, double a, double r) { return point(a, r) + "," + std::to_string(i); }));
     expectLobes(stack);
     EXPECT_TRUE(contains(stack.notes, notes::coordinateIgnored));
@@ -159,21 +160,21 @@ TEST(ProfileReader, anglesAndRadii)
     for (const std::string& text :
          {"angle_deg,r_mm\n" + polar(1), "theta [rad],radius [mm]\n" + polar(turn / 360), "phi,r\n" + polar(1),
           "Winkel (°),Radius\n" + polar(1), polar(1), "angle_mrad,r\n" + polar(turn / 360 * 1000)}) {
-        const ProfileFile file = read(text);
+        const io::ProfileFile file = read(text);
         EXPECT_EQ(file.facts.format, "profile_polar");
         expectLobes(file);
     }
     // A whole turn of 6.28 can only be radians.
-    const ProfileFile guessed = read("angle,r\n" + polar(turn / 360));
+    const io::ProfileFile guessed = read("angle,r\n" + polar(turn / 360));
     expectLobes(guessed);
     EXPECT_TRUE(contains(guessed.notes, notes::angleUnitGuessed));
     // Half a turn without names: angles or coordinates?
     const std::string half = rows([](int, double a, double r) { return fmt::format("{},{:.9f}", a / 2, r); });
     EXPECT_EQ(refusal(half).code(), errors::columnsUnknown);
-    ProfileOptions options;
-    options.columns = ProfileColumns::AngleRadius;
+    io::ProfileOptions options;
+    options.columns = io::ProfileColumns::AngleRadius;
     EXPECT_EQ(read(half, options).facts.format, "profile_polar");
-    options.columns = ProfileColumns::Xy;
+    options.columns = io::ProfileColumns::Xy;
     EXPECT_EQ(read(half, options).facts.format, "profile_xy");
 }
 
@@ -184,13 +185,13 @@ TEST(ProfileReader, units)
     expectLobes(read("x (inch),y (inch)\n" + xyRows(",", 1 / 25.4)), 1e-6);
     // 25 000 fits no guess.
     EXPECT_EQ(refusal(xyRows(",", 1000)).code(), errors::unitUnknown);
-    ImportOptions um;
-    um.unit = LengthUnit::Micrometre;
+    io::ImportOptions um;
+    um.unit = io::LengthUnit::Micrometre;
     expectLobes(read(xyRows(",", 1000), {}, um), 1e-6);
-    const ProfileFile guessed = read(xyRows());
+    const io::ProfileFile guessed = read(xyRows());
     EXPECT_EQ(guessed.facts.unit_source, "guessed");
     EXPECT_TRUE(contains(guessed.notes, notes::unitGuessed));
-    const ProfileFile stated = read("# unit=mm\nx,y\n" + xyRows(), {}, um);
+    const io::ProfileFile stated = read("# unit=mm\nx,y\n" + xyRows(), {}, um);
     EXPECT_TRUE(contains(stated.notes, notes::unitNotUsed));
     expectLobes(stated);
     EXPECT_EQ(refusal("x_mm,y_um\n" + xyRows()).code(), errors::malformed);
@@ -206,9 +207,9 @@ TEST(ProfileReader, deviationsNeedARadius)
                               });
     EXPECT_EQ(refusal(table).code(), errors::nominalRadiusMissing);
     EXPECT_EQ(refusal(named).code(), errors::nominalRadiusMissing);
-    ProfileOptions options;
+    io::ProfileOptions options;
     options.nominal_radius_mm = 25;
-    const ProfileFile file = read(table, options);
+    const io::ProfileFile file = read(table, options);
     expectLobes(file);
     EXPECT_TRUE(file.profile.size_is_nominal);
     EXPECT_TRUE(contains(file.notes, notes::sizeFromNominal));
@@ -221,7 +222,7 @@ TEST(ProfileReader, deviationsNeedARadius)
     options.nominal_radius_mm = 25;
     EXPECT_EQ(refusal(bare, options).code(), errors::unitUnknown);
     // Radii need no nominal, and do not become deviations by one.
-    const ProfileFile radii =
+    const io::ProfileFile radii =
         read("angle_deg,r_mm\n" + rows([](int, double a, double r) { return fmt::format("{},{}", a, r); }), options);
     expectLobes(radii);
     EXPECT_FALSE(radii.profile.size_is_nominal);
@@ -234,14 +235,14 @@ TEST(ProfileReader, tracesOfRoundnessInstruments)
         return rows([=](int, double, double r) { return fmt::format("{:.6f}", (r - 25) * 1000 + offset_um); });
     };
     const std::string head = "Instrument: roundness tester\nUnits: µm\nFilter: 1-50 UPR\nNominal\t25\n";
-    ProfileOptions options;
+    io::ProfileOptions options;
     options.nominal_radius_mm = 25;
-    const ProfileFile file = read(head + values(0), options);
+    const io::ProfileFile file = read(head + values(0), options);
     EXPECT_EQ(file.facts.format, "roundness_trace");
     EXPECT_EQ(file.facts.delimiter, "");
     expectLobes(file);
     EXPECT_TRUE(contains(file.notes, notes::anglesUniform));
-    EXPECT_EQ(*headerWord(file.header, "filter"), "1-50 UPR");
+    EXPECT_EQ(*io::headerWord(file.header, "filter"), "1-50 UPR");
     EXPECT_EQ(refusal(head + values(0)).code(), errors::nominalRadiusMissing);
     expectLobes(read(head + commas(values(0)), options));
     EXPECT_EQ(refusal(values(10)).code(), errors::nominalRadiusMissing);
@@ -251,20 +252,20 @@ TEST(ProfileReader, tracesOfRoundnessInstruments)
 
 TEST(ProfileReader, oneColumnOrTwo)
 {
-    ProfileOptions options;
+    io::ProfileOptions options;
     options.nominal_radius_mm = 25;
-    ImportOptions um;
-    um.unit = LengthUnit::Micrometre;
+    io::ImportOptions um;
+    um.unit = io::LengthUnit::Micrometre;
     // "0,250" may be a quarter, or a point; leading zeros behind the comma tell.
     EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).profile.points_mm.size(), 4U);
     EXPECT_EQ(read("0,250\n0,025\n-0,125\n0,250\n", options, um).facts.format, "roundness_trace");
     EXPECT_EQ(refusal("1,250\n2,251\n3,250\n4,249\n").code(), errors::numberAmbiguous);
     EXPECT_EQ(refusal("10,25\n20,251\n30,5\n40,249\n").code(), errors::numberAmbiguous);
     EXPECT_EQ(read("x,y\n10,25\n20,25\n30,5\n10,2\n").profile.points_mm[0], Eigen::Vector2d(10, 25));
-    um.delimiter = Delimiter::Comma;
+    um.delimiter = io::Delimiter::Comma;
     EXPECT_EQ(read("10,25\n20,25\n30,5\n10,2\n", {}, um).profile.points_mm.size(), 4U);
-    um.delimiter = Delimiter::Auto;
-    um.decimal = Decimal::Comma;
+    um.delimiter = io::Delimiter::Auto;
+    um.decimal = io::Decimal::Comma;
     EXPECT_EQ(read("10,25\n20,25\n30,5\n10,2\n", options, um).facts.format, "roundness_trace");
     EXPECT_EQ(read("1 250\n2 251\n1 250\n4 249\n").facts.format, "profile_xy");
 }
@@ -283,19 +284,19 @@ TEST(ProfileReader, whatIsNoProfile)
     EXPECT_EQ(refusal("x_mm,y_mm\n1e30,0\n0,1e30\n-1e30,0\n").code(), errors::coordinateTooLarge);
     EXPECT_EQ(refusal("5\n1,2,3\n4,5,3\n7,8,3\n").code(), errors::truncated);
     EXPECT_EQ(refusal(std::string("\x89PNG\r\n\x1a\n\0\0", 10)).code(), errors::formatUnknown);
-    const ProfileFile holes = read("x_mm,y_mm\n1,2\nnan,3\n3,4\n");
+    const io::ProfileFile holes = read("x_mm,y_mm\n1,2\nnan,3\n3,4\n");
     EXPECT_EQ(holes.profile.points_mm.size(), 2U);
     EXPECT_TRUE(contains(holes.notes, notes::pointsNotFinite));
 }
 
 TEST(ProfileReader, cloudsAreNotTakenForProfiles)
 {
-    EXPECT_FALSE(isProfileTable("1 2 3\n4 5 6\n7 8 9\n"));
-    EXPECT_FALSE(isProfileTable("x,y,z\n1,2,3\n4,5,6\n"));
-    EXPECT_FALSE(isProfileTable("1 2 3 4 5 6\n4 5 6 7 8 9\n"));
-    EXPECT_FALSE(isProfileTable(""));
-    EXPECT_TRUE(isProfileTable("x,y\n1,2\n4,5\n"));
-    EXPECT_TRUE(isProfileTable("angle,r\n1,2\n4,5\n"));
+    EXPECT_FALSE(io::isProfileTable("1 2 3\n4 5 6\n7 8 9\n"));
+    EXPECT_FALSE(io::isProfileTable("x,y,z\n1,2,3\n4,5,6\n"));
+    EXPECT_FALSE(io::isProfileTable("1 2 3 4 5 6\n4 5 6 7 8 9\n"));
+    EXPECT_FALSE(io::isProfileTable(""));
+    EXPECT_TRUE(io::isProfileTable("x,y\n1,2\n4,5\n"));
+    EXPECT_TRUE(io::isProfileTable("angle,r\n1,2\n4,5\n"));
 }
 
 }  // namespace

@@ -8,23 +8,23 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/texts.h"
+#include "engine/io/cloud/scan_reader.h"
 #include "engine/io/io_codes.h"
-#include "engine/io/scan_reader.h"
 
 namespace lathelier::testing {
 
 /// Reads a file that exists only as text; without a unit of its own it is in mm.
-inline ScanFile readText(const std::string& content, ImportOptions options = {})
+inline io::ScanFile readText(const std::string& content, io::ImportOptions options = {})
 {
-    if (options.unit == LengthUnit::Auto) options.unit = LengthUnit::Millimetre;
-    return readScan("test", content, options);
+    if (options.unit == io::LengthUnit::Auto) options.unit = io::LengthUnit::Millimetre;
+    return io::readScan("test", content, options);
 }
 
 /// The error that reading gives.
-inline Error errorOf(const std::string& content, const ImportOptions& options = {})
+inline Error errorOf(const std::string& content, const io::ImportOptions& options = {})
 {
     try {
-        readScan("test", content, options);
+        io::readScan("test", content, options);
     } catch (const Error& error) {
         EXPECT_TRUE(find(error.values(), "path"));
         return error;
@@ -52,7 +52,7 @@ inline std::size_t furtherNotes(const Notes& notes)
         std::count_if(notes.begin(), notes.end(), [](const Note& note) { return !(note.code == notes::columnsRead); }));
 }
 
-inline std::string reasonOf(const SkippedRow& row)
+inline std::string reasonOf(const io::SkippedRow& row)
 {
     return row.reason.english;
 }

@@ -137,7 +137,7 @@ TEST(Refusal, ambiguousNumbers)
     EXPECT_EQ(errorOf(text).code(), errors::numberAmbiguous);
     EXPECT_EQ(readText(text + "0,5;1,25;2,125\n").scan.points_mm.front(), Eigen::Vector3d(1.234, 5.678, 9.012));
     // A given decimal mark that does not fit is refused, not bent.
-    EXPECT_EQ(errorOf("26.74906;6.90735;-16.07329\n", {Decimal::Comma}).code(), errors::malformed);
+    EXPECT_EQ(errorOf("26.74906;6.90735;-16.07329\n", {io::Decimal::Comma}).code(), errors::malformed);
 }
 
 TEST(Refusal, coordinatesOutOfReach)
@@ -153,25 +153,25 @@ TEST(Refusal, coordinatesOutOfReach)
 
 TEST(Units, aStatedOneRulesThenTheGivenOneThenTheExtent)
 {
-    ImportOptions metre;
-    metre.unit = LengthUnit::Metre;
-    const ScanFile stated = readScan("t", "X (in),Y (in),Z (in)\n1,2,3\n4,5,6\n", metre);
+    io::ImportOptions metre;
+    metre.unit = io::LengthUnit::Metre;
+    const io::ScanFile stated = io::readScan("t", "X (in),Y (in),Z (in)\n1,2,3\n4,5,6\n", metre);
     EXPECT_EQ(stated.scan.points_mm[0], Eigen::Vector3d(25.4, 50.8, 76.19999999999999));
     EXPECT_EQ(stated.facts.unit_source, "stated");
     EXPECT_TRUE(contains(stated.notes, notes::unitNotUsed));
-    EXPECT_EQ(readScan("t", "0.5 0.25 0\n1 1 1\n", metre).scan.points_mm[0], Eigen::Vector3d(500, 250, 0));
-    const ScanFile guessed = readScan("t", "0 0 0\n1 10 2\n", {});
+    EXPECT_EQ(io::readScan("t", "0.5 0.25 0\n1 1 1\n", metre).scan.points_mm[0], Eigen::Vector3d(500, 250, 0));
+    const io::ScanFile guessed = io::readScan("t", "0 0 0\n1 10 2\n", {});
     EXPECT_EQ(guessed.facts.unit_source, "guessed");
     EXPECT_TRUE(contains(guessed.notes, notes::unitGuessed));
     EXPECT_EQ(errorOf("0 0 0\n0.5 0.9 0.2\n").code(), errors::unitUnknown);
     EXPECT_EQ(errorOf("0 0 0\n10001 0 0\n").code(), errors::unitUnknown);
-    EXPECT_EQ(readScan("t", "0 0 0\n10000 0 0\n", {}).facts.unit, "mm");
+    EXPECT_EQ(io::readScan("t", "0 0 0\n10000 0 0\n", {}).facts.unit, "mm");
 }
 
 TEST(Units, manyWaysToStateThem)
 {
     const auto unitOf = [](const std::string& heading) {
-        return readScan("t", heading + "\n0.5;0.25;0.125\n1.5;2.5;3.5\n", {}).facts;
+        return io::readScan("t", heading + "\n0.5;0.25;0.125\n1.5;2.5;3.5\n", {}).facts;
     };
     for (const char* heading :
          {"X (in);Y (in);Z (in)", "x_in;y_in;z_in", "X [inch];Y [inch];Z [inch]", "X/in;Y/in;Z/in",

@@ -1,5 +1,5 @@
 // Text in UTF-32 and UTF-16, with characters beyond the basic plane and with halves of them.
-#include "engine/io/encoding.h"
+#include "engine/io/text/encoding.h"
 
 #include <cstdint>
 
@@ -34,7 +34,7 @@ TEST(WideEncodings, CharactersOfAllPlanesBecomeUtf8)
     for (const int bytes : {2, 4})
         for (const bool bigEndian : {false, true}) {
             const std::string encoded = wide(text, bytes, bigEndian);
-            const DecodedText decoded = decodeText(encoded, Encoding::Auto);
+            const io::DecodedText decoded = io::decodeText(encoded, io::Encoding::Auto);
             EXPECT_EQ(decoded.view(), "# wał Ø50 漢 😀\n1 2 3\n");
             EXPECT_EQ(decoded.encoding(), std::string("utf-") + (bytes == 2 ? "16" : "32") + (bigEndian ? "be" : "le"));
         }
@@ -45,7 +45,7 @@ TEST(WideEncodings, ACloudInUtf32IsRead)
     std::u32string text;
     for (int i = 0; i < 30; ++i) text += U"1.5 2.25 3\n4 5 6\n7 8 10\n";
     for (const bool bigEndian : {false, true}) {
-        const ScanFile file = testing::readText(wide(text, 4, bigEndian));
+        const io::ScanFile file = testing::readText(wide(text, 4, bigEndian));
         EXPECT_EQ(file.scan.points_mm.size(), 90u);
         EXPECT_EQ(file.scan.points_mm[0], Eigen::Vector3d(1.5, 2.25, 3));
         EXPECT_EQ(file.facts.encoding, bigEndian ? "utf-32be" : "utf-32le");
@@ -58,11 +58,12 @@ TEST(WideEncodings, HalvesAndNumbersThatAreNoCharactersAreReplaced)
     std::string halves;
     put(halves, 0xFEFF, 2, false);
     for (const std::uint32_t unit : {0x61U, 0xD800U, 0x62U, 0xDC00U, 0x63U, 0xD83DU}) put(halves, unit, 2, false);
-    EXPECT_EQ(decodeText(halves, Encoding::Auto).view(), "a" + replacement + "b" + replacement + "c" + replacement);
+    EXPECT_EQ(io::decodeText(halves, io::Encoding::Auto).view(),
+              "a" + replacement + "b" + replacement + "c" + replacement);
     std::string beyond;
     put(beyond, 0xFEFF, 4, false);
     for (const std::uint32_t unit : {0x61U, 0xD800U, 0x110000U, 0x62U}) put(beyond, unit, 4, false);
-    EXPECT_EQ(decodeText(beyond, Encoding::Auto).view(), "a" + replacement + replacement + "b");
+    EXPECT_EQ(io::decodeText(beyond, io::Encoding::Auto).view(), "a" + replacement + replacement + "b");
 }
 
 }  // namespace

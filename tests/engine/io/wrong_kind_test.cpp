@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/io_codes.h"
-#include "engine/io/profile_reader.h"
+#include "engine/io/profile/profile_reader.h"
 #include "tests/engine/io/reading.h"
 
 namespace lathelier {
@@ -16,32 +16,32 @@ using testing::wordOf;
 
 constexpr const char* rows3 = "1.5,2.5,3.5\n2.5,3.5,1.5\n3.5,1.5,2.5\n4.5,3.5,2.5\n";
 
-ImportOptions millimetres()
+io::ImportOptions millimetres()
 {
-    ImportOptions options;
-    options.unit = LengthUnit::Millimetre;
+    io::ImportOptions options;
+    options.unit = io::LengthUnit::Millimetre;
     return options;
 }
 
 std::string profileError(const std::string& name, const std::string& content,
-                         ProfileColumns columns = ProfileColumns::Auto)
+                         io::ProfileColumns columns = io::ProfileColumns::Auto)
 {
-    ProfileOptions options;
+    io::ProfileOptions options;
     options.columns = columns;
     options.nominal_radius_mm = 25;
     try {
-        readProfile(name, content, millimetres(), options);
+        io::readProfile(name, content, millimetres(), options);
     } catch (const Error& error) {
         return error.code().key;
     }
     return {};
 }
 
-std::string namesRead(const std::string& content, ProfileColumns columns = ProfileColumns::Auto)
+std::string namesRead(const std::string& content, io::ProfileColumns columns = io::ProfileColumns::Auto)
 {
-    ProfileOptions options;
+    io::ProfileOptions options;
     options.columns = columns;
-    const ProfileFile file = readProfile("test", content, millimetres(), options);
+    const io::ProfileFile file = io::readProfile("test", content, millimetres(), options);
     for (const Note& note : file.notes)
         if (note.code == notes::columnsRead) return text(*find(note.values, "columns"));
     return {};
@@ -57,11 +57,11 @@ std::string repeated(const std::string& heading, const std::string& row, int cou
 TEST(WrongKind, columnsOfAProfileAreNamed)
 {
     EXPECT_EQ(namesRead(repeated("angle,distance,angle2,distance2", ",25.5,7.5,8.5")), "angle, distance");
-    EXPECT_EQ(namesRead(repeated("angle,distance,angle2", ",25.5,7.5"), ProfileColumns::AngleRadius),
+    EXPECT_EQ(namesRead(repeated("angle,distance,angle2", ",25.5,7.5"), io::ProfileColumns::AngleRadius),
               "angle, distance");
     EXPECT_EQ(namesRead(repeated("no,phi_deg,reading_mm", ",7.5,25.5")), "phi_deg, reading_mm");
     EXPECT_EQ(namesRead(repeated("angle1,radius1", ",25.5")), "angle1, radius1");
-    EXPECT_EQ(namesRead("1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n", ProfileColumns::Xy), "1, 2");
+    EXPECT_EQ(namesRead("1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n", io::ProfileColumns::Xy), "1, 2");
 }
 
 TEST(WrongKind, columnsThatCouldAllBeMeantAreRefused)
@@ -70,12 +70,12 @@ TEST(WrongKind, columnsThatCouldAllBeMeantAreRefused)
     EXPECT_EQ(profileError("t", repeated("angle,r,r", ",25.5,24.5")), "columns_ambiguous");
     EXPECT_EQ(profileError("t", repeated("angle1,radius1,angle2,radius2", ",25.5,7.5,24.5")), "columns_ambiguous");
     EXPECT_EQ(profileError("t", repeated("x,y,x,y", ",25.5,7.5,24.5")), "columns_ambiguous");
-    EXPECT_EQ(profileError("t", repeated("angle,foo,bar", ",25.5,24.5"), ProfileColumns::AngleRadius),
+    EXPECT_EQ(profileError("t", repeated("angle,foo,bar", ",25.5,24.5"), io::ProfileColumns::AngleRadius),
               "columns_ambiguous");
-    EXPECT_EQ(profileError("t", repeated("foo,bar,baz", ",25.5,24.5"), ProfileColumns::AngleRadius),
+    EXPECT_EQ(profileError("t", repeated("foo,bar,baz", ",25.5,24.5"), io::ProfileColumns::AngleRadius),
               "columns_ambiguous");
-    EXPECT_EQ(profileError("t", repeated("x,foo,bar", ",25.5,24.5"), ProfileColumns::Xy), "columns_unknown");
-    EXPECT_EQ(profileError("t", repeated("x,y,foo", ",25.5,24.5"), ProfileColumns::AngleRadius), "columns_unknown");
+    EXPECT_EQ(profileError("t", repeated("x,foo,bar", ",25.5,24.5"), io::ProfileColumns::Xy), "columns_unknown");
+    EXPECT_EQ(profileError("t", repeated("x,y,foo", ",25.5,24.5"), io::ProfileColumns::AngleRadius), "columns_unknown");
     EXPECT_EQ(errorOf("x,y,z,x,y,z\n1.5,2.5,3.5,4.5,5.5,6.5\n2.5,3.5,1.5,4.5,5.5,6.5\n").code(),
               errors::columnsAmbiguous);
     // A plain letter comes before a further coordinate, and deviations do not stand beside radii.
@@ -139,10 +139,10 @@ TEST(WrongKind, aMeshIsReadAsOneByItsNameOrItsContent)
     EXPECT_EQ(wordOf(errorOf(obj), "expected"), "an OBJ keyword such as v or f");
     for (const char* name : {"a.obj", "a.OBJ", "a.stl", "a.ply", "a.pcd"}) {
         SCOPED_TRACE(name);
-        EXPECT_THROW(readScan(name, rows3, millimetres()), Error);
+        EXPECT_THROW(io::readScan(name, rows3, millimetres()), Error);
     }
     for (const char* name : {"a.xyz", "a.csv", "obj", "a.obj.txt"})
-        EXPECT_EQ(readScan(name, rows3, millimetres()).scan.points_mm.size(), 4U) << name;
+        EXPECT_EQ(io::readScan(name, rows3, millimetres()).scan.points_mm.size(), 4U) << name;
     EXPECT_EQ(profileError("a.obj", "1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n"), "format_unknown");
     for (const char* off : {"OFF\n", "COFF\n", "NOFF BINARY\n", "STCN4OFF\n", "# remark\n\nOFF\n", "OFF # remark\r\n"})
         EXPECT_EQ(wordOf(errorOf(std::string(off) + "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "found"), "an OFF mesh");

@@ -16,22 +16,22 @@ std::string keptProject(int version)
 
 TEST(ProjectVersions, EachHasAFileThatIsRead)
 {
-    for (int version = 1; version <= projectVersion; ++version) {
+    for (int version = 1; version <= project::projectVersion; ++version) {
         SCOPED_TRACE(version);
-        const Project project = readProject(keptProject(version)).project;
+        const project::Project project = project::readProject(keptProject(version)).project;
         EXPECT_EQ(project.title, "Journal 40 h6");
         EXPECT_EQ(*find(project.panels.at("compare").parameters, "tolerance_mm"), Value(0.05));
         EXPECT_TRUE(project.panels.at("compare").inputs.at("copy").synthetic);
         EXPECT_EQ(project.report, std::vector<std::string>{"compare"});
-        EXPECT_EQ(parseProject(toJsonText(project, "/scans"), "/scans"), project);
+        EXPECT_EQ(project::parseProject(project::toJsonText(project, "/scans"), "/scans"), project);
     }
 }
 
 TEST(ProjectItems, AreReadByTheirDescription)
 {
-    const Project project = readProject(keptProject(2)).project;
+    const project::Project project = project::readProject(keptProject(2)).project;
     ASSERT_EQ(project.items.count("drawn shaft"), 1U);
-    const Item& item = project.items.at("drawn shaft");
+    const project::Item& item = project.items.at("drawn shaft");
     EXPECT_EQ(item.kind, "shaft");
     EXPECT_EQ(item.origin.panel, "shaft");
     const Shaft shaft = fromValues<Shaft>(item.values);
@@ -43,19 +43,19 @@ TEST(ProjectItems, AreReadByTheirDescription)
 
 TEST(ProjectItems, KnowWhetherTheirOriginChanged)
 {
-    Project project;
-    PanelState& panel = project.panels["shaft"];
+    project::Project project;
+    project::PanelState& panel = project.panels["shaft"];
     panel.parameters = {{"bore_mm", 5.0}};
     panel.inputs["scan"] = {.path = "/scans/a.ply", .import = {}, .sha256 = "ab", .synthetic = false};
-    Item item{"shaft", toValues(Shaft{}), originOf(project, "shaft", "0.1.0")};
+    project::Item item{"shaft", toValues(Shaft{}), project::originOf(project, "shaft", "0.1.0")};
     EXPECT_EQ(item.origin.inputs, std::vector<std::string>{"ab"});
-    EXPECT_FALSE(isOutdated(project, item));
+    EXPECT_FALSE(project::isOutdated(project, item));
     project.panels["shaft"].inputs["scan"].path = "/elsewhere/a.ply";  // the same content
-    EXPECT_FALSE(isOutdated(project, item));
+    EXPECT_FALSE(project::isOutdated(project, item));
     project.panels["shaft"].parameters = {{"bore_mm", 6.0}};
-    EXPECT_TRUE(isOutdated(project, item));
+    EXPECT_TRUE(project::isOutdated(project, item));
     item.origin.panel.clear();  // made by no panel
-    EXPECT_FALSE(isOutdated(project, item));
+    EXPECT_FALSE(project::isOutdated(project, item));
 }
 
 }  // namespace

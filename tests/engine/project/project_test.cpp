@@ -39,12 +39,12 @@ protected:
     fs::path folder;
 };
 
-Project sampleProject(const fs::path& folder)
+project::Project sampleProject(const fs::path& folder)
 {
-    Project project;
+    project::Project project;
     project.title = "Wał – kopia „2”";
-    PanelState& panel = project.panels["compare"];
-    panel.inputs["reference"] = {(folder / "data/original.ply").string(), {{"unit", "mm"}}, sha256("abc"), true};
+    project::PanelState& panel = project.panels["compare"];
+    panel.inputs["reference"] = {(folder / "data/original.ply").string(), {{"unit", "mm"}}, io::sha256("abc"), true};
     panel.inputs["copy"] = {(folder.parent_path() / "elsewhere/copy.ply").string(), {}, "", false};
     panel.parameters = {{"tolerance_mm", 0.1},        {"pass_percent", std::int64_t{95}},
                         {"max_distance_mm", Value()}, {"exclude_z_mm", std::vector<Interval>{{1, 2}, {3, 4.5}}},
@@ -55,62 +55,62 @@ Project sampleProject(const fs::path& folder)
 
 TEST_F(ProjectFiles, RoundTrip)
 {
-    const Project project = sampleProject(folder);
+    const project::Project project = sampleProject(folder);
     const std::string path = (folder / "shaft.lathelier").string();
-    writeProject(path, project);
-    EXPECT_EQ(readProject(path).project, project);
+    project::writeProject(path, project);
+    EXPECT_EQ(project::readProject(path).project, project);
 }
 
 TEST_F(ProjectFiles, PathsAreRelativeOnDiskAndFollowTheFolder)
 {
     const std::string path = (folder / "shaft.lathelier").string();
-    writeProject(path, sampleProject(folder));
+    project::writeProject(path, sampleProject(folder));
     const Json json = Json::parse(std::ifstream(path));
-    EXPECT_EQ(json["version"], projectVersion);
+    EXPECT_EQ(json["version"], project::projectVersion);
     const Json& inputs = json["panels"]["compare"]["inputs"];
     EXPECT_EQ(inputs["reference"]["path"], "data/original.ply");
     EXPECT_EQ(inputs["copy"]["path"], "../elsewhere/copy.ply");
 
     fs::create_directories(folder / "moved");
     fs::rename(path, folder / "moved/shaft.lathelier");
-    const Project moved = readProject((folder / "moved/shaft.lathelier").string()).project;
+    const project::Project moved = project::readProject((folder / "moved/shaft.lathelier").string()).project;
     EXPECT_EQ(moved.panels.at("compare").inputs.at("reference").path, (folder / "moved/data/original.ply").string());
 }
 
 TEST_F(ProjectFiles, SaysWhichSourcesChangedOrAreMissing)
 {
     const std::string path = (folder / "shaft.lathelier").string();
-    writeProject(path, sampleProject(folder));
+    project::writeProject(path, sampleProject(folder));
     write("data/original.ply", "abc");
-    Notes notes = checkSources(readProject(path).project);
+    Notes notes = project::checkSources(project::readProject(path).project);
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_EQ(notes[0].code, notes::sourceMissing);
     EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "path")),
               (folder.parent_path() / "elsewhere/copy.ply").string());
 
     write("data/original.ply", "abcd");
-    notes = checkSources(readProject(path).project);
+    notes = project::checkSources(project::readProject(path).project);
     EXPECT_TRUE(contains(notes, notes::sourceChanged));
 }
 
 TEST_F(ProjectFiles, AFailedSaveLeavesTheOldFileWhole)
 {
     const std::string path = write("shaft.lathelier", "old");
-    EXPECT_THROW(writeProject((folder / "no such folder/shaft.lathelier").string(), {}), Error);
-    EXPECT_EQ(FileBytes(path).view(), "old");
+    EXPECT_THROW(project::writeProject((folder / "no such folder/shaft.lathelier").string(), {}), Error);
+    EXPECT_EQ(io::FileBytes(path).view(), "old");
 }
 
 TEST_F(ProjectFiles, AMissingOrEmptyFileIsLocated)
 {
     try {
-        readProject((folder / "none.lathelier").string());
+        project::readProject((folder / "none.lathelier").string());
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::fileNotFound);
         EXPECT_TRUE(find(error.values(), "path"));
     }
-    EXPECT_THROW(readProject(write("empty.lathelier", "")), Error);
-    EXPECT_THROW(readProject(folder.string()), Error);
+    EXPECT_THROW(project::readProject(write("empty.lathelier", "")), Error);
+    EXPECT_THROW(project::readProject(folder.string()), Error);
 }
 
 struct Wrong {
@@ -163,7 +163,7 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
     for (const Wrong& wrong : cases) {
         SCOPED_TRACE(wrong.text.substr(0, 120));
         try {
-            parseProject(wrong.text, "/");
+            project::parseProject(wrong.text, "/");
             ADD_FAILURE() << "accepted";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), wrong.code);
@@ -176,37 +176,37 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
 {
     try {
-        parseProject(R"({"format": "lathelier-project", "version": 3, "unheard_of": 1})", "/");
+        project::parseProject(R"({"format": "lathelier-project", "version": 4, "unheard_of": 1})", "/");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::versionTooNew);
-        EXPECT_STREQ(error.what(), "The project has format version 3; this program reads up to version 2.");
+        EXPECT_STREQ(error.what(), "The project has format version 4; this program reads up to version 3.");
     }
 }
 
 TEST(ProjectText, EverythingButFormatAndVersionMayBeMissing)
 {
-    EXPECT_EQ(parseProject(R"({"format": "lathelier-project", "version": 1})", "/"), Project{});
+    EXPECT_EQ(project::parseProject(R"({"format": "lathelier-project", "version": 1})", "/"), project::Project{});
 }
 
 TEST(ProjectText, MigrationRunsTheStepsFromTheVersionOn)
 {
-    const std::vector<MigrationStep> steps{[](Json& json) { json["steps"] += "1"; },
-                                           [](Json& json) { json["steps"] += "2"; }};
+    const std::vector<project::MigrationStep> steps{[](Json& json) { json["steps"] += "1"; },
+                                                    [](Json& json) { json["steps"] += "2"; }};
     Json json{{"version", 2}, {"steps", Json::array()}};
-    migrate(json, 2, steps);
+    project::migrate(json, 2, steps);
     EXPECT_EQ(json, (Json{{"version", 3}, {"steps", {"2"}}}));
-    EXPECT_EQ(static_cast<int>(migrationSteps().size()) + 1, projectVersion);
+    EXPECT_EQ(static_cast<int>(project::migrationSteps().size()) + 1, project::projectVersion);
 }
 
 TEST(ProjectText, AnyChangedByteIsReadOrRefusedButNothingElse)
 {
-    const std::string text = toJsonText(sampleProject("/work"), "/work");
+    const std::string text = project::toJsonText(sampleProject("/work"), "/work");
     rc::check([&] {
         std::string changed = text;
         changed[*rc::gen::inRange<std::size_t>(0, text.size())] = *rc::gen::arbitrary<char>();
         try {
-            parseProject(changed, "/work");
+            project::parseProject(changed, "/work");
         } catch (const Error& error) {
             RC_ASSERT(error.code().kind == ErrorKind::InputRejected);
         }

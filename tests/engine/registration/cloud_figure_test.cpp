@@ -1,4 +1,4 @@
-#include "engine/registration/cloud_figure.h"
+#include "engine/registration/neighbours/cloud_figure.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "engine/core/random.h"
-#include "engine/registration/cloud_distance.h"
-#include "engine/registration/points_near.h"
-#include "engine/registration/quick_turn.h"
+#include "engine/registration/neighbours/cloud_distance.h"
+#include "engine/registration/neighbours/points_near.h"
+#include "engine/registration/revolution/quick_turn.h"
 
 namespace lathelier::registration {
 namespace {

@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 
 TEST(Compare, RefusesPartsThatDoNotMatch)
 {
-    ShaftModel other{{.z_start_mm = 0, .z_end_mm = 60, .radius_start_mm = 30, .radius_end_mm = 30},
-                     {.z_start_mm = 60, .z_end_mm = 150, .radius_start_mm = 22, .radius_end_mm = 22}};
+    sample::ShaftModel other{{.z_start_mm = 0, .z_end_mm = 60, .radius_start_mm = 30, .radius_end_mm = 30},
+                             {.z_start_mm = 60, .z_end_mm = 150, .radius_start_mm = 22, .radius_end_mm = 22}};
     const Pair pair = makePair(12, {.copy = other});
     try {
         compare(pair.reference, pair.copy);

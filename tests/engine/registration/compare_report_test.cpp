@@ -10,27 +10,28 @@
 namespace lathelier::registration {
 namespace {
 
-TEST(CompareReport, HeadlineGivesNumberMethodAndVerdict)
+TEST(CompareReport, TheAnswerGivesNumberMethodAndVerdict)
 {
     CompareResult result = madeResult();
-    EXPECT_EQ(headline(result).text,
-              "RMS 0.0571\u00A0mm · mean +0.0092\u00A0mm · body of revolution · 92.7\u00A0% within ±0.1\u00A0mm");
-    EXPECT_EQ(headline(result).verdict, false);
+    EXPECT_EQ(report::valueLine(answer(result)), "RMS deviation 0.0571\u00A0mm");
+    EXPECT_EQ(report::sentenceText(answer(result)),
+              "mean +0.0092\u00A0mm · body of revolution · 92.7\u00A0% of the points within ±0.1\u00A0mm");
+    EXPECT_EQ(answer(result).verdict, Verdict::Fail);
     result.verdict = Verdict::Pass;
-    EXPECT_EQ(headline(result).verdict, true);
+    EXPECT_EQ(answer(result).verdict, Verdict::Pass);
     result.verdict.reset();
     result.within_tolerance_percent.reset();
     result.statistics.mean_mm = -0.0092;
-    EXPECT_EQ(headline(result).text, "RMS 0.0571\u00A0mm · mean -0.0092\u00A0mm · body of revolution");
-    EXPECT_EQ(headline(result).verdict, std::nullopt);
+    EXPECT_EQ(report::sentenceText(answer(result)), "mean -0.0092\u00A0mm · body of revolution");
+    EXPECT_EQ(answer(result).verdict, std::nullopt);
 }
 
 TEST(CompareReport, WithoutASignNoSignedNumberIsSaid)
 {
     CompareResult result = madeResult();
     result.has_sign = false;
-    EXPECT_EQ(headline(result).text.find("mean"), std::string::npos);
-    const std::string html = toHtml(compareReport(result, {}));
+    EXPECT_EQ(report::sentenceText(answer(result)).find("mean"), std::string::npos);
+    const std::string html = report::toHtml(compareReport(result, {}));
     EXPECT_EQ(html.find("0.0092"), std::string::npos);
     EXPECT_EQ(html.find("Median"), std::string::npos);
     EXPECT_NE(html.find("Root mean square"), std::string::npos);
@@ -39,7 +40,7 @@ TEST(CompareReport, WithoutASignNoSignedNumberIsSaid)
 
 TEST(CompareReport, HoldsWhatAnAuditAsksFor)
 {
-    const std::string html = toHtml(compareReport(madeResult(), {{"original.ply", 8785428, "0123abcd"}}));
+    const std::string html = report::toHtml(compareReport(madeResult(), {{"original.ply", 8785428, "0123abcd"}}));
     for (const char* part : {"out of tolerance",
                              "0.0571",
                              "92.70",
@@ -82,7 +83,7 @@ TEST(CompareReport, AResultWithoutAnAxisNeedsNoMap)
     result.unrolled.reset();
     result.meridian.reset();
     result.zones.clear();
-    const std::string html = toHtml(compareReport(result, {}));
+    const std::string html = report::toHtml(compareReport(result, {}));
     EXPECT_EQ(html.find("Unrolled"), std::string::npos);
     EXPECT_NE(html.find("point to plane"), std::string::npos);
 }
@@ -92,14 +93,14 @@ TEST(CompareReport, AnEmptyResultStillMakesAReport)
     CompareResult result;
     result.meridian = Meridian{};
     result.unrolled = UnrolledMap{};
-    EXPECT_NE(toHtml(compareReport(result, {})).find("</html>"), std::string::npos);
+    EXPECT_NE(report::toHtml(compareReport(result, {})).find("</html>"), std::string::npos);
 }
 
 TEST(ComparePlots, TheMapKeepsLengthAndAngleApart)
 {
     CompareResult result = madeResult();
     result.unrolled = UnrolledMap{1, 2, 3, 2, {11, 12, 21, 22, 31, 32}};  // z slow
-    const ColourMap map = unrolledMap(result, false);
+    const report::ColourMap map = unrolledMap(result, false);
     EXPECT_EQ(map.columns, 3);
     EXPECT_EQ(map.rows, 2);
     EXPECT_EQ(map.values, (std::vector<float>{11, 21, 31, 12, 22, 32}));
@@ -114,7 +115,7 @@ TEST(ComparePlots, MagnificationIsRoundAndShowsTheDeviation)
     CompareResult result = madeResult();
     const double factor = magnification(result);
     EXPECT_EQ(factor, 10);
-    const Plot plot = magnifiedMeridian(result);
+    const report::Plot plot = magnifiedMeridian(result);
     EXPECT_NEAR(plot.curves[3].y[200] - plot.curves[2].y[200], factor * result.meridian->deviation_mm[200], 1e-9);
     for (double& deviation_mm : result.meridian->deviation_mm) deviation_mm /= 100;
     EXPECT_EQ(magnification(result), 1000);

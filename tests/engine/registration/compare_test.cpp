@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "engine/core/parallel.h"
+#include "engine/io/cloud/scan_reader.h"
 #include "engine/io/file.h"
-#include "engine/io/scan_reader.h"
 #include "engine/registration/compare_json.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/registration_codes.h"
@@ -47,7 +47,7 @@ double truthBetween(double from_mm, double to_mm)
     constexpr int kSteps = 1000;
     for (int k = 0; k < kSteps; ++k) {
         const double z = from_mm + (to_mm - from_mm) * (k + 0.5) / kSteps;
-        sum += radius_mm(copiedShaft(), z) - radius_mm(nominalShaft(), z);
+        sum += radius_mm(sample::copiedShaft(), z) - radius_mm(sample::nominalShaft(), z);
     }
     return sum / kSteps;
 }
@@ -66,7 +66,7 @@ Scan movedBy(const Isometry3d& pose, Scan scan)
 
 TEST(Compare, ReadsTheErrorsPutIntoTheCopy)
 {
-    const Pair pair = makePair(4, {.copy = copiedShaft(), .angle_step_deg = 0.9});
+    const Pair pair = makePair(4, {.copy = sample::copiedShaft(), .angle_step_deg = 0.9});
     const CompareResult result = compare(pair.reference, pair.copy);
     EXPECT_EQ(result.method_used, CompareMethod::Revolution);
     for (const auto& [from, to] :
@@ -103,7 +103,7 @@ TEST(Compare, WithItselfIsTheIdentity)
 
 TEST(Compare, DoesNotDependOnWhereTheScansLie)
 {
-    const Pair pair = makePair(6, {.copy = copiedShaft()});
+    const Pair pair = makePair(6, {.copy = sample::copiedShaft()});
     const CompareResult base = compare(pair.reference, pair.copy);
     const Isometry3d away = motion(2.1, 300);
     const CompareResult moved_reference = compare(movedBy(away, pair.reference), pair.copy);
@@ -154,9 +154,9 @@ TEST(Compare, GivesTheSameBitsForAnyNumberOfThreads)
 
 TEST(Compare, TakesAMeshAsTheReference)
 {
-    const Pair pair = makePair(9, {.copy = copiedShaft()});
+    const Pair pair = makePair(9, {.copy = sample::copiedShaft()});
     const Isometry3d pose = motion(0.4, 20);
-    const Scan mesh = movedBy(pose, shaftMesh(nominalShaft()));
+    const Scan mesh = movedBy(pose, sample::shaftMesh(sample::nominalShaft()));
     const CompareResult result = compare(mesh, pair.copy);
     const PoseError e = errorOf(result.alignment.reference_T_copy, pose, pair.copy_T_part);
     EXPECT_EQ(result.method_used, CompareMethod::Revolution);
@@ -171,11 +171,11 @@ TEST(Compare, TakesAMeshAsTheCopy)
 {
     const Pair pair = makePair(10);
     const Isometry3d pose = motion(0.2, 5);
-    const CompareResult result = compare(pair.reference, movedBy(pose, shaftMesh(nominalShaft())));
+    const CompareResult result = compare(pair.reference, movedBy(pose, sample::shaftMesh(sample::nominalShaft())));
     const PoseError e = errorOf(result.alignment.reference_T_copy, pair.reference_T_part, pose);
     EXPECT_LT(e.axial_um, 15);
     EXPECT_LT(e.radial_um, 1);
-    EXPECT_EQ(result.deviation_mm.size(), shaftMesh(nominalShaft()).points_mm.size());
+    EXPECT_EQ(result.deviation_mm.size(), sample::shaftMesh(sample::nominalShaft()).points_mm.size());
 }
 
 TEST(Compare, TheSummaryAloneSaysTheSame)
@@ -186,7 +186,7 @@ TEST(Compare, TheSummaryAloneSaysTheSame)
     parameters.scanner_accuracy_mm = 0.05;
     const CompareResult whole = compare(pair.reference, pair.copy, parameters);
     const CompareResult less = compare(pair.reference, pair.copy, parameters, {}, CompareDetail::Summary);
-    EXPECT_EQ(toPlainText(compareSummary(whole)), toPlainText(compareSummary(less)));
+    EXPECT_EQ(report::toPlainText(compareSummary(whole)), report::toPlainText(compareSummary(less)));
     EXPECT_EQ(whole.alignment.reference_T_copy.matrix(), less.alignment.reference_T_copy.matrix());
     EXPECT_EQ(whole.statistics.rmse_mm, less.statistics.rmse_mm);
     EXPECT_EQ(whole.used, less.used);
@@ -220,9 +220,9 @@ TEST(Compare, LeavesOutExcludedZonesAndFarPoints)
 
 TEST(Compare, TreatsOtherPartsByTheGeneralMethod)
 {
-    const Scan reference = scanBracket(150000, 0.02, Isometry3d::Identity(), 1);
+    const Scan reference = sample::scanBracket(150000, 0.02, Isometry3d::Identity(), 1);
     const Isometry3d pose = motion(0.1, 3);
-    const Scan copy = scanBracket(150000, 0.02, pose, 2);
+    const Scan copy = sample::scanBracket(150000, 0.02, pose, 2);
     const CompareResult result = compare(reference, copy);
     EXPECT_EQ(result.method_used, CompareMethod::Plane);
     EXPECT_TRUE(contains(result.notes, notes::methodChosen));
@@ -256,10 +256,10 @@ TEST(Compare, StaysNearThePoseAsScanned)
 TEST(Compare, MeetsTheTruthOfFullScansAndOfTheNominalMesh)
 {
     PairOptions options;
-    options.copy = copiedShaft();
+    options.copy = sample::copiedShaft();
     options.angle_step_deg = 0.9;
     Pair pair = makePair(21, options);
-    Scan mesh = shaftMesh(nominalShaft());
+    Scan mesh = sample::shaftMesh(sample::nominalShaft());
     for (Vector3d& point : mesh.points_mm) point = pair.reference_T_part * point;
     const Scan scan = std::move(pair.reference);
     for (const Scan* reference : {&scan, &std::as_const(mesh)}) {

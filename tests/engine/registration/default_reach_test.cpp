@@ -21,7 +21,7 @@ TEST(DefaultReach, FollowsSizeAndNoise)
 
 TEST(DefaultReach, TakesNoNoticeOfSpuriousPoints)
 {
-    Scan scan = scanBracket(5000, 0, Eigen::Isometry3d::Identity(), 1);
+    Scan scan = sample::scanBracket(5000, 0, Eigen::Isometry3d::Identity(), 1);
     const double size = robustSize_mm(scan.points_mm);
     for (int i = 0; i < 100; ++i) scan.points_mm.emplace_back(1e4 * i, 0, 0);
     EXPECT_NEAR(robustSize_mm(scan.points_mm), size, 0.05 * size);
@@ -31,8 +31,8 @@ TEST(DefaultReach, TakesNoNoticeOfSpuriousPoints)
 TEST(DefaultReach, LetsPartsOfAnySizeBeCompared)
 {
     const testing_pair::Pair pair = testing_pair::makePair(3, {.angle_step_deg = 9, .spurious_share = 0.02});
-    const Scan bracket = scanBracket(8000, 0.05, Eigen::Isometry3d::Identity(), 1);
-    const Scan other = scanBracket(4000, 0.05, Eigen::Isometry3d(Eigen::Translation3d(0.4, 0.2, 0.1)), 2);
+    const Scan bracket = sample::scanBracket(8000, 0.05, Eigen::Isometry3d::Identity(), 1);
+    const Scan other = sample::scanBracket(4000, 0.05, Eigen::Isometry3d(Eigen::Translation3d(0.4, 0.2, 0.1)), 2);
     const auto scaled = [](Scan scan, double scale) {
         for (auto& p : scan.points_mm) p *= scale;
         return scan;

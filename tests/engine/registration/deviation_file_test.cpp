@@ -36,7 +36,7 @@ TEST_F(DeviationFile, CsvHasOneRowForEachPointInOrder)
 {
     const std::string path = (folder / "d.csv").string();
     writeDeviations(path, copy, result);
-    const FileBytes bytes(path);
+    const io::FileBytes bytes(path);
     const std::string_view text = bytes.view();
     EXPECT_EQ(text.substr(0, text.find("1,0.5")), "x_mm,y_mm,z_mm,deviation_mm,used\n0,0.5,-0.75,0.25,1\n");
     EXPECT_NE(text.find("\n19907,0.5,-0.75,,0\n"), std::string_view::npos);
@@ -47,7 +47,7 @@ TEST_F(DeviationFile, PlyHasTheSameProperties)
 {
     const std::string path = (folder / "d.PLY").string();
     writeDeviations(path, copy, result);
-    const FileBytes bytes(path);
+    const io::FileBytes bytes(path);
     const std::string_view text = bytes.view();
     const std::size_t begin = text.find("end_header\n") + 11;
     EXPECT_NE(text.find("element vertex 20000\nproperty double x_mm\nproperty double y_mm\nproperty double z_mm\n"

@@ -10,8 +10,8 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/io/io_codes.h"
-#include "engine/registration/general.h"
-#include "engine/registration/observability.h"
+#include "engine/registration/general/general.h"
+#include "engine/registration/general/observability.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/sample/sample.h"
 
@@ -68,10 +68,10 @@ Scan scanOf(int count, double sigma, unsigned seed, Place place)
 TEST(AlignGeneral, RecoversAnyPoseWithinItsUncertainty)
 {
     std::mt19937 random(5);
-    const GeneralReference reference = prepareReference(scanBracket(30000, 0.05, Isometry3d::Identity(), 1));
+    const GeneralReference reference = prepareReference(sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1));
     for (int i = 0; i < 4; ++i) {
         const Isometry3d pose = randomPose(random, (i * 60) * deg, 500);
-        const Scan copy = scanBracket(30000, 0.05, pose, 100 + static_cast<unsigned>(i));
+        const Scan copy = sample::scanBracket(30000, 0.05, pose, 100 + static_cast<unsigned>(i));
         const Alignment a = alignGeneral(reference, copy, CompareMethod::Plane, InitialPose::Auto);
         EXPECT_TRUE(a.converged);
         EXPECT_TRUE(a.free_motions.empty());
@@ -87,12 +87,12 @@ TEST(AlignGeneral, FindsAPartThatIsPartlyMissingAmongSpuriousPoints)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-10, 110);
-    const Scan reference = scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
+    const Scan reference = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
     const GeneralReference prepared = prepareReference(reference);
     for (int i = 0; i < 3; ++i) {
         const Isometry3d pose = randomPose(random, (20 + 75 * i) * deg, 200);
         const Vector3d cut = Vector3d(i == 0, i == 1, i == 2) + Vector3d(0.1, 0.3, 0.2);
-        Scan copy = scanBracket(30000, 0.05, Isometry3d::Identity(), 50 + static_cast<unsigned>(i));
+        Scan copy = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 50 + static_cast<unsigned>(i));
         std::vector<double> heights;
         for (const Vector3d& p : copy.points_mm) heights.push_back(cut.dot(p));
         std::nth_element(heights.begin(), heights.begin() + 21000, heights.end());
@@ -112,13 +112,13 @@ TEST(AlignGeneral, TakesMeshesOnEitherSide)
 {
     std::mt19937 random(9);
     const Isometry3d pose = randomPose(random, 70 * deg, 100);
-    const Scan cloud = scanBracket(30000, 0.05, pose, 3);
-    const Alignment onto_mesh = alignGeneral(bracketMesh(), cloud, CompareMethod::Plane, InitialPose::Auto);
+    const Scan cloud = sample::scanBracket(30000, 0.05, pose, 3);
+    const Alignment onto_mesh = alignGeneral(sample::bracketMesh(), cloud, CompareMethod::Plane, InitialPose::Auto);
     EXPECT_LT(poseError(onto_mesh, pose).translation_um, 6);
-    const Alignment of_mesh = alignGeneral(cloud, bracketMesh(), CompareMethod::Plane, InitialPose::Auto);
+    const Alignment of_mesh = alignGeneral(cloud, sample::bracketMesh(), CompareMethod::Plane, InitialPose::Auto);
     EXPECT_LT(poseError(of_mesh, pose.inverse(), pose * bracket_centre).translation_um, 6);
-    const Alignment both =
-        alignGeneral(bracketMesh(), moved(bracketMesh(), pose), CompareMethod::Plane, InitialPose::Auto);
+    const Alignment both = alignGeneral(sample::bracketMesh(), moved(sample::bracketMesh(), pose), CompareMethod::Plane,
+                                        InitialPose::Auto);
     EXPECT_LT(poseError(both, pose).translation_um, 0.01);
 }
 
@@ -126,8 +126,8 @@ TEST(AlignGeneral, ForwardAndInverseAgree)
 {
     std::mt19937 random(11);
     const Isometry3d pose = randomPose(random, 25 * deg, 20);
-    const Scan a = scanBracket(40000, 0.05, Isometry3d::Identity(), 1);
-    const Scan b = scanBracket(40000, 0.05, pose, 2);
+    const Scan a = sample::scanBracket(40000, 0.05, Isometry3d::Identity(), 1);
+    const Scan b = sample::scanBracket(40000, 0.05, pose, 2);
     const Alignment forward = alignGeneral(a, b, CompareMethod::Plane, InitialPose::Auto);
     const Alignment inverse = alignGeneral(b, a, CompareMethod::Plane, InitialPose::Auto);
     const PoseError e = poseError(forward, inverse.reference_T_copy);
@@ -140,8 +140,8 @@ TEST(AlignGeneral, DoesNotDependOnWhereBothStand)
     std::mt19937 random(13);
     const Isometry3d pose = randomPose(random, 10 * deg, 5);
     const Isometry3d far = Eigen::Translation3d(1e6, -2e6, 5e5) * Eigen::AngleAxisd(2, Vector3d(1, 2, 3).normalized());
-    const Scan a = scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
-    const Scan b = scanBracket(20000, 0.05, pose, 2);
+    const Scan a = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
+    const Scan b = sample::scanBracket(20000, 0.05, pose, 2);
     const Alignment here = alignGeneral(a, b, CompareMethod::Plane, InitialPose::Auto);
     const Alignment there = alignGeneral(moved(a, far), moved(b, far), CompareMethod::Plane, InitialPose::Auto);
     const Isometry3d expected = far * here.reference_T_copy * far.inverse();
@@ -152,7 +152,7 @@ TEST(AlignGeneral, DoesNotDependOnWhereBothStand)
 TEST(AlignGeneral, OfACloudWithItselfIsExact)
 {
     std::mt19937 random(15);
-    const Scan a = scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
+    const Scan a = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
     const Isometry3d pose = randomPose(random, 100 * deg, 50);
     for (const Isometry3d& p : {Isometry3d::Identity(), pose}) {
         const Alignment alignment = alignGeneral(a, moved(a, p), CompareMethod::Plane, InitialPose::Auto);
@@ -166,8 +166,8 @@ TEST(AlignGeneral, OfACloudWithItselfIsExact)
 TEST(AlignGeneral, IsTheSameForAnyNumberOfThreads)
 {
     std::mt19937 random(17);
-    const Scan a = scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
-    const Scan b = scanBracket(20000, 0.05, randomPose(random, 2, 30), 2);
+    const Scan a = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
+    const Scan b = sample::scanBracket(20000, 0.05, randomPose(random, 2, 30), 2);
     const Alignment many = alignGeneral(a, b, CompareMethod::Plane, InitialPose::Auto);
     const ThreadLimit limit(1);
     ASSERT_EQ(threadsAllowed(), 1u);
@@ -283,11 +283,11 @@ TEST(AlignGeneral, ASymmetricPlateTakesTheSmallestRotationAndSaysSo)
 
 TEST(AlignGeneral, DifferentPartsDoNotFit)
 {
-    const Scan bracket = scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
-    ScannerModel scanner;
+    const Scan bracket = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
+    sample::ScannerModel scanner;
     scanner.row_pitch_mm = 1;
     scanner.angle_step_deg = 3;
-    const Scan shaft = scanShaft(nominalShaft(), scanner);
+    const Scan shaft = sample::scanShaft(sample::nominalShaft(), scanner);
     const Alignment a = alignGeneral(bracket, shaft, CompareMethod::Plane, InitialPose::Auto);
     EXPECT_TRUE(a.reference_T_copy.matrix().allFinite());
 }
@@ -295,10 +295,10 @@ TEST(AlignGeneral, DifferentPartsDoNotFit)
 TEST(AlignGeneral, PointToPointStaysHonest)
 {
     std::mt19937 random(19);
-    const Scan a = scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
+    const Scan a = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
     const Isometry3d pose = randomPose(random, 5 * deg, 2);
     const Alignment alignment =
-        alignGeneral(a, scanBracket(30000, 0.05, pose, 2), CompareMethod::Point, InitialPose::Identity);
+        alignGeneral(a, sample::scanBracket(30000, 0.05, pose, 2), CompareMethod::Point, InitialPose::Identity);
     if (alignment.converged) {
         EXPECT_LT(poseError(alignment, pose).translation_um, 60);
     }
@@ -306,7 +306,7 @@ TEST(AlignGeneral, PointToPointStaysHonest)
 
 TEST(AlignGeneral, RefusesWhatDeterminesNothing)
 {
-    const Scan bracket = scanBracket(5000, 0.05, Isometry3d::Identity(), 1);
+    const Scan bracket = sample::scanBracket(5000, 0.05, Isometry3d::Identity(), 1);
     const auto refusal = [&](std::vector<Vector3d> points) {
         Scan scan;
         scan.points_mm = std::move(points);
@@ -328,7 +328,7 @@ TEST(AlignGeneral, SurvivesTinyAndScatteredClouds)
 {
     std::mt19937 random(21);
     std::uniform_real_distribution<double> unit(0, 1);
-    const Scan bracket = scanBracket(5000, 0.05, Isometry3d::Identity(), 1);
+    const Scan bracket = sample::scanBracket(5000, 0.05, Isometry3d::Identity(), 1);
     for (double scale : {1e-3, 1.0, 1e3}) {
         for (int count : {4, 30}) {
             Scan cloud;
@@ -349,7 +349,7 @@ TEST(AlignGeneral, CanBeCancelled)
 {
     std::stop_source stop;
     stop.request_stop();
-    const Scan bracket = scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
+    const Scan bracket = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
     EXPECT_THROW(
         alignGeneral(bracket, bracket, CompareMethod::Plane, InitialPose::Auto, Progress(stop.get_token(), {})),
         Cancelled);

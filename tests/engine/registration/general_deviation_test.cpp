@@ -11,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/registration_codes.h"
-#include "engine/registration/surface_deviation.h"
+#include "engine/registration/surface/surface_deviation.h"
 #include "engine/sample/sample.h"
 
 namespace lathelier::registration {
@@ -171,7 +171,7 @@ TEST(SurfaceDeviation, OfANoisyCloudReadsAnExcessOf50AsFifty)
 
 TEST(SurfaceDeviation, OfACloudFromItselfIsItsOwnScatterAboutZero)
 {
-    const Scan bracket = scanBracket(200000, 0.05, Eigen::Isometry3d::Identity(), 1);
+    const Scan bracket = sample::scanBracket(200000, 0.05, Eigen::Isometry3d::Identity(), 1);
     const SurfaceDeviation d = surfaceDeviation(bracket, bracket.points_mm, 1);
     const Moments m = moments(d.deviation_mm);
     EXPECT_TRUE(d.has_sign);
@@ -209,19 +209,19 @@ TEST(SurfaceDeviation, TakesTheSignFromNormals)
 
 TEST(SurfaceDeviation, IsTheSameForAnyNumberOfThreads)
 {
-    const Scan bracket = scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 1);
-    const Scan copy = scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 2);
+    const Scan bracket = sample::scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 1);
+    const Scan copy = sample::scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 2);
     const auto bits = [](const std::vector<float>& values) {
         std::vector<std::uint32_t> result;
         for (float v : values) result.push_back(std::bit_cast<std::uint32_t>(v));
         return result;
     };
     const auto many = bits(surfaceDeviation(bracket, copy.points_mm, 1).deviation_mm);
-    const auto many_mesh = bits(surfaceDeviation(bracketMesh(), copy.points_mm, 1).deviation_mm);
+    const auto many_mesh = bits(surfaceDeviation(sample::bracketMesh(), copy.points_mm, 1).deviation_mm);
     const ThreadLimit limit(1);
     ASSERT_EQ(threadsAllowed(), 1u);
     EXPECT_EQ(many, bits(surfaceDeviation(bracket, copy.points_mm, 1).deviation_mm));
-    EXPECT_EQ(many_mesh, bits(surfaceDeviation(bracketMesh(), copy.points_mm, 1).deviation_mm));
+    EXPECT_EQ(many_mesh, bits(surfaceDeviation(sample::bracketMesh(), copy.points_mm, 1).deviation_mm));
 }
 
 TEST(SurfaceDeviation, SurvivesDegenerateReferences)
@@ -242,7 +242,7 @@ TEST(SurfaceDeviation, CanBeCancelled)
 {
     std::stop_source stop;
     stop.request_stop();
-    const Scan bracket = scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 1);
+    const Scan bracket = sample::scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 1);
     EXPECT_THROW(surfaceDeviation(bracket, bracket.points_mm, 1, Progress(stop.get_token(), {})), Cancelled);
 }
 

@@ -8,9 +8,9 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
-#include "engine/registration/cloud_distance.h"
-#include "engine/registration/neighbours.h"
-#include "engine/registration/neighbours_order.h"
+#include "engine/registration/neighbours/cloud_distance.h"
+#include "engine/registration/neighbours/neighbours.h"
+#include "engine/registration/neighbours/neighbours_order.h"
 #include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {

@@ -1,13 +1,13 @@
 // Does the stated uncertainty of a general pose hold the truth?
-#include "engine/registration/general_uncertainty.h"
+#include "engine/registration/general/general_uncertainty.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "engine/registration/general.h"
-#include "engine/registration/general_reference.h"
+#include "engine/registration/general/general.h"
+#include "engine/registration/general/general_reference.h"
 #include "engine/sample/sample.h"
 #include "tests/engine/registration/noisy_scan.h"
 
@@ -32,7 +32,7 @@ constexpr int cases = 100;
 /// error.
 Coverage coverageOf(Noise kind, bool onto_mesh)
 {
-    const Scan mesh = bracketMesh();
+    const Scan mesh = sample::bracketMesh();
     GeneralReference reference;
     if (onto_mesh) reference = prepareReference(mesh);
     Coverage c;

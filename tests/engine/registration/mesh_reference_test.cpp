@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "engine/registration/compare.h"
-#include "engine/registration/mesh_repair.h"
 #include "engine/registration/registration_codes.h"
-#include "engine/registration/surface_deviation.h"
+#include "engine/registration/surface/mesh_repair.h"
+#include "engine/registration/surface/surface_deviation.h"
 
 namespace lathelier::registration {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "engine/core/random.h"
-#include "engine/registration/surface_samples.h"
+#include "engine/registration/surface/surface_samples.h"
 
 namespace lathelier::testing_noise {
 

@@ -8,7 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/registration_codes.h"
-#include "engine/registration/revolution_axis.h"
+#include "engine/registration/revolution/revolution_axis.h"
 #include "engine/sample/sample.h"
 
 namespace lathelier::registration {
@@ -31,11 +31,11 @@ Scan cloud(std::size_t count, double sigma_mm, const std::function<Vector3d(doub
 
 Scan shaftScan(double row_pitch_mm, double angle_step_deg, std::uint64_t seed)
 {
-    ScannerModel scanner;
+    sample::ScannerModel scanner;
     scanner.row_pitch_mm = row_pitch_mm;
     scanner.angle_step_deg = angle_step_deg;
     scanner.seed = seed;
-    return scanShaft(nominalShaft(), scanner);
+    return sample::scanShaft(sample::nominalShaft(), scanner);
 }
 
 Scan bent(Scan scan, double bow_mm)
@@ -198,7 +198,7 @@ TEST(RoughZones, DoNotSetTheScatter)
 TEST(ThinScans, AreNotRefusedForALastStep)
 {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        ScannerModel scanner;
+        sample::ScannerModel scanner;
         scanner.row_pitch_mm = 0.5;
         scanner.angle_step_deg = 3.6;
         scanner.part_z_from_mm = 20;
@@ -206,7 +206,7 @@ TEST(ThinScans, AreNotRefusedForALastStep)
         scanner.seed = 30 + seed;
         scanner.scan_T_part =
             Eigen::Translation3d(0.3, 0.7, 0) * Eigen::AngleAxisd(0.007, Vector3d(1, 0.6, 0).normalized());
-        const RevolutionFit fit = fitRevolution(scanShaft(nominalShaft(), scanner).points_mm);
+        const RevolutionFit fit = fitRevolution(sample::scanShaft(sample::nominalShaft(), scanner).points_mm);
         EXPECT_TRUE(isBodyOfRevolution(fit)) << "seed " << seed;
         EXPECT_NEAR(fit.sigma_mm, 0.05, 0.005) << "seed " << seed;
     }

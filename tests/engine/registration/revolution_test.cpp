@@ -1,4 +1,4 @@
-#include "engine/registration/revolution.h"
+#include "engine/registration/revolution/revolution.h"
 #include "engine/registration/registration_codes.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/registration/compare.h"
-#include "engine/registration/surface_samples.h"
+#include "engine/registration/surface/surface_samples.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
 namespace lathelier::registration {
@@ -18,10 +18,10 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 /// The model's surface as a cloud with noise along the normal, moved; `sides` 3 or more make a prism of it.
-std::vector<Vector3d> cloudOf(const ShaftModel& model, const Isometry3d& frame_T_part, double sigma_mm, int sides = 400,
-                              std::size_t count = 60000)
+std::vector<Vector3d> cloudOf(const sample::ShaftModel& model, const Isometry3d& frame_T_part, double sigma_mm,
+                              int sides = 400, std::size_t count = 60000)
 {
-    const Scan samples = sampleSurface(shaftMesh(model, sides), count, 5);
+    const Scan samples = sampleSurface(sample::shaftMesh(model, sides), count, 5);
     std::vector<Vector3d> points;
     for (std::size_t i = 0; i < samples.points_mm.size(); ++i)
         points.push_back(frame_T_part *
@@ -45,15 +45,15 @@ std::pair<double, double> axisError(const RevolutionFit& fit, const Isometry3d& 
     return {place.head<2>().norm(), std::asin(std::min(1.0, direction.head<2>().norm())) * 180 / std::numbers::pi};
 }
 
-const ShaftModel kDisc{{.z_start_mm = 0, .z_end_mm = 6, .radius_start_mm = 50, .radius_end_mm = 50}};
-const ShaftModel kCone{{.z_start_mm = 0, .z_end_mm = 50, .radius_start_mm = 8, .radius_end_mm = 30}};
-const ShaftModel kPin{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
+const sample::ShaftModel kDisc{{.z_start_mm = 0, .z_end_mm = 6, .radius_start_mm = 50, .radius_end_mm = 50}};
+const sample::ShaftModel kCone{{.z_start_mm = 0, .z_end_mm = 50, .radius_start_mm = 8, .radius_end_mm = 30}};
+const sample::ShaftModel kPin{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
 
 TEST(RevolutionAxis, IsFoundForAnyBodyInAnyPose)
 {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const Isometry3d pose = anyPose(seed);
-        for (const ShaftModel& model : {nominalShaft(), kDisc, kCone, kPin}) {
+        for (const sample::ShaftModel& model : {sample::nominalShaft(), kDisc, kCone, kPin}) {
             const double middle = (model.front().z_start_mm + model.back().z_end_mm) / 2;
             const RevolutionFit fit = fitRevolution(cloudOf(model, pose, 0.02));
             ASSERT_TRUE(isBodyOfRevolution(fit)) << "seed " << seed << " length " << 2 * middle;
@@ -68,7 +68,7 @@ TEST(RevolutionAxis, IsFoundFromAThirdOfATurn)
 {
     const Isometry3d pose = anyPose(8);
     std::vector<Vector3d> points;
-    for (const Vector3d& p : cloudOf(nominalShaft(), Isometry3d::Identity(), 0.02))
+    for (const Vector3d& p : cloudOf(sample::nominalShaft(), Isometry3d::Identity(), 0.02))
         if (std::atan2(p.y(), p.x()) > 0 && std::atan2(p.y(), p.x()) < 2 * std::numbers::pi / 3)
             points.push_back(pose * p);
     const RevolutionFit fit = fitRevolution(points);
@@ -81,7 +81,7 @@ TEST(RevolutionAxis, IsFoundFromAThirdOfATurn)
 TEST(RevolutionAxis, ToleratesAKeywayAndAFlat)
 {
     std::vector<Vector3d> points;
-    for (Vector3d p : cloudOf(nominalShaft(), Isometry3d::Identity(), 0.02)) {
+    for (Vector3d p : cloudOf(sample::nominalShaft(), Isometry3d::Identity(), 0.02)) {
         if (p.z() > 120 && p.z() < 170 && p.y() > 0 && std::abs(p.x()) < 3) p.y() -= 4;  // keyway
         if (p.z() > 10 && p.z() < 40) p.x() = std::min(p.x(), 14.0);                     // flat
         points.push_back(p);
@@ -95,9 +95,11 @@ TEST(RevolutionAxis, ToleratesAKeywayAndAFlat)
 
 TEST(RevolutionAxis, IsDeniedToOtherParts)
 {
-    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(scanBracket(60000, 0.05, anyPose(1), 3).points_mm)));
-    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(nominalShaft(), anyPose(2), 0.02, 4)))) << "square bar";
-    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(nominalShaft(), anyPose(3), 0.02, 6)))) << "hexagonal bar";
+    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(sample::scanBracket(60000, 0.05, anyPose(1), 3).points_mm)));
+    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(sample::nominalShaft(), anyPose(2), 0.02, 4))))
+        << "square bar";
+    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(sample::nominalShaft(), anyPose(3), 0.02, 6))))
+        << "hexagonal bar";
     EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(kDisc, anyPose(4), 0.02, 4)))) << "square plate";
     // A crank: journals on one axis, two pins of the same size beside it.
     std::vector<Vector3d> crank = cloudOf(
@@ -161,7 +163,7 @@ TEST(RevolutionAlignment, KeepsTheLimitsEndForEnd)
 }
 TEST(RevolutionAlignment, KeepsTheLimitsForAFaultyCopy)
 {
-    expectWithin({.copy = copiedShaft()}, {6, 1, 0.001}, 3);
+    expectWithin({.copy = sample::copiedShaft()}, {6, 1, 0.001}, 3);
 }
 TEST(RevolutionAlignment, KeepsTheLimitsWithDropoutsAndSpuriousPoints)
 {
@@ -179,14 +181,14 @@ TEST(RevolutionAlignment, KeepsTheLimitsOfAFullScan)
 
 TEST(RevolutionAlignment, LeavesRollAndOnACylinderTheShiftAlone)
 {
-    const ShaftModel pin{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
-    ScannerModel scanner;
+    const sample::ShaftModel pin{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
+    sample::ScannerModel scanner;
     scanner.angle_step_deg = 3.6;
-    const Scan reference = scanShaft(pin, scanner);
+    const Scan reference = sample::scanShaft(pin, scanner);
     scanner.seed = 2;
     scanner.frame_T_scan = Eigen::Translation3d(2, -1, 4) * Eigen::AngleAxisd(0.1, Vector3d::UnitX()) *
                            Eigen::AngleAxisd(0.7, Vector3d::UnitZ());
-    const Scan copy = scanShaft(pin, scanner);
+    const Scan copy = sample::scanShaft(pin, scanner);
     const CompareResult result = compare(reference, copy);
     ASSERT_EQ(result.alignment.free_motions.size(), 2u);
     EXPECT_EQ(result.alignment.free_motions[0].kind, FreeMotion::Kind::Rotation);

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/registration/registration_codes.h"
-#include "engine/registration/revolution.h"
+#include "engine/registration/revolution/revolution.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
 namespace lathelier::registration {
@@ -39,19 +39,19 @@ class LeaningScans {
 public:
     explicit LeaningScans(double angle_step_deg) : step_(angle_step_deg)
     {
-        ScannerModel a;
+        sample::ScannerModel a;
         a.angle_step_deg = step_;
         a.seed = 900;
         pose_ = a.scan_T_part = standing(0.4, 0.5, 0.8, 1.2, 0, 0);
-        points_ = scanShaft(nominalShaft(), a).points_mm;
+        points_ = sample::scanShaft(sample::nominalShaft(), a).points_mm;
         reference_.fit = fitRevolution(points_);
     }
-    LeaningScan operator()(ScannerModel b, const ShaftModel& shaft = nominalShaft()) const
+    LeaningScan operator()(sample::ScannerModel b, const sample::ShaftModel& shaft = sample::nominalShaft()) const
     {
         b.angle_step_deg = step_;
         b.scan_z_from_mm = 0;
         b.scan_z_to_mm = 183;
-        const Scan scan = scanShaft(shaft, b);
+        const Scan scan = sample::scanShaft(shaft, b);
         TurnedPart reference = reference_;
         TurnedPart copy{fitRevolution(scan.points_mm), {}};
         ShoulderPair shoulders = findShoulders(points_, reference.fit, scan.points_mm, copy.fit);
@@ -78,7 +78,7 @@ TEST(LeaningScans, KeepTheAxialPositionWithAnEndMissing)
 {
     const LeaningScans scans(0.9);  // the limit is that of a full scan
     for (int k = 0; k < 4; ++k) {
-        ScannerModel b;
+        sample::ScannerModel b;
         b.seed = 910 + static_cast<std::uint64_t>(k);
         b.sigma_mm = k % 2 ? 0.05 : 0.10;
         b.dropout_share = k % 3 == 2 ? 0.3 : 0;
@@ -101,7 +101,7 @@ TEST(LeaningScans, AxialUncertaintyCoversTheTruth)
     constexpr int kSets = 30;
     for (int k = 0; k < kSets; ++k) {
         const auto draw = [&](std::uint64_t i) { return randomUniform(431, static_cast<std::uint64_t>(k), i); };
-        ScannerModel b;
+        sample::ScannerModel b;
         b.seed = 2000 + static_cast<std::uint64_t>(k);
         b.sigma_mm = k % 2 ? 0.05 : 0.10;
         b.dropout_share = 0.15 * (k % 3);
@@ -134,13 +134,13 @@ TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
         int radial = 0, angle = 0;
         for (int k = 0; k < kSets; ++k) {
             const auto seed = static_cast<std::uint64_t>(100 * kind + k);
-            ScannerModel scanner;
+            sample::ScannerModel scanner;
             scanner.row_pitch_mm = 0.5;
             scanner.angle_step_deg = 6;
             scanner.seed = 3000 + seed;
             scanner.sigma_mm = kind == White ? 0.05 : 0.03;
             scanner.scan_T_part = standing(2 * randomUniform(77, seed, 0), 6 * randomUniform(77, seed, 1), 1, 2, 0, 0);
-            Scan scan = scanShaft(nominalShaft(), scanner);
+            Scan scan = sample::scanShaft(sample::nominalShaft(), scanner);
             auto& points = scan.points_mm;
             double state = 0;
             if (kind == Correlated)  // along the rows, over about five points

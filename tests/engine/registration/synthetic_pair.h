@@ -18,8 +18,8 @@ struct Pair {
 };
 
 struct PairOptions {
-    ShaftModel reference = nominalShaft();
-    ShaftModel copy = nominalShaft();
+    sample::ShaftModel reference = sample::nominalShaft();
+    sample::ShaftModel copy = sample::nominalShaft();
     double angle_step_deg = 3.6;  ///< a quarter of the points of a full scan
     double dropout_share = 0;
     double spurious_share = 0;
@@ -32,11 +32,11 @@ struct PairOptions {
 inline Pair makePair(std::uint64_t seed, const PairOptions& options = {})
 {
     const auto draw = [&](std::uint64_t k) { return 2 * randomUniform(77, seed, k) - 1; };
-    ScannerModel a;
+    sample::ScannerModel a;
     a.angle_step_deg = options.angle_step_deg;
     a.dropout_share = options.dropout_share;
     a.spurious_share = options.spurious_share;
-    ScannerModel b = a;
+    sample::ScannerModel b = a;
     a.seed = 1000 + 2 * seed;
     b.seed = 1001 + 2 * seed;
     a.scan_T_part = Eigen::Translation3d(draw(0), draw(1), draw(2)) *
@@ -51,7 +51,7 @@ inline Pair makePair(std::uint64_t seed, const PairOptions& options = {})
                          Eigen::AngleAxisd(std::acos(-1.0), Eigen::Vector3d(1, 0.3, 0).normalized());
     b.part_z_from_mm = options.copy_from_mm;
     b.part_z_to_mm = options.copy_to_mm;
-    return {scanShaft(options.reference, a), scanShaft(options.copy, b), a.frame_T_scan * a.scan_T_part,
+    return {sample::scanShaft(options.reference, a), sample::scanShaft(options.copy, b), a.frame_T_scan * a.scan_T_part,
             b.frame_T_scan * b.scan_T_part};
 }
 

@@ -1,5 +1,5 @@
 // The nearest point of a triangle, with and without area.
-#include "engine/registration/triangle.h"
+#include "engine/registration/surface/triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
-Vec linear(Rgb c)
+Vec linear(report::Rgb c)
 {
     const auto decode = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
     return {decode(c.red / 255.0), decode(c.green / 255.0), decode(c.blue / 255.0)};
@@ -47,11 +47,11 @@ Vec protan(const Vec& c)
 TEST(Colours, DarkenEvenlyFromTheMiddleToBothEnds)
 {
     for (const double sign : {-1.0, 1.0}) {
-        double last = cielab(linear(divergingColour(0)))[0];
+        double last = cielab(linear(report::divergingColour(0)))[0];
         double shortest = 1e9, longest = 0;
         for (int i = 1; i <= 20; ++i) {
-            const Vec here = cielab(linear(divergingColour(sign * i / 20.0)));
-            const Vec before = cielab(linear(divergingColour(sign * (i - 1) / 20.0)));
+            const Vec here = cielab(linear(report::divergingColour(sign * i / 20.0)));
+            const Vec before = cielab(linear(report::divergingColour(sign * (i - 1) / 20.0)));
             EXPECT_LT(here[0], last);
             last = here[0];
             shortest = std::min(shortest, distance(here, before));
@@ -65,21 +65,21 @@ TEST(Colours, DarkenEvenlyFromTheMiddleToBothEnds)
 TEST(Colours, TellSignsApartWithoutRedOrGreenCones)
 {
     for (int i = 5; i <= 20; ++i) {
-        const Vec minus = linear(divergingColour(-i / 20.0));
-        const Vec plus = linear(divergingColour(i / 20.0));
+        const Vec minus = linear(report::divergingColour(-i / 20.0));
+        const Vec plus = linear(report::divergingColour(i / 20.0));
         EXPECT_GT(distance(cielab(deutan(minus)), cielab(deutan(plus))), 15);
         EXPECT_GT(distance(cielab(protan(minus)), cielab(protan(plus))), 15);
     }
 }
 
-bool isGreen(Rgb c)
+bool isGreen(report::Rgb c)
 {
     return c.green >= c.red && c.green >= c.blue && c.green > 200;
 }
 
 TEST(Colours, InsideToleranceIsToldFromOutsideByEveryone)
 {
-    const DeviationColours colours{0.2, 0.05};
+    const report::DeviationColours colours{0.2, 0.05};
     for (double in = -0.05; in <= 0.05; in += 0.01)
         for (double out = 0.0501; out < 0.4; out += 0.01)
             for (const double sign : {-1.0, 1.0}) {
@@ -94,8 +94,8 @@ TEST(Colours, InsideToleranceIsToldFromOutsideByEveryone)
 
 TEST(Colours, InsideToleranceTheSignIsStillSeen)
 {
-    const Vec minus = linear(insideColour(-1));
-    const Vec plus = linear(insideColour(1));
+    const Vec minus = linear(report::insideColour(-1));
+    const Vec plus = linear(report::insideColour(1));
     EXPECT_GT(distance(cielab(minus), cielab(plus)), 25);
     EXPECT_GT(distance(cielab(deutan(minus)), cielab(deutan(plus))), 20);
     EXPECT_GT(distance(cielab(protan(minus)), cielab(protan(plus))), 20);
@@ -103,31 +103,32 @@ TEST(Colours, InsideToleranceTheSignIsStillSeen)
 
 TEST(Colours, GreenOnlyWhereAToleranceIsGiven)
 {
-    const DeviationColours plain{0.2, {}};
+    const report::DeviationColours plain{0.2, {}};
     for (double v = -0.3; v <= 0.3; v += 0.001) EXPECT_FALSE(isGreen(plain(v)) && plain(v).green > plain(v).red + 20);
-    const DeviationColours banded{0.2, 0.05};
+    const report::DeviationColours banded{0.2, 0.05};
     for (double v = -0.05; v <= 0.05; v += 0.001) EXPECT_TRUE(isGreen(banded(v))) << v;
     EXPECT_FALSE(isGreen(banded(0.0500001)));
     EXPECT_FALSE(isGreen(banded(-0.0500001)));
-    EXPECT_EQ(banded(5), divergingColour(1));
-    EXPECT_EQ(banded(-5), divergingColour(-1));
-    const DeviationColours narrow{0.02, 0.05};  // the scale ends inside the band: still a colour, no division by zero
+    EXPECT_EQ(banded(5), report::divergingColour(1));
+    EXPECT_EQ(banded(-5), report::divergingColour(-1));
+    const report::DeviationColours narrow{0.02,
+                                          0.05};  // the scale ends inside the band: still a colour, no division by zero
     EXPECT_TRUE(isGreen(narrow(0.03)));
-    EXPECT_EQ(narrow(0.06), divergingColour(1));
-    EXPECT_TRUE(isGreen(DeviationColours{0.02, 0}(0)));
+    EXPECT_EQ(narrow(0.06), report::divergingColour(1));
+    EXPECT_TRUE(isGreen(report::DeviationColours{0.02, 0}(0)));
 }
 
 TEST(Colours, LimitsAreRoundAndNotBelowTheData)
 {
-    EXPECT_DOUBLE_EQ(niceLimit(0.1), 0.1);
-    EXPECT_DOUBLE_EQ(niceLimit(0.101), 0.15);
-    EXPECT_DOUBLE_EQ(niceLimit(0.9), 1);
-    EXPECT_DOUBLE_EQ(niceLimit(33), 40);
-    EXPECT_DOUBLE_EQ(niceLimit(0), 1);
-    EXPECT_DOUBLE_EQ(niceLimit(std::nan("")), 1);
+    EXPECT_DOUBLE_EQ(report::niceLimit(0.1), 0.1);
+    EXPECT_DOUBLE_EQ(report::niceLimit(0.101), 0.15);
+    EXPECT_DOUBLE_EQ(report::niceLimit(0.9), 1);
+    EXPECT_DOUBLE_EQ(report::niceLimit(33), 40);
+    EXPECT_DOUBLE_EQ(report::niceLimit(0), 1);
+    EXPECT_DOUBLE_EQ(report::niceLimit(std::nan("")), 1);
     for (double v = 1e-4; v < 1e3; v *= 1.07) {
-        EXPECT_GE(niceLimit(v), v * (1 - 1e-9));
-        EXPECT_LE(niceLimit(v), v * 1.6);
+        EXPECT_GE(report::niceLimit(v), v * (1 - 1e-9));
+        EXPECT_LE(report::niceLimit(v), v * 1.6);
     }
 }
 

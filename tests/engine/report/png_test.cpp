@@ -33,8 +33,8 @@ std::string chunk(const std::string& png, const std::string& type)
 
 TEST(Png, PixelsComeBackOutOfTheFile)
 {
-    IndexedImage image{3, 2, {0, 1, 2, 2, 1, 0}, {{1, 2, 3}, {4, 5, 6}, {255, 255, 255}}, 2};
-    const std::string png = encodePng(image);
+    report::IndexedImage image{3, 2, {0, 1, 2, 2, 1, 0}, {{1, 2, 3}, {4, 5, 6}, {255, 255, 255}}, 2};
+    const std::string png = report::encodePng(image);
     EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
     const std::string header = chunk(png, "IHDR");
     EXPECT_EQ(number(header, 0), 3u);
@@ -53,12 +53,12 @@ TEST(Png, PixelsComeBackOutOfTheFile)
 
 TEST(Base64, KnownAnswersOfRfc4648)
 {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
+    EXPECT_EQ(report::base64(""), "");
+    EXPECT_EQ(report::base64("f"), "Zg==");
+    EXPECT_EQ(report::base64("fo"), "Zm8=");
+    EXPECT_EQ(report::base64("foo"), "Zm9v");
+    EXPECT_EQ(report::base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(report::base64(std::string("\xFF\xFE\x00", 3)), "//4A");
 }
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace {
 
 TEST(Ticks, ReadableSteps)
 {
-    EXPECT_EQ(niceTicks(0, 183, 10).values, (std::vector<double>{0, 20, 40, 60, 80, 100, 120, 140, 160, 180}));
-    const Ticks small = niceTicks(-0.3, 0.3, 6);
+    EXPECT_EQ(report::niceTicks(0, 183, 10).values, (std::vector<double>{0, 20, 40, 60, 80, 100, 120, 140, 160, 180}));
+    const report::Ticks small = report::niceTicks(-0.3, 0.3, 6);
     EXPECT_EQ(small.values.size(), 7u);
     EXPECT_EQ(small.decimals, 1);
-    EXPECT_EQ(tickLabel(small.values[3], small, {}), "0.0");
-    EXPECT_EQ(niceTicks(0, 1, 4).decimals, 1);
-    EXPECT_EQ(niceTicks(0, 0.001, 2).decimals, 4);
+    EXPECT_EQ(report::tickLabel(small.values[3], small, {}), "0.0");
+    EXPECT_EQ(report::niceTicks(0, 1, 4).decimals, 1);
+    EXPECT_EQ(report::niceTicks(0, 0.001, 2).decimals, 4);
 }
 
 TEST(Ticks, LabelsTellNeighboursApartAndStayInside)
@@ -25,26 +25,27 @@ TEST(Ticks, LabelsTellNeighboursApartAndStayInside)
         const double from = mantissa * std::pow(10.0, power % 9);
         const double width = (1 + std::abs(mantissa % 97)) * std::pow(10.0, power % 7);
         RC_PRE(std::abs(from) < 1e6 * width);
-        const Ticks ticks = niceTicks(from, from + width, 8);
+        const report::Ticks ticks = report::niceTicks(from, from + width, 8);
         RC_ASSERT(ticks.values.size() >= 3u && ticks.values.size() <= 20u);
         for (std::size_t i = 0; i < ticks.values.size(); ++i) {
             RC_ASSERT(ticks.values[i] >= from - 1e-6 * width && ticks.values[i] <= from + width * (1 + 1e-6));
             if (i > 0 && std::abs(ticks.values[i]) < 1e7)
-                RC_ASSERT(tickLabel(ticks.values[i], ticks, {}) != tickLabel(ticks.values[i - 1], ticks, {}));
+                RC_ASSERT(report::tickLabel(ticks.values[i], ticks, {}) !=
+                          report::tickLabel(ticks.values[i - 1], ticks, {}));
         }
     });
 }
 
-std::vector<std::string> labels(const Ticks& ticks)
+std::vector<std::string> labels(const report::Ticks& ticks)
 {
     std::vector<std::string> result;
-    for (const double value : ticks.values) result.push_back(tickLabel(value, ticks, {}));
+    for (const double value : ticks.values) result.push_back(report::tickLabel(value, ticks, {}));
     return result;
 }
 
 TEST(Ticks, LogarithmicAxesShowOneTwoFive)
 {
-    const Ticks ticks = logTicks(0.15, 22, 8);
+    const report::Ticks ticks = report::logTicks(0.15, 22, 8);
     EXPECT_EQ(labels(ticks), (std::vector<std::string>{"0.2", "0.5", "1", "2", "5", "10", "20"}));
     EXPECT_EQ(ticks.minor.size(), 12u);  // 0.3 0.4 0.6 … 0.9, 3 4 6 … 9
     EXPECT_NEAR(ticks.minor.front(), 0.3, 1e-12);
@@ -52,18 +53,19 @@ TEST(Ticks, LogarithmicAxesShowOneTwoFive)
 
 TEST(Ticks, LogarithmicAxesOfManyDecadesShowPowersOfTen)
 {
-    const Ticks ticks = logTicks(1e-3, 1e3, 8);
+    const report::Ticks ticks = report::logTicks(1e-3, 1e3, 8);
     EXPECT_EQ(labels(ticks), (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10", "100", "1000"}));
     EXPECT_EQ(ticks.minor.size(), 48u);
-    const Ticks many = logTicks(1e-10, 1e10, 5);
+    const report::Ticks many = report::logTicks(1e-10, 1e10, 5);
     EXPECT_EQ(many.values.size(), 5u);
     EXPECT_EQ(many.minor.size(), 16u);  // the other powers
 }
 
 TEST(Ticks, AShortStretchOfALogarithmicAxisHasEvenTicks)
 {
-    EXPECT_EQ(logTicks(100, 200, 5).values, (std::vector<double>{100, 120, 140, 160, 180, 200}));
-    EXPECT_EQ(axisTicks(Axis::Scale::Logarithmic, {-1, 1}, 4).values, niceTicks(-1, 1, 4).values);
+    EXPECT_EQ(report::logTicks(100, 200, 5).values, (std::vector<double>{100, 120, 140, 160, 180, 200}));
+    EXPECT_EQ(report::axisTicks(report::Axis::Scale::Logarithmic, {-1, 1}, 4).values,
+              report::niceTicks(-1, 1, 4).values);
 }
 
 TEST(Ticks, LogarithmicTicksLieInsideAndApart)
@@ -71,7 +73,7 @@ TEST(Ticks, LogarithmicTicksLieInsideAndApart)
     rc::check([](int power, unsigned width) {
         const double from = 1.7 * std::pow(10.0, power % 12);
         const double to = from * (1.01 + width % 100000);
-        const Ticks ticks = logTicks(from, to, 6);
+        const report::Ticks ticks = report::logTicks(from, to, 6);
         RC_ASSERT(ticks.values.size() >= 1u && ticks.values.size() <= 12u);
         for (std::size_t i = 0; i < ticks.values.size(); ++i) {
             RC_ASSERT(ticks.values[i] >= from * (1 - 1e-6) && ticks.values[i] <= to * (1 + 1e-6));

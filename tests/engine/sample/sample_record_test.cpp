@@ -5,20 +5,20 @@
 
 #include <cmath>
 
-#include "engine/form/circles.h"
-#include "engine/io/probe_reader.h"
+#include "engine/form/circle/circles.h"
+#include "engine/io/probe/probe_reader.h"
 
 namespace lathelier {
 namespace {
 
 TEST(SampleRecord, ItsTextIsReadBackAsItWas)
 {
-    SpindleModel model = sampleSpindle();
+    sample::SpindleModel model = sample::sampleSpindle();
     model.sections = 2;
     model.revolutions = 5;
-    const ProbeRecord made = makeProbeRecord(model);
-    const ProbeFile file = readProbeTable("probe_record.csv", toCsv(made));
-    const auto& read = std::get<ProbeRecord>(file.record);
+    const io::ProbeRecord made = sample::makeProbeRecord(model);
+    const io::ProbeFile file = io::readProbeTable("probe_record.csv", sample::toCsv(made));
+    const auto& read = std::get<io::ProbeRecord>(file.record);
     ASSERT_EQ(read.channels.size(), 5u);
     ASSERT_EQ(read.frames(), made.frames());
     for (std::size_t channel = 0; channel < 5; ++channel) {
@@ -39,9 +39,9 @@ TEST(SampleRecord, ItsTextIsReadBackAsItWas)
 
 TEST(SampleRecord, TheAveragesAreReadBackToo)
 {
-    const AveragedRecord made = makeAveragedRecord(sampleSpindle());
-    const ProbeFile file = readProbeTable("averaged.csv", toCsv(made));
-    const auto& read = std::get<AveragedRecord>(file.record);
+    const io::AveragedRecord made = sample::makeAveragedRecord(sample::sampleSpindle());
+    const io::ProbeFile file = io::readProbeTable("averaged.csv", sample::toCsv(made));
+    const auto& read = std::get<io::AveragedRecord>(file.record);
     ASSERT_EQ(read.sections.size(), 20u);
     EXPECT_NEAR(read.sections[19].z_mm, 97.5, 1e-9);
     ASSERT_EQ(read.sections[7].Xp_um.size(), 200u);
@@ -52,17 +52,18 @@ TEST(SampleRecord, TheAveragesAreReadBackToo)
 
 TEST(SampleRecord, TheSeedDecidesAndTheTruthHasTheStatedTaperAndBarrel)
 {
-    SpindleModel model = sampleSpindle();
+    sample::SpindleModel model = sample::sampleSpindle();
     model.sections = 3;
-    const ProbeRecord one = makeProbeRecord(model);
-    EXPECT_EQ(one.channels[1].values, makeProbeRecord(model).channels[1].values);
+    const io::ProbeRecord one = sample::makeProbeRecord(model);
+    EXPECT_EQ(one.channels[1].values, sample::makeProbeRecord(model).channels[1].values);
     model.seed = 2;
-    EXPECT_NE(one.channels[1].values, makeProbeRecord(model).channels[1].values);
+    EXPECT_NE(one.channels[1].values, sample::makeProbeRecord(model).channels[1].values);
 
     // Ends at ∓ taper / 4 - barrel, the middle at 0. The 200 samples of a revolution lie half a sample before its
     // middle on average: of 10 mm along z that is 2 · 3e-5, worth 4 · 5 µm · 3e-5.
     double radius_um[3];
-    for (int i = 0; i < 3; ++i) radius_um[i] = 1e3 * form::fitLeastSquaresCircle(trueImage_mm(model, i)).radius_mm;
+    for (int i = 0; i < 3; ++i)
+        radius_um[i] = 1e3 * form::fitLeastSquaresCircle(sample::trueImage_mm(model, i)).radius_mm;
     EXPECT_NEAR(radius_um[2] - radius_um[0], model.taper_diameter_um / 2, 2e-3);
     EXPECT_NEAR(radius_um[1] - (radius_um[0] + radius_um[2]) / 2, model.barrel_um, 2e-3);
 }

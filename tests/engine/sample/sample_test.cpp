@@ -1,4 +1,5 @@
 #include "engine/sample/sample.h"
+#include "engine/sample/sample_files.h"
 
 #include <gtest/gtest.h>
 
@@ -56,13 +57,13 @@ TEST(Random, NormalHasTheMomentsOfTheNormalDistribution)
 
 TEST(Sample, MeshesAreClosedAndHaveTheRightVolume)
 {
-    const Scan shaft = shaftMesh(nominalShaft(), 720);
+    const Scan shaft = sample::shaftMesh(sample::nominalShaft(), 720);
     EXPECT_TRUE(isClosed(shaft));
     const double chamfer = kPi * 5 / 3 * (16.9 * 16.9 + 16.9 * 11.9 + 11.9 * 11.9);
     const double solid = kPi * (15 * 15 * 98 + 18.5 * 18.5 * 10 + 16.9 * 16.9 * 70) + chamfer;
     EXPECT_NEAR(volume_mm3(shaft) / solid, 1, 2e-5);
 
-    const Scan bracket = bracketMesh();
+    const Scan bracket = sample::bracketMesh();
     EXPECT_TRUE(isClosed(bracket));
     const double walls = 12 * (100 * 80 + 80 * 78) - 12 * kPi * (8 * 8 + 12.5 * 12.5 + 18 * 18);
     EXPECT_NEAR(volume_mm3(bracket) / walls, 1, 2e-4);
@@ -70,12 +71,12 @@ TEST(Sample, MeshesAreClosedAndHaveTheRightVolume)
 
 TEST(Sample, ScanLiesOnTheShaftWithTheNoiseAskedFor)
 {
-    const ShaftModel shaft = copiedShaft();
-    ScannerModel scanner;
+    const sample::ShaftModel shaft = sample::copiedShaft();
+    sample::ScannerModel scanner;
     scanner.scan_T_part = Eigen::Translation3d(0.5, -0.3, 2) * Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX());
     scanner.frame_T_scan =
         Eigen::Translation3d(10, 5, -3) * Eigen::AngleAxisd(0.15, Eigen::Vector3d(1, 2, 3).normalized());
-    const Scan scan = scanShaft(shaft, scanner);
+    const Scan scan = sample::scanShaft(shaft, scanner);
     EXPECT_NEAR(static_cast<double>(scan.points_mm.size()), 732000, 1500);
     const Eigen::Isometry3d part_T_frame = (scanner.frame_T_scan * scanner.scan_T_part).inverse();
     double sum = 0, square = 0;
@@ -97,51 +98,51 @@ TEST(Sample, ScanLiesOnTheShaftWithTheNoiseAskedFor)
 
 TEST(Sample, DropoutsSpuriousPointsAndMissingEnds)
 {
-    ScannerModel scanner;
+    sample::ScannerModel scanner;
     scanner.angle_step_deg = 3.6;
-    const double all = static_cast<double>(scanShaft(nominalShaft(), scanner).points_mm.size());
+    const double all = static_cast<double>(sample::scanShaft(sample::nominalShaft(), scanner).points_mm.size());
     scanner.dropout_share = 0.3;
-    const double left = static_cast<double>(scanShaft(nominalShaft(), scanner).points_mm.size());
+    const double left = static_cast<double>(sample::scanShaft(sample::nominalShaft(), scanner).points_mm.size());
     EXPECT_NEAR(left / all, 0.7, 0.02);
     scanner.spurious_share = 0.02;
-    const double more = static_cast<double>(scanShaft(nominalShaft(), scanner).points_mm.size());
+    const double more = static_cast<double>(sample::scanShaft(sample::nominalShaft(), scanner).points_mm.size());
     EXPECT_NEAR(more / left, 1.02, 1e-4);
     scanner = {};
     scanner.angle_step_deg = 3.6;
     scanner.part_z_to_mm = 140;
-    for (const Eigen::Vector3d& p : scanShaft(nominalShaft(), scanner).points_mm) EXPECT_LE(p.z(), 140);
+    for (const Eigen::Vector3d& p : sample::scanShaft(sample::nominalShaft(), scanner).points_mm) EXPECT_LE(p.z(), 140);
 }
 
 TEST(Sample, SameBitsForOneAndTwoThreads)
 {
-    ScannerModel scanner;
+    sample::ScannerModel scanner;
     scanner.angle_step_deg = 3.6;
     scanner.dropout_share = 0.1;
     scanner.spurious_share = 0.01;
-    const Scan two = scanShaft(copiedShaft(), scanner);
-    const Scan bracket = scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3);
+    const Scan two = sample::scanShaft(sample::copiedShaft(), scanner);
+    const Scan bracket = sample::scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3);
     const ThreadLimit limit(1);
     ASSERT_EQ(threadsAllowed(), 1u);
-    EXPECT_EQ(two.points_mm, scanShaft(copiedShaft(), scanner).points_mm);
-    EXPECT_EQ(bracket.points_mm, scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3).points_mm);
+    EXPECT_EQ(two.points_mm, sample::scanShaft(sample::copiedShaft(), scanner).points_mm);
+    EXPECT_EQ(bracket.points_mm, sample::scanBracket(20000, 0.05, Eigen::Isometry3d::Identity(), 3).points_mm);
 }
 
 TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
 {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lathelier_sample_test";
     std::filesystem::remove_all(folder);
-    const std::vector<std::string> files = writeSample(folder.string(), 4);
+    const std::vector<std::string> files = sample::writeSample(folder.string(), 4);
     ASSERT_EQ(files.size(), 6u);
-    const ProjectFile read = readProject(files[5]);
+    const project::ProjectFile read = project::readProject(files[5]);
     EXPECT_TRUE(read.project.panels.at("roundness").inputs.at("record").synthetic);
-    EXPECT_TRUE(checkSources(read.project).empty());
+    EXPECT_TRUE(project::checkSources(read.project).empty());
     EXPECT_TRUE(read.project.panels.at("compare").inputs.at("copy").synthetic);
-    const FileBytes cloud(files[0]);
+    const io::FileBytes cloud(files[0]);
     EXPECT_TRUE(cloud.view().starts_with("ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment synthetic"));
     EXPECT_GT(cloud.view().size(), 8700000u);
     const std::string first(cloud.view());
-    writeSample(folder.string(), 4);
-    EXPECT_EQ(FileBytes(files[0]).view(), first);
+    sample::writeSample(folder.string(), 4);
+    EXPECT_EQ(io::FileBytes(files[0]).view(), first);
     std::filesystem::remove_all(folder);
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/signal/harmonics.h"
 
 namespace lathelier::signal {
 namespace {
@@ -82,14 +83,14 @@ TEST(GaussianFilter, DampsEveryWaveByItsTransmission)
 TEST(GaussianFilter, UnevenAnglesGiveWhatEvenOnesGive)
 {
     const std::vector<Wave> waves{{2, .005, 1}, {7, .003, 2}, {40, .001, .5}};
-    const ProfileBand bands[] = {{{}, 15}, {{}, 50}, {15, {}}, {5, 30}};
+    const TransmissionBand bands[] = {{{}, 15}, {{}, 50}, {15, {}}, {5, 30}};
     for (const std::size_t n : {721u, 3600u}) {
         const std::vector<double> angle = unevenAngles(n, .3);
-        for (const ProfileBand& band : bands) {
+        for (const TransmissionBand& band : bands) {
             std::vector<Wave> damped = waves;
             for (Wave& w : damped) w.amplitude *= band.transmission(w.upr);
             const FilteredValues found = filterClosedAt(angle, wavesAt(angle, waves), band);
-            EXPECT_EQ(found.way, FilterWay::Series);
+            EXPECT_EQ(found.method, FilterMethod::Series);
             EXPECT_LT(largestDifference(found.values, wavesAt(angle, damped)), 1e-10);
         }
     }
@@ -114,7 +115,7 @@ TEST(GaussianFilter, DoesNotRingBesideAKeyway)
     const std::vector<Wave> waves{{2, .005, 1}, {3, .004, 2}, {5, .002, 0}};
     const std::vector<double> values = wavesAt(angle, waves);
     const FilteredValues found = filterClosedAt(angle, values, {{}, 50});
-    EXPECT_EQ(found.way, FilterWay::Regression);
+    EXPECT_EQ(found.method, FilterMethod::Regression);
     std::vector<Wave> damped = waves;
     for (Wave& w : damped) w.amplitude *= gaussianTransmission(w.upr, 50);
     double beside = 0, away = 0;

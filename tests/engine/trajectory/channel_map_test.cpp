@@ -7,11 +7,11 @@
 namespace lathelier::trajectory {
 namespace {
 
-using Unit = ProbeChannel::Unit;
+using Unit = io::ProbeChannel::Unit;
 
-ProbeRecord recordWith(std::vector<Unit> units)
+io::ProbeRecord recordWith(std::vector<Unit> units)
 {
-    ProbeRecord record;
+    io::ProbeRecord record;
     for (const Unit unit : units) record.channels.push_back({"ai", unit, 1, {1, 2, 3, 4}});
     return record;
 }
@@ -23,11 +23,11 @@ TrajectoryParameters asking(const std::string& channels)
     return parameters;
 }
 
-const ProbeRecord volts = recordWith({Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
+const io::ProbeRecord volts = recordWith({Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
 
 TEST(ChannelMap, SensitivityBelongsToVoltsOnly)
 {
-    const ProbeRecord record = recordWith({Unit::Volt, Unit::Volt, Unit::Micrometre, Unit::Millimetre, Unit::Volt});
+    const io::ProbeRecord record = recordWith({Unit::Volt, Unit::Volt, Unit::Micrometre, Unit::Millimetre, Unit::Volt});
     TrajectoryParameters parameters = asking("marker=0,-X3=1,Y3=2,Xp=3, - Yp = 4 ");
     parameters.sensitivity_um_per_V = 80;
     Notes notes;
@@ -41,7 +41,7 @@ TEST(ChannelMap, SensitivityBelongsToVoltsOnly)
 
 TEST(ChannelMap, ChannelsGoByPlaceOrName)
 {
-    ProbeRecord record = volts;
+    io::ProbeRecord record = volts;
     const char* names[] = {"Tip", "west", "south", "trigger", "north"};
     for (std::size_t i = 0; i < 5; ++i) record.channels[i].name = names[i];
     Notes notes;
@@ -53,7 +53,7 @@ TEST(ChannelMap, ChannelsGoByPlaceOrName)
 
 TEST(ChannelMap, HeadingsRuleUnlessAMapIsGiven)
 {
-    ProbeRecord record =
+    io::ProbeRecord record =
         recordWith({Unit::Micrometre, Unit::Micrometre, Unit::Micrometre, Unit::Micrometre, Unit::Degree});
     const char* names[] = {"Yp", "xp", "Y3", "X3", "angle"};
     for (std::size_t i = 0; i < 5; ++i) record.channels[i].name = names[i];
@@ -68,7 +68,7 @@ TEST(ChannelMap, HeadingsRuleUnlessAMapIsGiven)
 TEST(ChannelMap, AnAngleInTheMarkersPlaceIsAnEncoder)
 {
     Notes notes;
-    const ProbeRecord record = recordWith({Unit::Degree, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
+    const io::ProbeRecord record = recordWith({Unit::Degree, Unit::Volt, Unit::Volt, Unit::Volt, Unit::Volt});
     EXPECT_TRUE(mapChannels(record, {}, notes).is_angle);
 }
 
@@ -111,11 +111,11 @@ TEST(ChannelMap, MistakesAreLocated)
 
 TEST(ChannelMap, ADeadOrSaturatedProbeIsNoted)
 {
-    ProbeRecord record = volts;
+    io::ProbeRecord record = volts;
     record.channels[2].values = {3, 3, 3, 3};
     record.channels[4].values.clear();
     for (int i = 0; i < 100; ++i) record.channels[4].values.push_back(std::min(i % 50, 30));
-    for (ProbeChannel& channel : record.channels) channel.values.resize(100, channel.values.back());
+    for (io::ProbeChannel& channel : record.channels) channel.values.resize(100, channel.values.back());
     for (int i = 0; i < 100; ++i) record.channels[1].values[static_cast<std::size_t>(i)] = i;
     for (int i = 0; i < 100; ++i) record.channels[3].values[static_cast<std::size_t>(i)] = -i;
     Notes notes;

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-ProbeRecord recordOf(std::vector<double> values, double rate_hz = 1000)
+io::ProbeRecord recordOf(std::vector<double> values, double rate_hz = 1000)
 {
-    ProbeRecord record;
+    io::ProbeRecord record;
     record.rate_hz = rate_hz;
-    record.channels = {{"marker", ProbeChannel::Unit::Volt, 1, std::move(values)}};
+    record.channels = {{"marker", io::ProbeChannel::Unit::Volt, 1, std::move(values)}};
     return record;
 }
 
@@ -36,7 +36,7 @@ std::vector<double> pulses(int frames, double period, double first, double width
 
 std::vector<double> marksOf(const std::vector<double>& values)
 {
-    const ProbeRecord record = recordOf(values);
+    const io::ProbeRecord record = recordOf(values);
     const MarkerLevels levels = findMarkerLevels(values);
     EXPECT_TRUE(levels.isMarker()) << levels.complaint.english;
     return findMarks(values, FrameClock(record), levels);
@@ -87,7 +87,7 @@ TEST(Marker, WhatIsNoMarkerIsTold)
 
 TEST(FrameClock, TheCubicIsExactForACubicAndTimesMayBeUneven)
 {
-    ProbeRecord record = recordOf({});
+    io::ProbeRecord record = recordOf({});
     const auto cubic = [](double t) { return 2 - t + 3 * t * t - 5 * t * t * t; };
     for (int i = 0; i < 50; ++i) {
         record.time_s.push_back(0.1 * i + 0.3 * std::sin(i * 0.1));
@@ -109,7 +109,7 @@ TEST(FrameClock, TheCubicIsExactForACubicAndTimesMayBeUneven)
 
 TEST(FrameClock, TimesThatArePrintedRoundedStayEven)
 {
-    ProbeRecord record = recordOf(std::vector<double>(1000, 0.0));
+    io::ProbeRecord record = recordOf(std::vector<double>(1000, 0.0));
     for (int i = 0; i < 1000; ++i) record.time_s.push_back(std::round(i / 6500.0 * 1e4) / 1e4);  // some come twice
     const FrameClock clock(record);
     EXPECT_NEAR(clock.time_s(500), 500 / 6500.0, 1e-4);
@@ -118,7 +118,7 @@ TEST(FrameClock, TimesThatArePrintedRoundedStayEven)
 
 TEST(FrameClock, TimeThatGoesBackIsRefused)
 {
-    ProbeRecord record = recordOf(std::vector<double>(100, 0.0));
+    io::ProbeRecord record = recordOf(std::vector<double>(100, 0.0));
     for (int i = 0; i < 100; ++i) record.time_s.push_back(i < 40 ? 0.01 * i : 0.01 * i - 0.2);
     try {
         FrameClock clock(record);

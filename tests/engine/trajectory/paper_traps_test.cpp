@@ -55,12 +55,12 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
 // Two probes cannot separate the mandrel's form from its motion (trap 5): it appears in full as form of the part.
 TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
 {
-    SpindleModel model = fineModel();
+    sample::SpindleModel model = fineModel();
     model.axis = {{1, 10, 0, 10, kPi / 2}};
     model.tool = {};
     model.taper_diameter_um = 0;
     model.barrel_um = 0;
-    ProbeRecord record = makeProbeRecord(model);
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     for (std::size_t i = 0; i < record.frames(); ++i) {  // a mandrel with three lobes of 0.1 µm, seen by the X probe
         const double turn = model.speed_rpm / 60 * (record.time_s[i] + model.channel_skew_s) - model.lead_turns;
         record.channels[1].values[i] += 0.1 * std::cos(3 * 2 * kPi * turn);
@@ -74,9 +74,9 @@ TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
 // Seen from the part the angle runs the other way (trap 6): the same form, a mirrored centre.
 TEST(PaperTraps, TheMirroredImageHasTheSameFormAndAnotherCentre)
 {
-    const SpindleModel model = fineModel();
+    const sample::SpindleModel model = fineModel();
     TrajectoryParameters parameters;
-    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
+    const std::vector<io::ProbeFile> records{fileOf(sample::makeProbeRecord(model))};
     const form::FittedCircle same = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
     parameters.rotation = Rotation::Opposite;
     const form::FittedCircle mirrored = trajectory(records, parameters).sections[0].roundness.circles.LSCI;
@@ -89,9 +89,9 @@ TEST(PaperTraps, TheMirroredImageHasTheSameFormAndAnotherCentre)
 // Run-out is not roundness (trap 1); single revolutions show what their mean hides (trap 5).
 TEST(PaperTraps, RunOutAndSingleRevolutionsAreShownBesideRoundness)
 {
-    SpindleModel model = fineModel();
+    sample::SpindleModel model = fineModel();
     model.whirl_um = 2;
-    const TrajectorySection section = trajectory({fileOf(makeProbeRecord(model))}).sections[0];
+    const TrajectorySection section = trajectory({fileOf(sample::makeProbeRecord(model))}).sections[0];
     EXPECT_GT(section.run_out_um, 20);
     EXPECT_LT(section.roundness.circles.LSCI.RONt_um, 12);
     ASSERT_EQ(section.revolution_RONt_um.size(), 8u);

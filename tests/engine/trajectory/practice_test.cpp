@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/io/probe_reader.h"
+#include "engine/io/probe/probe_reader.h"
 #include "engine/trajectory/trajectory.h"
 #include "engine/trajectory/trajectory_codes.h"
 #include "tests/engine/io/lgraph_files.h"
@@ -34,7 +34,7 @@ protected:
 
 TEST_F(Practice, AveragedSectionsAndTheLongitudinalSection)
 {
-    const TrajectoryResult result = trajectory({readProbeRecord(folder + "averaged_20x200.csv")});
+    const TrajectoryResult result = trajectory({io::readProbeRecord(folder + "averaged_20x200.csv")});
     ASSERT_EQ(result.sections.size(), 20u);
     for (std::size_t s = 0; s < truth["sections"].size(); ++s)
         expectSection(result.sections[s], truth["sections"][s]["truth"]);
@@ -49,10 +49,10 @@ TEST_F(Practice, AveragedSectionsAndTheLongitudinalSection)
 
 TEST_F(Practice, TheRawSectionAsTableAndAsLGraph)
 {
-    const TrajectoryResult table = trajectory({readProbeRecord(folder + "section01_raw.csv")});
+    const TrajectoryResult table = trajectory({io::readProbeRecord(folder + "section01_raw.csv")});
     TrajectoryParameters parameters;
     parameters.workpiece_diameter_mm = 50;
-    const TrajectoryResult recorder = trajectory({readProbeRecord(folder + "section01_lgraph1.par")}, parameters);
+    const TrajectoryResult recorder = trajectory({io::readProbeRecord(folder + "section01_lgraph1.par")}, parameters);
     const nlohmann::json& expected = truth["sections"][0];
     for (const TrajectoryResult* result : {&table, &recorder}) {
         ASSERT_EQ(result->sections.size(), 1u);
@@ -80,7 +80,7 @@ TEST_F(Practice, ARecordingOfSomethingElseIsRefused)
     const std::string name = ::testing::TempDir() + "two_channels";
     std::ofstream(name + ".par", std::ios::binary) << lathelier::testing::makePar(two);
     std::ofstream(name + ".dat", std::ios::binary) << lathelier::testing::makeDat(two.frames, two.active.size());
-    const std::vector<ProbeFile> records{readProbeRecord(name + ".dat")};
+    const std::vector<io::ProbeFile> records{io::readProbeRecord(name + ".dat")};
     try {
         trajectory(records, parameters);
         FAIL();

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-SpindleModel shortModel()
+sample::SpindleModel shortModel()
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     model.sections = 1;
     model.revolutions = 20;
     model.taper_diameter_um = 0;
@@ -28,13 +28,13 @@ SpindleModel shortModel()
     return model;
 }
 
-PreparedRecord prepared(const ProbeRecord& record, TrajectoryParameters parameters = {})
+PreparedRecord prepared(const io::ProbeRecord& record, TrajectoryParameters parameters = {})
 {
     Notes notes;
     return prepare(record, "record.csv", parameters, notes);
 }
 
-ErrorCode codeOf(const ProbeRecord& record, TrajectoryParameters parameters = {})
+ErrorCode codeOf(const io::ProbeRecord& record, TrajectoryParameters parameters = {})
 {
     try {
         prepared(record, parameters);
@@ -48,11 +48,11 @@ ErrorCode codeOf(const ProbeRecord& record, TrajectoryParameters parameters = {}
 }
 
 /// The angle of the spindle (in degrees) as an encoder has it.
-ProbeRecord withEncoder(ProbeRecord record, const SpindleModel& model, bool falling)
+io::ProbeRecord withEncoder(io::ProbeRecord record, const sample::SpindleModel& model, bool falling)
 {
-    ProbeChannel& angle = record.channels[0];
+    io::ProbeChannel& angle = record.channels[0];
     angle.name = "angle";
-    angle.unit = ProbeChannel::Unit::Degree;
+    angle.unit = io::ProbeChannel::Unit::Degree;
     for (std::size_t i = 0; i < angle.values.size(); ++i) {
         const double turn = model.speed_rpm / 60 * record.time_s[i] - model.lead_turns;
         angle.values[i] = 360 * (falling ? std::ceil(turn) - turn : turn - std::floor(turn));
@@ -62,8 +62,8 @@ ProbeRecord withEncoder(ProbeRecord record, const SpindleModel& model, bool fall
 
 TEST(Revolutions, MarksOfAQuietRecordAreExact)
 {
-    const SpindleModel model = shortModel();
-    const ProbeRecord record = makeProbeRecord(model);
+    const sample::SpindleModel model = shortModel();
+    const io::ProbeRecord record = sample::makeProbeRecord(model);
     const PreparedRecord ready = prepared(record);
     ASSERT_EQ(ready.revolutions.all.size(), 20u);
     EXPECT_EQ(ready.revolutions.irregular, 0);
@@ -74,10 +74,10 @@ TEST(Revolutions, MarksOfAQuietRecordAreExact)
 
 TEST(Revolutions, TheMarkerMayLieOnAnyChannel)
 {
-    SpindleModel model = shortModel();
-    ProbeRecord record = makeProbeRecord(model);
+    sample::SpindleModel model = shortModel();
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     std::rotate(record.channels.begin(), record.channels.begin() + 1, record.channels.end());
-    for (ProbeChannel& channel : record.channels) channel.name = "ai";  // nothing tells by its name
+    for (io::ProbeChannel& channel : record.channels) channel.name = "ai";  // nothing tells by its name
     TrajectoryParameters parameters;
     parameters.channels = "X3=0, Y3=1, Xp=2, Yp=3, marker=4";
     const PreparedRecord ready = prepared(record, parameters);
@@ -88,8 +88,8 @@ TEST(Revolutions, TheMarkerMayLieOnAnyChannel)
 
 TEST(Revolutions, AnIrregularPeriodIsCountedAndTheTurnsGoOn)
 {
-    const SpindleModel model = shortModel();
-    ProbeRecord record = makeProbeRecord(model);
+    const sample::SpindleModel model = shortModel();
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     // The mark between turns 4 and 5 is lost; in turn 9 there is one too many.
     for (std::size_t i = 0; i < record.frames(); ++i) {
         const double turn = model.speed_rpm / 60 * record.time_s[i] - model.lead_turns;
@@ -108,8 +108,8 @@ TEST(Revolutions, AnIrregularPeriodIsCountedAndTheTurnsGoOn)
 
 TEST(Revolutions, AnEncoderGivesTheSameSamplesWhicheverWayItCounts)
 {
-    const SpindleModel model = shortModel();
-    const ProbeRecord marker = makeProbeRecord(model);
+    const sample::SpindleModel model = shortModel();
+    const io::ProbeRecord marker = sample::makeProbeRecord(model);
     const PreparedRecord by_marker = prepared(marker);
     const auto sampled = [](const PreparedRecord& ready) {
         return resample(*ready.record, ready.clock, ready.map, ready.revolutions, ready.revolutions.all, 200,
@@ -117,7 +117,7 @@ TEST(Revolutions, AnEncoderGivesTheSameSamplesWhicheverWayItCounts)
     };
     const SectionSignals expected = sampled(by_marker);
     for (const bool falling : {false, true}) {
-        const ProbeRecord record = withEncoder(marker, model, falling);
+        const io::ProbeRecord record = withEncoder(marker, model, falling);
         const PreparedRecord by_angle = prepared(record);
         ASSERT_EQ(by_angle.revolutions.all.size(), 20u);
         const SectionSignals found = sampled(by_angle);
@@ -130,8 +130,8 @@ TEST(Revolutions, AnEncoderGivesTheSameSamplesWhicheverWayItCounts)
 
 TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
 {
-    SpindleModel model = shortModel();
-    const ProbeRecord record = makeProbeRecord(model);
+    sample::SpindleModel model = shortModel();
+    const io::ProbeRecord record = sample::makeProbeRecord(model);
     const auto worst = [&](double skew_s) {
         TrajectoryParameters parameters;
         parameters.channel_skew_s = skew_s;
@@ -141,7 +141,7 @@ TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
         double largest = 0;
         for (std::size_t i = 0; i < 200; ++i) {
             double yp = 0;
-            for (const MotionWave& wave : model.tool)
+            for (const sample::MotionWave& wave : model.tool)
                 yp += wave.y_um * std::cos(wave.upr * 2 * kPi * static_cast<double>(i) / 200 - wave.y_phase_rad);
             largest = std::max(largest, std::abs(signals.at(3, 11, i) - yp));
         }
@@ -153,25 +153,25 @@ TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
 
 TEST(Revolutions, BadRecordsAreRefusedAndSayWhere)
 {
-    const SpindleModel model = shortModel();
-    const ProbeRecord good = makeProbeRecord(model);
-    ProbeRecord record = good;
+    const sample::SpindleModel model = shortModel();
+    const io::ProbeRecord good = sample::makeProbeRecord(model);
+    io::ProbeRecord record = good;
     std::fill(record.channels[0].values.begin(), record.channels[0].values.end(), 0.05);
     EXPECT_EQ(codeOf(record), errors::markerNotFound);
 
     TrajectoryParameters parameters;
     parameters.channels = "marker=1,X3=0,Y3=2,Xp=3,Yp=4";  // marker and X3 exchanged
     record = good;
-    record.channels[0].unit = ProbeChannel::Unit::Volt;
+    record.channels[0].unit = io::ProbeChannel::Unit::Volt;
     EXPECT_EQ(codeOf(record, parameters), errors::markerElsewhere);
 
     record = good;  // one revolution only
-    for (ProbeChannel& channel : record.channels) channel.values.resize(700);
+    for (io::ProbeChannel& channel : record.channels) channel.values.resize(700);
     record.time_s.resize(700);
     EXPECT_EQ(codeOf(record), errors::tooFewRevolutions);
 
     record = good;  // less than one
-    for (ProbeChannel& channel : record.channels) channel.values.resize(60);
+    for (io::ProbeChannel& channel : record.channels) channel.values.resize(60);
     record.time_s.resize(60);
     EXPECT_EQ(codeOf(record), errors::markerNotFound);
 
@@ -180,7 +180,7 @@ TEST(Revolutions, BadRecordsAreRefusedAndSayWhere)
     EXPECT_EQ(codeOf(record), errors::channelsUnknown);
 
     record = good;
-    for (ProbeChannel& channel : record.channels) channel.unit = ProbeChannel::Unit::Unknown;
+    for (io::ProbeChannel& channel : record.channels) channel.unit = io::ProbeChannel::Unit::Unknown;
     EXPECT_EQ(codeOf(record), errors::channelUnitMissing);
 
     record = withEncoder(good, model, false);

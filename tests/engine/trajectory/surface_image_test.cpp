@@ -26,7 +26,7 @@ SectionSignals lobes()
     return signals;
 }
 
-RevolutionImages filtered(const SectionSignals& signals, const signal::ProfileBand& band)
+RevolutionImages filtered(const SectionSignals& signals, const signal::TransmissionBand& band)
 {
     std::vector<double> angle_deg;
     for (std::size_t i = 0; i < points; ++i) angle_deg.push_back(static_cast<double>(i) * 360 / points);
@@ -36,7 +36,7 @@ RevolutionImages filtered(const SectionSignals& signals, const signal::ProfileBa
 TEST(SurfaceImage, FilterOverGapsAgreesWithTheWholeRevolution)
 {
     SectionSignals signals = lobes();
-    const signal::ProfileBand longWaves{std::nullopt, 15.0};
+    const signal::TransmissionBand longWaves{std::nullopt, 15.0};
     EXPECT_NEAR(filtered(signals, {}).RONt_um[0], 8, 0.1);
     const double whole_um = filtered(signals, longWaves).RONt_um[0];
     EXPECT_NEAR(whole_um, 6, 0.2);

@@ -15,9 +15,9 @@ namespace {
 
 /// A machine without noise: any speed, motions of up to 12 waves a turn, any taper and barrel, at least 100 frames a
 /// turn, a converter that samples one channel after the other or all at once.
-SpindleModel anyMachine()
+sample::SpindleModel anyMachine()
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(1, 1000000));
     std::uint64_t draw = 0;
     const auto any = [&](double from, double to) { return from + (to - from) * randomUniform(seed, 1, ++draw); };
@@ -33,7 +33,7 @@ SpindleModel anyMachine()
     model.taper_diameter_um = any(-30, 30);
     model.barrel_um = any(-15, 15);
     const auto waves = [&](double largest_um) {
-        std::vector<MotionWave> result;
+        std::vector<sample::MotionWave> result;
         for (const int upr : {1, 2, 3, 5, 12})
             result.push_back({upr, any(0, largest_um) / upr, any(0, 2 * std::numbers::pi), any(0, largest_um) / upr,
                               any(0, 2 * std::numbers::pi)});
@@ -44,7 +44,7 @@ SpindleModel anyMachine()
     return model;
 }
 
-TrajectoryParameters parametersFor(const SpindleModel& model)
+TrajectoryParameters parametersFor(const sample::SpindleModel& model)
 {
     TrajectoryParameters parameters;
     parameters.revolutions = model.revolutions;
@@ -53,8 +53,8 @@ TrajectoryParameters parametersFor(const SpindleModel& model)
 
 RC_GTEST_PROP(TrajectoryProperty, TheTruthOfAnyMachineComesBack, ())
 {
-    const SpindleModel model = anyMachine();
-    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))}, parametersFor(model));
+    const sample::SpindleModel model = anyMachine();
+    const TrajectoryResult result = trajectory({fileOf(sample::makeProbeRecord(model))}, parametersFor(model));
     RC_ASSERT(result.sections.size() == static_cast<std::size_t>(model.sections));
     for (int s = 0; s < model.sections; ++s)
         RC_ASSERT(worstDifference_um(result.sections[static_cast<std::size_t>(s)], model, s) <= 0.05);
@@ -64,7 +64,7 @@ RC_GTEST_PROP(TrajectoryProperty, TheTruthOfAnyMachineComesBack, ())
     for (int s = 0; s < model.sections; ++s) {
         const double u = 2.0 * s / (model.sections - 1) - 1;
         rows.row(s) << 1, u, u * u;
-        radius_um[s] = form::fitCircles(trueImage_mm(model, s)).LSCI.radius_mm * 1e3;
+        radius_um[s] = form::fitCircles(sample::trueImage_mm(model, s)).LSCI.radius_mm * 1e3;
     }
     const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(radius_um);
     RC_ASSERT(result.longitudinal);
@@ -74,15 +74,15 @@ RC_GTEST_PROP(TrajectoryProperty, TheTruthOfAnyMachineComesBack, ())
 
 RC_GTEST_PROP(TrajectoryProperty, CablesMayGoAnywhere, ())
 {
-    SpindleModel model = anyMachine();
+    sample::SpindleModel model = anyMachine();
     model.channel_skew_s = 0;  // else the order is part of the measurement
-    const ProbeRecord record = makeProbeRecord(model);
+    const io::ProbeRecord record = sample::makeProbeRecord(model);
     const std::vector<std::size_t> order = *rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [&](std::uint32_t seed) {
         std::vector<std::size_t> places{0, 1, 2, 3, 4};
         for (std::size_t i = 4; i > 0; --i) std::swap(places[i], places[(seed >> (4 * i)) % (i + 1)]);
         return places;
     });
-    ProbeRecord cabled = record;
+    io::ProbeRecord cabled = record;
     const char* const names[] = {"marker", "X3", "Y3", "Xp", "Yp"};
     TrajectoryParameters parameters = parametersFor(model);
     parameters.channels.clear();
@@ -101,12 +101,12 @@ RC_GTEST_PROP(TrajectoryProperty, CablesMayGoAnywhere, ())
 
 RC_GTEST_PROP(TrajectoryProperty, FramesBeforeTheFirstMarkDoNotCount, ())
 {
-    SpindleModel model = anyMachine();
+    sample::SpindleModel model = anyMachine();
     model.lead_turns = 0.9;
-    ProbeRecord record = makeProbeRecord(model);
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     const TrajectoryResult whole = trajectory({fileOf(record)}, parametersFor(model));
     const auto dropped = static_cast<std::ptrdiff_t>(*rc::gen::inRange(1, 60));
-    for (ProbeChannel& channel : record.channels)
+    for (io::ProbeChannel& channel : record.channels)
         channel.values.erase(channel.values.begin(), channel.values.begin() + dropped);
     const auto frames = std::min(record.time_s.size(), static_cast<std::size_t>(dropped));
     record.time_s.erase(record.time_s.begin(), record.time_s.begin() + static_cast<std::ptrdiff_t>(frames));

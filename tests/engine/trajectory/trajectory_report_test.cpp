@@ -21,15 +21,15 @@ namespace {
 template <class Record>
 TrajectoryResult resultOf(Record record, const TrajectoryParameters& parameters = {})
 {
-    std::vector<ProbeFile> files(1);
+    std::vector<io::ProbeFile> files(1);
     files[0].facts.path = record.name;
     files[0].record = std::move(record);
     return trajectory(files, parameters);
 }
 
-SpindleModel shortModel()
+sample::SpindleModel shortModel()
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     model.sections = 4;
     model.revolutions = 5;
     model.whirl_um = 0.5;
@@ -41,7 +41,7 @@ TrajectoryResult rawResult(std::optional<double> tolerance_um = {})
     TrajectoryParameters parameters;
     parameters.revolutions = 5;
     parameters.form.tolerance_um = tolerance_um;
-    return resultOf(makeProbeRecord(shortModel()), parameters);
+    return resultOf(sample::makeProbeRecord(shortModel()), parameters);
 }
 
 std::size_t count(const std::string& text, const std::string& part)
@@ -51,29 +51,29 @@ std::size_t count(const std::string& text, const std::string& part)
     return found;
 }
 
-TEST(TrajectoryReport, HeadlineGivesTheWorstSectionTaperBarrelAndVerdict)
+TEST(TrajectoryReport, TheAnswerGivesTheWorstSectionTaperBarrelAndVerdict)
 {
     TrajectoryResult result = rawResult(50);
-    const std::string line = headline(result).text;
-    EXPECT_TRUE(line.starts_with("RONt(MZCI) ")) << line;
-    EXPECT_NE(line.find(" of 4)"), std::string::npos) << line;
-    EXPECT_NE(line.find("no filter"), std::string::npos) << line;
-    EXPECT_NE(line.find("taper +16."), std::string::npos) << line;
-    EXPECT_NE(line.find("barrel "), std::string::npos) << line;
-    EXPECT_NE(line.find("within 50\u00A0µm"), std::string::npos) << line;
-    EXPECT_EQ(headline(result).verdict, true);
+    const std::string said = report::plainText(answer(result));
+    EXPECT_TRUE(said.starts_with("RONt(MZCI) ")) << said;
+    for (const char* part :
+         {" of 4 is the worst", "no filter", "Taper +16.", "Barrel ", "limit 50\u00A0µm", "✓ within"})
+        EXPECT_NE(said.find(part), std::string::npos) << part << " in " << said;
+    EXPECT_EQ(answer(result).verdict, Verdict::Pass);
+    EXPECT_EQ(answer(result).expanded_uncertainty,
+              result.sections[*result.worstSection()].roundness.RONt_expanded_uncertainty_um);
     result.longitudinal->barrel_um = -5.04;
     result.longitudinal->taper_diameter_um = -3.21;
-    EXPECT_NE(headline(result).text.find("saddle 5.0"), std::string::npos);
-    EXPECT_NE(headline(result).text.find("taper -3.2"), std::string::npos);
-    EXPECT_EQ(headline(rawResult(0.5)).verdict, false);
-    EXPECT_EQ(headline(rawResult()).verdict, std::nullopt);
-    EXPECT_TRUE(headline(TrajectoryResult{}).text.empty());
+    EXPECT_NE(report::plainText(answer(result)).find("Saddle 5.0"), std::string::npos);
+    EXPECT_NE(report::plainText(answer(result)).find("Taper -3.2"), std::string::npos);
+    EXPECT_EQ(answer(rawResult(0.5)).verdict, Verdict::Fail);
+    EXPECT_EQ(answer(rawResult()).verdict, std::nullopt);
+    EXPECT_FALSE(answer(TrajectoryResult{}).value);
 }
 
 TEST(TrajectoryReport, HoldsWhatAnAuditAsksFor)
 {
-    const std::string html = toHtml(trajectoryReport(rawResult(50), {{"record.csv", 4711, "0123abcd"}}));
+    const std::string html = report::toHtml(trajectoryReport(rawResult(50), {{"record.csv", 4711, "0123abcd"}}));
     for (const char* part : {"Longitudinal section",
                              "Taper on diameter",
                              "GOST 24642-81",
@@ -110,25 +110,25 @@ TEST(TrajectoryReport, SyntheticDataAreMarked)
 
 TEST(TrajectoryReport, AveragesAndEmptyResultsMakeAReportToo)
 {
-    const std::string html = toHtml(trajectoryReport(resultOf(makeAveragedRecord(shortModel())), {}));
+    const std::string html = report::toHtml(trajectoryReport(resultOf(sample::makeAveragedRecord(shortModel())), {}));
     EXPECT_NE(html.find("Longitudinal section"), std::string::npos);
     EXPECT_EQ(html.find("images of single revolutions"), std::string::npos);
     EXPECT_EQ(html.find("nan"), std::string::npos);
-    EXPECT_NE(toHtml(trajectoryReport(TrajectoryResult{}, {})).find("</html>"), std::string::npos);
-    EXPECT_FALSE(toPlainText(trajectorySummary(TrajectoryResult{})).find("nan") != std::string::npos);
+    EXPECT_NE(report::toHtml(trajectoryReport(TrajectoryResult{}, {})).find("</html>"), std::string::npos);
+    EXPECT_FALSE(report::toPlainText(trajectorySummary(TrajectoryResult{})).find("nan") != std::string::npos);
 }
 
 TEST(TrajectoryPlots, EveryRevolutionStandsInThePolarPlot)
 {
     const TrajectoryResult result = rawResult();
-    const PolarPlot plot = errorMotionPlot(result.sections[1], 50);
+    const report::PolarPlot plot = errorMotionPlot(result.sections[1], 50);
     ASSERT_EQ(plot.traces.size(), 6u);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         EXPECT_EQ(plot.traces[i].angle_deg.size(), i == 4 ? 200u : 201u);  // the last one runs into nothing
         EXPECT_EQ(plot.traces[i].deviation_um.size(), plot.traces[i].angle_deg.size());
         EXPECT_EQ(plot.traces[i].thin, i < 5);
     }
-    EXPECT_EQ(errorMotionPlot(resultOf(makeAveragedRecord(shortModel())).sections[0], 50).traces.size(), 1u);
+    EXPECT_EQ(errorMotionPlot(resultOf(sample::makeAveragedRecord(shortModel())).sections[0], 50).traces.size(), 1u);
 }
 
 TEST(TrajectoryJson, NumbersThatDoNotExistAreNull)
@@ -139,7 +139,7 @@ TEST(TrajectoryJson, NumbersThatDoNotExistAreNull)
     EXPECT_EQ(raw["sections"][0]["workpiece_axis"]["x_um"].size(), 200u);
     EXPECT_EQ(raw["verdict"], "pass");
     EXPECT_TRUE(raw["longitudinal"]["CYLt_LSCY_um"].is_number());
-    const Json averaged = toJson(resultOf(makeAveragedRecord(shortModel())));
+    const Json averaged = toJson(resultOf(sample::makeAveragedRecord(shortModel())));
     EXPECT_TRUE(averaged["sections"][0]["spindle"]["asynchronous_um"].is_null());
     EXPECT_TRUE(averaged["verdict"].is_null());
     TrajectoryResult nowhere = rawResult();
@@ -159,11 +159,11 @@ TEST(SectionFile, OneRowForEachSectionAndOneForEachPoint)
     result.sections[1].z_mm = NAN;
     writeSectionTable(table, result);
     writeImages(images, result);
-    const FileBytes written(table);
+    const io::FileBytes written(table);
     const std::string rows(written.view());
     EXPECT_EQ(count(rows, "\n"), 5u);
     EXPECT_NE(rows.find("\n2,,5,"), std::string::npos);
-    const FileBytes points(images);
+    const io::FileBytes points(images);
     EXPECT_EQ(count(std::string(points.view()), "\n"), 1 + 4 * 200u);
     std::filesystem::remove_all(folder);
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-ErrorCode codeOf(const std::vector<ProbeFile>& records, const TrajectoryParameters& parameters = {})
+ErrorCode codeOf(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {})
 {
     try {
         trajectory(records, parameters);
@@ -34,15 +34,15 @@ ErrorCode codeOf(const std::vector<ProbeFile>& records, const TrajectoryParamete
 
 TEST(Trajectory, WithoutNoiseTheTruthComesBack)
 {
-    const SpindleModel model = fineModel();
+    const sample::SpindleModel model = fineModel();
     TrajectoryParameters parameters;
     parameters.revolutions = model.revolutions;
-    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))}, parameters);
+    const TrajectoryResult result = trajectory({fileOf(sample::makeProbeRecord(model))}, parameters);
     ASSERT_EQ(result.sections.size(), 5u);
     for (int s = 0; s < model.sections; ++s) {
         const TrajectorySection& section = result.sections[static_cast<std::size_t>(s)];
         EXPECT_EQ(section.revolutions_used, 8);
-        EXPECT_NEAR(section.z_mm, sectionMiddle_mm(model, s), 1e-9);
+        EXPECT_NEAR(section.z_mm, sample::sectionMiddle_mm(model, s), 1e-9);
         EXPECT_NEAR(section.speed_rpm, 975, 1e-3);
         EXPECT_LE(worstDifference_um(section, model, s), 0.01);
         EXPECT_NEAR(section.spindle.asynchronous_um, 0, 0.01);
@@ -57,23 +57,23 @@ TEST(Trajectory, WithoutNoiseTheTruthComesBack)
 
 TEST(Trajectory, AHundredFramesARevolutionAreEnough)
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     ASSERT_EQ(model.rate_hz, 1625);
     model.sections = 4;
-    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))});
+    const TrajectoryResult result = trajectory({fileOf(sample::makeProbeRecord(model))});
     for (int s = 0; s < model.sections; ++s)
         EXPECT_LE(worstDifference_um(result.sections[static_cast<std::size_t>(s)], model, s), 0.05);
 }
 
 TEST(Trajectory, NoiseIsAveragedDownToTheLimits)
 {
-    SpindleModel model = sampleSpindle();
-    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))});
+    sample::SpindleModel model = sample::sampleSpindle();
+    const TrajectoryResult result = trajectory({fileOf(sample::makeProbeRecord(model))});
     ASSERT_EQ(result.sections.size(), 20u);
     for (int s = 0; s < model.sections; ++s) {
         const TrajectorySection& section = result.sections[static_cast<std::size_t>(s)];
         EXPECT_EQ(section.revolutions_used, 40);
-        const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, s));
+        const form::ReferenceCircles truth = form::fitCircles(sample::trueImage_mm(model, s));
         const form::ReferenceCircles& found = section.roundness.circles;
         EXPECT_NEAR(found.LSCI.RONt_um, truth.LSCI.RONt_um, 0.3) << s;
         EXPECT_NEAR(found.MZCI.RONt_um, truth.MZCI.RONt_um, 0.3) << s;
@@ -88,8 +88,8 @@ TEST(Trajectory, NoiseIsAveragedDownToTheLimits)
 
 TEST(Trajectory, AveragesAnswerLikeTheRecordItself)
 {
-    const SpindleModel model = quietSpindle();
-    const TrajectoryResult result = trajectory({fileOf(makeAveragedRecord(model))});
+    const sample::SpindleModel model = sample::quietSpindle();
+    const TrajectoryResult result = trajectory({fileOf(sample::makeAveragedRecord(model))});
     ASSERT_EQ(result.sections.size(), 20u);
     for (int s = 0; s < model.sections; ++s)
         EXPECT_LE(worstDifference_um(result.sections[static_cast<std::size_t>(s)], model, s), 1e-6);
@@ -103,10 +103,10 @@ TEST(Trajectory, AveragesAnswerLikeTheRecordItself)
 
 TEST(Trajectory, UnevenRepeatedAndUnorderedAnglesOfAveragesAreHandled)
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     model.sections = 1;
-    AveragedRecord record = makeAveragedRecord(model, 360);
-    AveragedSection& section = record.sections[0];
+    io::AveragedRecord record = sample::makeAveragedRecord(model, 360);
+    io::AveragedSection& section = record.sections[0];
     const auto eachColumn = [&](auto change) {
         for (auto* column : {&section.angle_deg, &section.X3_um, &section.Y3_um, &section.Xp_um, &section.Yp_um})
             change(*column);
@@ -118,17 +118,17 @@ TEST(Trajectory, UnevenRepeatedAndUnorderedAnglesOfAveragesAreHandled)
         std::swap(c[3], c[200]);                          // out of order
     });
     const TrajectoryResult result = trajectory({fileOf(record)});
-    const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, 0, 360));
+    const form::ReferenceCircles truth = form::fitCircles(sample::trueImage_mm(model, 0, 360));
     EXPECT_NEAR(result.sections[0].roundness.circles.LSCI.RONt_um, truth.LSCI.RONt_um, 0.03);
     EXPECT_LT((result.sections[0].roundness.circles.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3, 0.01);
 }
 
 TEST(Trajectory, DriftIsKeptUnlessAskedAndTheSizeStays)
 {
-    SpindleModel model = fineModel();
+    sample::SpindleModel model = fineModel();
     model.revolutions = 40;
     model.drift_um_per_rev = 0.02;
-    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(model))};
+    const std::vector<io::ProbeFile> records{fileOf(sample::makeProbeRecord(model))};
     TrajectoryParameters parameters;
     const TrajectoryResult kept = trajectory(records, parameters);
     parameters.drift = Drift::Section;
@@ -145,9 +145,9 @@ TEST(Trajectory, DriftIsKeptUnlessAskedAndTheSizeStays)
 
 TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
 {
-    SpindleModel model = sampleSpindle();
+    sample::SpindleModel model = sample::sampleSpindle();
     model.sections = 3;
-    ProbeRecord record = makeProbeRecord(model);
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     for (std::size_t i = 500; i < record.frames(); i += 1000) record.channels[3].values[i] += 40;
     TrajectoryParameters parameters;
     parameters.outliers = form::OutlierRule::Hampel;
@@ -155,7 +155,7 @@ TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
     const TrajectoryResult kept = trajectory({fileOf(record)});
     EXPECT_TRUE(contains(cleaned.notes, notes::motionOutliers));
     for (std::size_t s = 0; s < 3; ++s) {
-        const double truth_um = form::fitCircles(trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
+        const double truth_um = form::fitCircles(sample::trueImage_mm(model, static_cast<int>(s))).LSCI.RONt_um;
         EXPECT_NEAR(cleaned.sections[s].roundness.circles.LSCI.RONt_um, truth_um, 0.6);
         EXPECT_GT(kept.sections[s].roundness.circles.LSCI.RONt_um, truth_um + 0.6);
     }
@@ -163,7 +163,7 @@ TEST(Trajectory, OutliersAreLeftOutWhenAskedAndCounted)
 
 TEST(Trajectory, TheSameBitsForAnyNumberOfThreads)
 {
-    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(sampleSpindle()))};
+    const std::vector<io::ProbeFile> records{fileOf(sample::makeProbeRecord(sample::sampleSpindle()))};
     const auto bits = [&](int threads) {
         const ThreadLimit limit(threads);
         EXPECT_TRUE(threads == 0 || threadsAllowed() == static_cast<std::size_t>(threads));
@@ -182,10 +182,10 @@ TEST(Trajectory, TheSameBitsForAnyNumberOfThreads)
 
 TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
 {
-    SpindleModel model = fineModel();
-    std::vector<ProbeFile> records;
+    sample::SpindleModel model = fineModel();
+    std::vector<io::ProbeFile> records;
     for (int i = 0; i < 3; ++i) {
-        ProbeRecord record = makeProbeRecord(model);
+        io::ProbeRecord record = sample::makeProbeRecord(model);
         std::erase_if(record.header, [](const auto& entry) { return entry.first == "sections"; });
         records.push_back(fileOf(record));
     }
@@ -211,10 +211,10 @@ TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
 
 TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
 {
-    const SpindleModel model = fineModel();  // 40 revolutions
-    ProbeRecord record = makeProbeRecord(model);
+    const sample::SpindleModel model = fineModel();  // 40 revolutions
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     const auto cut = [&](std::size_t frames) {
-        for (ProbeChannel& channel : record.channels) channel.values.resize(frames);
+        for (io::ProbeChannel& channel : record.channels) channel.values.resize(frames);
         record.time_s.resize(frames);
     };
     cut(record.frames() / 2);
@@ -229,8 +229,8 @@ TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
 
 TEST(Trajectory, WhatIsMissingIsRefused)
 {
-    const SpindleModel model = fineModel();
-    ProbeRecord record = makeProbeRecord(model);
+    const sample::SpindleModel model = fineModel();
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     std::erase_if(record.header, [](const auto& entry) { return entry.first == "D_mm"; });
     EXPECT_EQ(codeOf({fileOf(record)}), errors::diameterMissing);
     TrajectoryParameters parameters;
@@ -238,17 +238,17 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     EXPECT_EQ(trajectory({fileOf(record)}, parameters).workpiece_diameter_mm, 50);
     parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
     EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::markerElsewhere);
-    EXPECT_TRUE(trajectory(std::vector<ProbeFile>{}).sections.empty());
+    EXPECT_TRUE(trajectory(std::vector<io::ProbeFile>{}).sections.empty());
 }
 
 TEST(Trajectory, ADiscHasNoCylindricityButAllElse)
 {
-    SpindleModel model = fineModel();
+    sample::SpindleModel model = fineModel();
     model.workpiece_diameter_mm = 110;
     model.feed_mm_rev = 1e-4;  // five sections within 4 µm
     TrajectoryParameters parameters;
     parameters.revolutions = model.revolutions;
-    const TrajectoryResult result = trajectory({fileOf(makeProbeRecord(model))}, parameters);
+    const TrajectoryResult result = trajectory({fileOf(sample::makeProbeRecord(model))}, parameters);
     ASSERT_TRUE(result.longitudinal);
     EXPECT_NEAR(result.longitudinal->taper_diameter_um, model.taper_diameter_um, 0.01);
     EXPECT_TRUE(std::isnan(result.longitudinal->CYLt_LSCY_um));
@@ -257,7 +257,7 @@ TEST(Trajectory, ADiscHasNoCylindricityButAllElse)
 
 TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
 {
-    const std::vector<ProbeFile> records{fileOf(makeProbeRecord(fineModel()))};  // 5 sections of 8 turns
+    const std::vector<io::ProbeFile> records{fileOf(sample::makeProbeRecord(fineModel()))};  // 5 sections of 8 turns
     TrajectoryParameters parameters;
     parameters.revolutions = 8;
     EXPECT_FALSE(contains(trajectory(records, parameters).notes, notes::revolutionsUnused));
@@ -272,7 +272,7 @@ TEST(Trajectory, RevolutionsThatWereNotUsedAreSaid)
 
 TEST(Trajectory, ASuspiciousSpeedIsNoted)
 {
-    ProbeRecord record = makeProbeRecord(fineModel());
+    io::ProbeRecord record = sample::makeProbeRecord(fineModel());
     for (auto& [key, value] : record.header)
         if (key == "rpm_nominal") value = std::string("480");
     EXPECT_TRUE(contains(trajectory({fileOf(record)}).notes, notes::speedDiffers));
@@ -282,14 +282,14 @@ TEST(Trajectory, CancelStopsIt)
 {
     std::stop_source source;
     source.request_stop();
-    const ProbeFile file = fileOf(makeProbeRecord(fineModel()));
+    const io::ProbeFile file = fileOf(sample::makeProbeRecord(fineModel()));
     EXPECT_THROW(trajectory({file}, {}, Progress(source.get_token(), nullptr)), Cancelled);
 }
 
 TEST(TimeSignals, PeaksSurviveTheThinning)
 {
-    const SpindleModel model = fineModel();
-    ProbeRecord record = makeProbeRecord(model);
+    const sample::SpindleModel model = fineModel();
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     record.channels[2].values[7777] = 99;
     const std::vector<TimeSignal> signals = timeSignals(record, {}, 500);
     ASSERT_EQ(signals.size(), 5u);
@@ -305,16 +305,16 @@ TEST(TimeSignals, PeaksSurviveTheThinning)
 }
 
 /// A record with a good marker whose probes see `signal(time, sample, channel)` and no part.
-ProbeRecord recordOf(const std::function<double(double, std::size_t, std::size_t)>& signal_um)
+io::ProbeRecord recordOf(const std::function<double(double, std::size_t, std::size_t)>& signal_um)
 {
-    SpindleModel model = sampleSpindle();
+    sample::SpindleModel model = sample::sampleSpindle();
     model.sections = 1;
-    ProbeRecord record = makeProbeRecord(model);
+    io::ProbeRecord record = sample::makeProbeRecord(model);
     record.header.erase(std::remove_if(record.header.begin(), record.header.end(),
                                        [](const auto& entry) { return entry.first == "feed_mm_rev"; }),
                         record.header.end());
     for (std::size_t c = 1; c < record.channels.size(); ++c) {
-        record.channels[c].unit = ProbeChannel::Unit::Micrometre;
+        record.channels[c].unit = io::ProbeChannel::Unit::Micrometre;
         for (std::size_t i = 0; i < record.frames(); ++i)
             record.channels[c].values[i] = signal_um(static_cast<double>(i) / model.rate_hz, i, c);
     }

@@ -10,18 +10,18 @@
 namespace lathelier::trajectory {
 
 template <class Record>
-ProbeFile fileOf(Record record)
+io::ProbeFile fileOf(Record record)
 {
-    ProbeFile file;
+    io::ProbeFile file;
     file.facts.path = record.name;
     file.record = std::move(record);
     return file;
 }
 
 /// Four channels sampled finely and one after the other, five sections of eight revolutions, no noise.
-inline SpindleModel fineModel()
+inline sample::SpindleModel fineModel()
 {
-    SpindleModel model = quietSpindle();
+    sample::SpindleModel model = sample::quietSpindle();
     model.sections = 5;
     model.revolutions = 8;
     model.rate_hz = 6500;
@@ -30,9 +30,9 @@ inline SpindleModel fineModel()
 }
 
 /// Largest difference in µm of LSC centre and radius, and of RONt(LSCI) and RONt(MZCI), from the true image's.
-inline double worstDifference_um(const TrajectorySection& section, const SpindleModel& model, int index)
+inline double worstDifference_um(const TrajectorySection& section, const sample::SpindleModel& model, int index)
 {
-    const form::ReferenceCircles truth = form::fitCircles(trueImage_mm(model, index));
+    const form::ReferenceCircles truth = form::fitCircles(sample::trueImage_mm(model, index));
     const form::ReferenceCircles& found = section.roundness.circles;
     return std::max({(found.LSCI.centre_mm - truth.LSCI.centre_mm).norm() * 1e3,
                      std::abs(found.LSCI.radius_mm - truth.LSCI.radius_mm) * 1e3,

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "engine/core/error.h"
-#include "engine/form/form_verification.h"
+#include "engine/form/verify/form_verification.h"
 #include "tests/engine/form/form_data.h"
 
 namespace lathelier {
@@ -15,7 +15,7 @@ namespace {
 
 TEST(Verify, EveryKindPasses)
 {
-    const VerifyResult result = verify(verifyParts());
+    const verify::VerifyResult result = verify::verify(verify::verifyParts());
     EXPECT_TRUE(result.pass);
     EXPECT_GE(result.kinds.size(), 11U);
     std::set<std::string> names;
@@ -30,7 +30,7 @@ TEST(Verify, EveryKindPasses)
 
 TEST(Verify, TakesTheNistSetsOfADirectory)
 {
-    const VerifyResult result = verify(verifyParts(), form::nistLikeData().string());
+    const verify::VerifyResult result = verify::verify(verify::verifyParts(), form::nistLikeData().string());
     EXPECT_EQ(result.kinds.back().kind, "nist_circle");
     EXPECT_EQ(result.kinds.back().sets, 10);
     EXPECT_TRUE(result.kinds.back().pass) << result.kinds.back().largest_deviation;
@@ -39,11 +39,11 @@ TEST(Verify, TakesTheNistSetsOfADirectory)
 TEST(Verify, SaysWhatIsWrongWithADirectory)
 {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nist";
-    EXPECT_THROW(verify(verifyParts(), (folder / "missing").string()), Error);
+    EXPECT_THROW(verify::verify(verify::verifyParts(), (folder / "missing").string()), Error);
     std::filesystem::create_directories(folder);
     const auto refusal = [&folder] {
         try {
-            verify(verifyParts(), folder.string());
+            verify::verify(verify::verifyParts(), folder.string());
         } catch (const Error& error) {
             EXPECT_TRUE(find(error.values(), "path"));
             return std::string(error.code().key);
@@ -61,11 +61,11 @@ TEST(Verify, SaysWhatIsWrongWithADirectory)
     std::filesystem::remove(folder / "b.ds");
     std::ofstream(folder / "a.ds") << "3\n1 2 0\n3 4 zero\n";
     std::ofstream(folder / "a.fit") << "1 2 3 0 0 1 4\n";
-    EXPECT_THROW(verify(verifyParts(), folder.string()), Error);
+    EXPECT_THROW(verify::verify(verify::verifyParts(), folder.string()), Error);
     // A wrong answer is seen: the circle through these has the diameter 2.
     std::ofstream(folder / "a.ds") << "3\n1 0 0\n0 1 0\n-1 0 0\n";
     std::ofstream(folder / "a.fit") << "0 0 0 0 0 1 2.0001\n";
-    const VerifyResult wrong = verify(verifyParts(), folder.string());
+    const verify::VerifyResult wrong = verify::verify(verify::verifyParts(), folder.string());
     EXPECT_FALSE(wrong.pass);
     EXPECT_NEAR(wrong.kinds.back().largest_deviation, 5e-5, 1e-6);
     std::filesystem::remove_all(folder);

@@ -2,6 +2,7 @@
 #include "widgets/compare/compare_panel.h"
 #include "engine/io/io_codes.h"
 #include "tests/widgets/core/drop_files.h"
+#include "widgets/core/panel/hero_views.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -47,7 +48,7 @@ private:
     QTemporaryDir folder_;
     QString original_, copy_;
     std::unique_ptr<Session> session_;
-    std::unique_ptr<ComparePanel> panel_;
+    std::unique_ptr<compare_panel::ComparePanel> panel_;
 
     template <class W>
     W* part(const char* name) const
@@ -71,7 +72,7 @@ private:
     }
     void setTolerance(double value_mm)
     {
-        session_->edit("tolerance", [&](Project& project) {
+        session_->edit("tolerance", [&](project::Project& project) {
             lathelier::set(project.panels["compare"].parameters, "tolerance_mm", value_mm);
         });
         settle();
@@ -83,19 +84,19 @@ private slots:
     {
         useResources();
         QLocale::setDefault(QLocale::c());
-        ScannerModel scanner;
+        sample::ScannerModel scanner;
         scanner.row_pitch_mm = 0.2;
         scanner.angle_step_deg = 1.8;
         original_ = folder_.filePath("original.xyz");
         copy_ = folder_.filePath("copy.xyz");
-        write(original_, scanShaft(nominalShaft(), scanner));
+        write(original_, sample::scanShaft(sample::nominalShaft(), scanner));
         scanner.seed = 2;
-        write(copy_, scanShaft(copiedShaft(), scanner));
+        write(copy_, sample::scanShaft(sample::copiedShaft(), scanner));
     }
     void init()
     {
         session_ = std::make_unique<Session>();
-        panel_ = std::make_unique<ComparePanel>(*session_);
+        panel_ = std::make_unique<compare_panel::ComparePanel>(*session_);
         panel_->resize(1280, 760);
         panel_->show();
         QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -122,9 +123,9 @@ private slots:
         setTolerance(0.2);  // still of the file as it was
         QCOMPARE(panel_->result()->result->statistics.mean_mm, before_mm);
         QVERIFY(notes().contains("was changed after it was read"));
-        const Document report = *panel_->reportDocument();
+        const report::Document report = *panel_->reportDocument();
         QVERIFY(std::any_of(report.sections.front().blocks.begin(), report.sections.front().blocks.end(),
-                            [](const Block& block) {
+                            [](const report::Block& block) {
                                 const auto* said = std::get_if<Notes>(&block);
                                 return said && contains(*said, notes::sourceChangedSince);
                             }));
@@ -138,16 +139,16 @@ private slots:
     void twoDroppedFilesAreAnswered()
     {
         dropBoth();
-        const PanelState& state = session_->panel("compare");
+        const project::PanelState& state = session_->panel("compare");
         QCOMPARE(QString::fromStdString(state.inputs.at("reference").path), original_);
         QCOMPARE(QString::fromStdString(state.inputs.at("copy").path), copy_);
         QVERIFY2(headline().contains("mm"), qPrintable(headline()));
         QVERIFY(!panel_->result()->result->verdict);
-        QVERIFY(part<MapView>("map")->isVisible());
-        QVERIFY(!part<MapView>("map")->data().empty());
-        QCOMPARE(part<ChartView>("histogram")->data().handles.size(), std::size_t{0});
-        QVERIFY(part<ZoneTable>("zones")->rowCount() > 3);
-        QVERIFY(part<StatisticsTable>("statistics")->rowCount() > 10);
+        QVERIFY(part<plot::MapView>("map")->isVisible());
+        QVERIFY(!part<plot::MapView>("map")->data().empty());
+        QCOMPARE(part<plot::ChartView>("histogram")->data().handles.size(), std::size_t{0});
+        QVERIFY(part<compare_panel::ZoneTable>("zones")->rowCount() > 3);
+        QVERIFY(part<compare_panel::StatisticsTable>("statistics")->rowCount() > 10);
     }
 
     void filesCanComeOneByOne()
@@ -189,14 +190,14 @@ private slots:
         session_->undoStack().undo();
         settle();
         QVERIFY(!panel_->result()->result->verdict);
-        QVERIFY(!part<QLabel>("verdict")->isVisible());
+        QCOMPARE(part<QLabel>("verdict")->text(), QString("no limit given"));
     }
 
     void toleranceIsDraggedInTheHistogram()
     {
         dropBoth();
         setTolerance(0.1);
-        auto* histogram = part<ChartView>("histogram");
+        auto* histogram = part<plot::ChartView>("histogram");
         QCOMPARE(histogram->data().handles.size(), std::size_t{2});
         QCoreApplication::processEvents();
         QWidget* surface = histogram->findChild<QWidget*>();
@@ -230,8 +231,8 @@ private slots:
     void aPlacePickedInTheMapIsMarkedEverywhere()
     {
         dropBoth();
-        auto* map = part<MapView>("map");
-        QSignalSpy clicks(map, &PlotCanvas::clicked);
+        auto* map = part<plot::MapView>("map");
+        QSignalSpy clicks(map, &plot::PlotCanvas::clicked);
         const QPoint pixel = map->pixelAt(60, 120).toPoint();
         QTest::mouseClick(map->findChild<QWidget*>(), Qt::LeftButton, {}, pixel);
         QCOMPARE(clicks.count(), 1);
@@ -241,13 +242,13 @@ private slots:
         QVERIFY(std::abs(*panel_->views().place()->z_mm - z_mm) < 1e-6);
         QVERIFY(std::abs(map->marker()->x() - z_mm) < 1e-6);
         QVERIFY(std::abs(map->marker()->y() - clicks[0][1].toDouble()) < 1e-6);
-        QVERIFY(std::abs(*part<ChartView>("meridian")->marker() - z_mm) < 1e-6);
-        const auto* zones = part<ZoneTable>("zones");
+        QVERIFY(std::abs(*part<plot::ChartView>("meridian")->marker() - z_mm) < 1e-6);
+        const auto* zones = part<compare_panel::ZoneTable>("zones");
         QCOMPARE(zones->selectionModel()->selectedRows().size(), 1);
         const int row = zones->selectionModel()->selectedRows()[0].row();
         QVERIFY(zones->item(row, 0)->text().toDouble() <= z_mm + 5 &&
                 zones->item(row, 1)->text().toDouble() >= z_mm - 5);
-        auto* scene = part<SceneView>("scene");
+        auto* scene = part<scene::SceneView>("scene");
         if (scene->canDraw()) {
             const Eigen::Vector3d place = *scene->marker();
             const auto& axis = *panel_->result()->result->axis_T_reference;
@@ -262,23 +263,23 @@ private slots:
         const auto& result = *panel_->result()->result;
         std::size_t point = result.used.size() / 2;
         while (!result.used[point]) ++point;
-        emit part<SceneView>("scene")->pointPicked(1, static_cast<qint64>(point));
+        emit part<scene::SceneView>("scene")->pointPicked(1, static_cast<qint64>(point));
         const auto& place = *panel_->views().place();
         QCOMPARE(*place.point, point);
         QCOMPARE(*place.deviation_mm, static_cast<double>(result.deviation_mm[point]));
-        QVERIFY(std::abs(part<MapView>("map")->marker()->x() - *place.z_mm) < 1e-9);
-        QCOMPARE(*part<ChartView>("histogram")->marker(), *place.deviation_mm);
+        QVERIFY(std::abs(part<plot::MapView>("map")->marker()->x() - *place.z_mm) < 1e-9);
+        QCOMPARE(*part<plot::ChartView>("histogram")->marker(), *place.deviation_mm);
     }
 
     void aZoneClickedInTheTableIsMarked()
     {
         dropBoth();
-        part<QToolButton>("viewZones")->click();
-        auto* zones = part<ZoneTable>("zones");
+        panel_->findChild<HeroViews*>()->setHero("tables");
+        auto* zones = part<compare_panel::ZoneTable>("zones");
         QTRY_VERIFY(zones->isVisible());
         QTest::mouseClick(zones->viewport(), Qt::LeftButton, {}, zones->visualItemRect(zones->item(1, 2)).center());
         const double middle = (zones->item(1, 0)->text().toDouble() + zones->item(1, 1)->text().toDouble()) / 2;
-        QVERIFY(std::abs(*part<ChartView>("meridian")->marker() - middle) < 0.2);
+        QVERIFY(std::abs(*part<plot::ChartView>("meridian")->marker() - middle) < 0.2);
         zones->setFocus();
         QTest::keyClick(zones, Qt::Key_C, Qt::ControlModifier);
         QVERIFY(QApplication::clipboard()->text().count('\t') >= 10);
@@ -288,7 +289,7 @@ private slots:
     {
         dropBoth();
         setTolerance(0.03);
-        const QString text = part<ZoneTable>("zones")->text(false);
+        const QString text = part<compare_panel::ZoneTable>("zones")->text(false);
         QVERIFY2(text.contains("▲ above"), qPrintable(text));  // the collar of the sample copy is 50 µm too large
         QVERIFY(text.contains("✓ within"));
     }
@@ -296,14 +297,14 @@ private slots:
     void scaleAndMagnificationAreEdited()
     {
         dropBoth();
-        auto* map = part<MapView>("map");
+        auto* map = part<plot::MapView>("map");
         auto* box = map->findChild<QDoubleSpinBox*>();
         box->setValue(0.5);
         QCOMPARE(panel_->views().limit_mm(), 0.5);
         auto* factor = part<QDoubleSpinBox>("magnification");
         factor->setValue(77);
-        QVERIFY(captionText(part<ChartView>("meridian")->data().remark).find("77") != std::string::npos);
-        const auto& curves = part<ChartView>("meridian")->data().curves;
+        QVERIFY(report::captionText(part<plot::ChartView>("meridian")->data().remark).find("77") != std::string::npos);
+        const auto& curves = part<plot::ChartView>("meridian")->data().curves;
         const auto& meridian = *panel_->result()->result->meridian;
         for (std::size_t i = 0; i < meridian.z_mm.size(); ++i)
             if (std::isfinite(meridian.deviation_mm[i]) && std::isfinite(meridian.reference_radius_mm[i]))
@@ -314,24 +315,35 @@ private slots:
     void everyViewCanStandAlone()
     {
         dropBoth();
-        const std::pair<const char*, const char*> views[] = {{"viewMap", "map"},
-                                                             {"viewMeridian", "meridian"},
-                                                             {"viewDistribution", "histogram"},
-                                                             {"viewNumbers", "statistics"}};
-        for (const auto& [button, view] : views) {
-            part<QToolButton>(button)->click();
+        auto* heroes = panel_->findChild<HeroViews*>();
+        QCOMPARE(heroes->hero(), QString("part"));
+        QVERIFY(part<QWidget>("scene")->isVisible() && part<QWidget>("along")->isVisible());
+        const std::pair<const char*, const char*> views[] = {
+            {"map", "map"}, {"meridian", "meridian"}, {"distribution", "histogram"}, {"tables", "statistics"}};
+        for (const auto& [key, view] : views) {
+            if (QString(view) == "statistics") panel_->findChild<QTabWidget*>()->setCurrentIndex(1);
+            QTest::mouseClick(part<QWidget>((std::string("cover_") + key).c_str()), Qt::LeftButton);
+            QCOMPARE(heroes->hero(), QString(key));
             QTRY_VERIFY2(part<QWidget>(view)->isVisible(), view);
             QTRY_VERIFY2(part<QWidget>(view)->height() > 400, view);
+            QVERIFY(part<QWidget>("scene")->isVisible());  // small, beside it
         }
-        part<QToolButton>("viewAll")->click();
+        QCOMPARE(session_->view("compare", "hero"), Value(std::string("tables")));
+        panel_->recompute();
+        settle();
+        QCOMPARE(heroes->hero(), QString("tables"));  // a new answer leaves the view as it is
+        QTest::keyClick(heroes, Qt::Key_1);
+        QCOMPARE(heroes->hero(), QString("part"));
+        heroes->setShowsAll(true);
         QTRY_VERIFY(part<QWidget>("map")->isVisible() && part<QWidget>("meridian")->isVisible());
+        QVERIFY(std::abs(part<QWidget>("map")->height() - part<QWidget>("meridian")->height()) < 4);
     }
 
     void cancelStopsAndKeepsTheOldPicture()
     {
         dropBoth();
         const auto before = panel_->result();
-        session_->edit("method", [](Project& project) {
+        session_->edit("method", [](project::Project& project) {
             lathelier::set(project.panels["compare"].parameters, "max_distance_mm", 2.5);
         });
         QVERIFY(panel_->isBusy());
@@ -358,15 +370,16 @@ private slots:
         const auto document = panel_->reportDocument();
         QVERIFY(document && document->inputs.size() == 2);
         int pictures = 0;
-        for (const lathelier::Section& section : document->sections)
-            for (const Block& block : section.blocks) pictures += std::holds_alternative<Picture>(block);
-        QCOMPARE(pictures, part<SceneView>("scene")->canDraw() ? 4 : 0);
+        for (const report::Section& section : document->sections)
+            for (const report::Block& block : section.blocks)
+                pictures += std::holds_alternative<report::Picture>(block);
+        QCOMPARE(pictures, part<scene::SceneView>("scene")->canDraw() ? 4 : 0);
         QVERIFY(!document->synthetic);
     }
 
     void syntheticDataAreMarked()
     {
-        session_->edit("open", [&](Project& project) {
+        session_->edit("open", [&](project::Project& project) {
             auto& inputs = project.panels["compare"].inputs;
             inputs["reference"].path = original_.toStdString();
             inputs["reference"].synthetic = true;

@@ -12,7 +12,7 @@
 #include "engine/core/fields.h"
 #include "engine/io/io_codes.h"
 #include "engine/registration/registration_codes.h"
-#include "widgets/core/panel.h"
+#include "widgets/core/panel/panel.h"
 
 namespace lathelier {
 
@@ -48,20 +48,21 @@ public:
 
     static PanelFacts factsOf(const std::string& id, const std::string& workspace = "inspection")
     {
-        return {id,
-                Text{"Fake"},
-                "compare",
-                {workspace == "inspection" ? Workspace{workspace, Text{"Inspection"}, "inspection", 10}
-                                           : Workspace{workspace, Text{"Roundness"}, "roundness", 20}},
-                [id](Session& owner) { return new FakePanel(owner, id); },
-                [](const PanelState&, Stores&, const Language&, const Progress&) { return Document{}; }};
+        return {
+            id,
+            Text{"Fake"},
+            "compare",
+            {workspace == "inspection" ? Workspace{workspace, Text{"Inspection"}, "inspection", 10}
+                                       : Workspace{workspace, Text{"Roundness"}, "roundness", 20}},
+            [id](Session& owner) { return new FakePanel(owner, id); },
+            [](const project::PanelState&, Stores&, const Language&, const Progress&) { return report::Document{}; }};
     }
 
     QString shown() const { return views_->text(); }
     int computed() const { return *computed_; }
 
 protected:
-    Compute compute(const PanelState& state) const override
+    Compute compute(const project::PanelState& state) const override
     {
         const auto parameters = fromValues<FakeParameters>(state.parameters);
         const std::string path = state.inputs.at("file").path;
@@ -82,19 +83,24 @@ protected:
     {
         views_->setText(QString::number(result->value_mm));
     }
-    Headline headline(const FakeResult& result) const override
+    report::Answer answer(const FakeResult& result) const override
     {
-        Headline answer;
-        answer.text = "Product " + std::to_string(static_cast<int>(result.value_mm)) + " mm";
-        if (result.parameters.tolerance_mm) answer.verdict = result.value_mm <= *result.parameters.tolerance_mm;
+        report::Answer answer;
+        answer.quantity = Text{"Product"};
+        answer.value = result.value_mm;
+        answer.unit = Text{"mm"};
+        answer.decimals = 0;
+        answer.upper_limit = result.parameters.tolerance_mm;
+        if (result.parameters.tolerance_mm)
+            answer.verdict = judge(result.value_mm, 0, *result.parameters.tolerance_mm, DecisionRule::Simple);
         return answer;
     }
     Notes notes(const FakeResult&) const override { return {{notes::rollNotDetermined, {}}}; }
-    Document document(const FakeResult& result) const override
+    report::Document document(const FakeResult& result) const override
     {
-        Document report;
+        report::Document report;
         report.title = std::string("Fake report");
-        report.sections.push_back({std::string("Result"), {headline(result)}});
+        report.sections.push_back({std::string("Result"), {answer(result)}});
         return report;
     }
 
@@ -106,7 +112,7 @@ private:
     }
     static PanelInputs inputs()
     {
-        return {{{"file", Text{"File"}, Text{"Any file"}, true, false, {&scanFiles()}}},
+        return {{{"file", Text{"File"}, Text{"Any file"}, true, false, {&io::scanFiles()}}},
                 infos<FakeParameters>(),
                 toValues(FakeParameters()),
                 Text{"Drop a file."}};

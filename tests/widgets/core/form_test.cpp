@@ -10,8 +10,8 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "widgets/core/form.h"
-#include "widgets/core/number_edit.h"
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/number_edit.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "engine/core/shaft.h"
-#include "widgets/core/panel.h"
+#include "widgets/core/panel/panel.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {
@@ -27,15 +27,15 @@ public:
     QString shown() const { return view_->text(); }
 
 protected:
-    Compute compute(const PanelState& state) const override
+    Compute compute(const project::PanelState& state) const override
     {
         const auto shaft = fromValues<Shaft>(state.items.at("shaft").values);
         return [length_mm = shaft.length_mm()](const Progress&) { return length_mm; };
     }
     void showResult(const std::shared_ptr<const double>& result) override { view_->setText(QString::number(*result)); }
-    Headline headline(const double&) const override { return {"length", {}}; }
+    report::Answer answer(const double&) const override { return {}; }
     Notes notes(const double&) const override { return {}; }
-    Document document(const double&) const override { return {}; }
+    report::Document document(const double&) const override { return {}; }
 
 private:
     static PanelFacts factsOf(const std::string& id)
@@ -94,7 +94,7 @@ private slots:
     void whatIsKeptIsOfferedWithItsOriginAndCanBeUndone()
     {
         maker_->keep("journal", 120);
-        const Item& item = session_->project().items.at("journal");
+        const project::Item& item = session_->project().items.at("journal");
         QCOMPARE(item.kind, std::string("shaft"));
         QCOMPARE(item.origin.panel, std::string("drawing"));
         QVERIFY(!item.origin.version.empty());
@@ -122,7 +122,7 @@ private slots:
 
     void itemsOfAnotherKindAreNotOffered()
     {
-        session_->edit("material", [](Project& project) { project.items["brass"] = {"material", {}, {}}; });
+        session_->edit("material", [](project::Project& project) { project.items["brass"] = {"material", {}, {}}; });
         QVERIFY(!button()->isVisible());
     }
 
@@ -132,7 +132,7 @@ private slots:
         choose(0);
         QTRY_VERIFY(user_->isCurrent());
         QVERIFY(!says("⚠"));
-        session_->edit("other scan", [](Project& project) {
+        session_->edit("other scan", [](project::Project& project) {
             project.panels["drawing"].parameters = {{"bore_mm", 5.0}};
         });
         QVERIFY(says("⚠"));

@@ -1,4 +1,4 @@
-#include "widgets/core/memo.h"
+#include "widgets/core/work/memo.h"
 #include "engine/core/error.h"
 
 #include <QTest>

@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "widgets/core/report_files.h"
-#include "widgets/core/report_pdf.h"
+#include "widgets/core/report/report_files.h"
+#include "widgets/core/report/report_pdf.h"
 
 namespace lathelier {
 
@@ -25,13 +25,13 @@ class ReportTest : public QObject {
     static int pages(const std::string& pdf) { return count(pdf, "/Type /Page\\b"); }
     static int pictures(const std::string& pdf) { return count(pdf, "/Subtype /Image"); }
 
-    static Document withRows(int rows)
+    static report::Document withRows(int rows)
     {
-        Table table;
+        report::Table table;
         table.title = std::string("Table");
         table.columns = {std::string("a"), std::string("b")};
         for (int i = 0; i < rows; ++i) table.rows.push_back({Value(std::int64_t{i}), Value(i * 0.5)});
-        Document document;
+        report::Document document;
         document.title = std::string("Report");
         document.sections.push_back({std::string("Section"), {table}});
         return document;
@@ -55,10 +55,10 @@ private slots:
 
     void plotsStayVectors()
     {
-        Document document = withRows(2);
-        Plot plot;
+        report::Document document = withRows(2);
+        report::Plot plot;
         plot.title = std::string("Plot");
-        Curve curve;
+        report::Curve curve;
         for (int i = 0; i < 100; ++i) {
             curve.x.push_back(i);
             curve.y.push_back(i * i);
@@ -85,17 +85,17 @@ private slots:
     void resultsStandBesideAsJson()
     {
         const QTemporaryDir folder;
-        const auto beside = [&](const Document& document) {
+        const auto beside = [&](const report::Document& document) {
             writeReport(folder.filePath("r.v2.html"), document);
             QFile file(folder.filePath("r.v2_result.json"));
             if (!file.open(QIODevice::ReadOnly)) return QJsonObject();
             return QJsonDocument::fromJson(file.readAll()).object();
         };
         QVERIFY(beside(withRows(1)).isEmpty());
-        Document one = withRows(1);
+        report::Document one = withRows(1);
         one.results = {R"({"command": "compare", "rmse_mm": 0.0125})"};
         QCOMPARE(beside(one)["rmse_mm"].toDouble(), 0.0125);
-        Document other = withRows(2);
+        report::Document other = withRows(2);
         other.results = {R"({"command": "roundness", "notes": []})"};
         const QJsonArray both = beside(joined({one, other}, "Both"))["results"].toArray();
         QCOMPARE(both.size(), 2);
@@ -105,17 +105,17 @@ private slots:
 
     void partsAreJoinedInOrder()
     {
-        Document first = withRows(1);
-        Document second = withRows(2);
+        report::Document first = withRows(1);
+        report::Document second = withRows(2);
         first.inputs = {{"a", 1, "x"}, {"b", 2, "y"}};
         second.inputs = {{"b", 2, "y"}, {"c", 3, "z"}};
         second.synthetic = true;
-        const Document both = joined({first, second}, "Both");
+        const report::Document both = joined({first, second}, "Both");
         QCOMPARE(both.sections.size(), std::size_t{2});
         QCOMPARE(both.inputs.size(), std::size_t{3});
         QVERIFY(both.synthetic);
-        QCOMPARE(captionText(both.title), std::string("Both"));
-        QCOMPARE(captionText(joined({first}, "Both").title), std::string("Report"));
+        QCOMPARE(report::captionText(both.title), std::string("Both"));
+        QCOMPARE(report::captionText(joined({first}, "Both").title), std::string("Report"));
     }
 };
 

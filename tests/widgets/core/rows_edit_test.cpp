@@ -1,5 +1,5 @@
 // The table of rows, used as a person does, in two locales; and groups in the form.
-#include "widgets/core/rows_edit.h"
+#include "widgets/core/form/rows_edit.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -11,7 +11,7 @@
 #include <QToolButton>
 
 #include "engine/core/shaft.h"
-#include "widgets/core/form.h"
+#include "widgets/core/form/form.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 

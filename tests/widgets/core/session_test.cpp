@@ -15,7 +15,7 @@ public:
     TextStore() : FileCache(4) {}
 
 protected:
-    std::string read(const Source& source, InputFiles& inputs, const Progress& progress) const override
+    std::string read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override
     {
         return std::string(inputs.open(source.path, progress));
     }
@@ -27,7 +27,7 @@ class SessionTest : public QObject {
     static void setTitle(Session& session, const std::string& title, const QString& key = {})
     {
         session.edit(
-            "title", [&](Project& project) { project.title = title; }, key);
+            "title", [&](project::Project& project) { project.title = title; }, key);
     }
 
 private slots:
@@ -35,7 +35,7 @@ private slots:
     {
         Session session;
         QSignalSpy changed(&session, &Session::changed);
-        session.edit("both", [](Project& project) {
+        session.edit("both", [](project::Project& project) {
             project.title = std::string("a");
             project.report = {"compare"};
         });
@@ -43,7 +43,7 @@ private slots:
         QVERIFY(session.isModified());
         QCOMPARE(session.undoStack().undoText(), QString("both"));
         session.undoStack().undo();
-        QCOMPARE(session.project(), Project());
+        QCOMPARE(session.project(), project::Project());
         QVERIFY(!session.isModified());
         session.undoStack().redo();
         QCOMPARE(session.project().title, std::string("a"));
@@ -93,6 +93,23 @@ private slots:
         QVERIFY(!session.isModified());
     }
 
+    void whatIsLookedAtIsKeptButIsNoStep()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("p.lathelier");
+        Session session;
+        setTitle(session, "a");
+        session.setView("compare", "hero", std::string("map"));
+        QCOMPARE(session.undoStack().count(), 1);
+        session.undoStack().undo();
+        QCOMPARE(session.view("compare", "hero"), Value(std::string("map")));
+        QCOMPARE(session.view("compare", "other"), Value());
+        session.save(path);
+        Session again;
+        again.open(path);
+        QCOMPARE(again.view("compare", "hero"), Value(std::string("map")));
+    }
+
     void saveAndOpen()
     {
         const QTemporaryDir folder;
@@ -132,27 +149,27 @@ private slots:
     {
         const QTemporaryDir folder;
         const std::string path = folder.filePath("scan.txt").toStdString();
-        writeFile(path, "old");
+        io::writeFile(path, "old");
         Session session;
         const auto store = session.stores().of<TextStore>();
-        const Source source{.path = path, .import = {}, .sha256 = {}};
-        PanelState state;
+        const project::Source source{.path = path, .import = {}, .sha256 = {}};
+        project::PanelState state;
         state.inputs["scan"] = source;
         QCOMPARE(store->load(source)->file, std::string("old"));
 
         QSignalSpy changed(&session.watch(), &SourceWatch::changed);
         QSignalSpy taken(&session, &Session::filesTaken);
-        writeFile(path, "new");
+        io::writeFile(path, "new");
         session.watch().look();
         QTRY_COMPARE(changed.count(), 1);
         const Notes notes = session.watch().notesOf(state);
         QCOMPARE(notes.size(), std::size_t{1});
         QVERIFY(notes[0].code == notes::sourceChangedSince);
-        QCOMPARE(std::get<std::string>(*find(notes[0].values, "read_sha256")), sha256("old"));
-        QCOMPARE(std::get<std::string>(*find(notes[0].values, "now_sha256")), sha256("new"));
-        QVERIFY(session.watch().notesOf(PanelState()).empty());
+        QCOMPARE(std::get<std::string>(*find(notes[0].values, "read_sha256")), io::sha256("old"));
+        QCOMPARE(std::get<std::string>(*find(notes[0].values, "now_sha256")), io::sha256("new"));
+        QVERIFY(session.watch().notesOf(project::PanelState()).empty());
         QCOMPARE(store->load(source)->file, std::string("old"));
-        Source otherwise = source;  // read in another way, it would be another file
+        project::Source otherwise = source;  // read in another way, it would be another file
         lathelier::set(otherwise.import, "unit", std::string("inch"));
         QVERIFY_EXCEPTION_THROWN(store->load(otherwise), Error);
         session.watch().look();
@@ -165,7 +182,7 @@ private slots:
         QCOMPARE(store->load(source)->file, std::string("new"));
         QCOMPARE(store->load(otherwise)->file, std::string("new"));
 
-        writeFile(path, "new");  // touched, not changed
+        io::writeFile(path, "new");  // touched, not changed
         session.watch().look();
         QTest::qWait(200);
         QVERIFY(session.watch().notesOf(state).empty());
@@ -180,14 +197,14 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath("p.lathelier");
         const std::string scan = folder.filePath("scan.txt").toStdString();
-        writeFile(scan, "old");
+        io::writeFile(scan, "old");
         Session session;
-        session.edit("a", [&](Project& project) {
-            project.panels["compare"].inputs["copy"] = {.path = scan, .import = {}, .sha256 = sha256("old")};
+        session.edit("a", [&](project::Project& project) {
+            project.panels["compare"].inputs["copy"] = {.path = scan, .import = {}, .sha256 = io::sha256("old")};
             project.panels["compare"].inputs["reference"] = {.path = scan + ".none", .import = {}, .sha256 = {}};
         });
         session.save(path);
-        writeFile(scan, "new");
+        io::writeFile(scan, "new");
         Session other;
         std::vector<std::string> found;
         QObject::connect(&other.watch(), &SourceWatch::found,
@@ -238,7 +255,7 @@ private slots:
         for (int i = 0; i < 1000; ++i) setTitle(session, std::to_string(i));
         QCOMPARE(session.undoStack().count(), 1000);
         session.undoStack().setIndex(0);
-        QCOMPARE(session.project(), Project());
+        QCOMPARE(session.project(), project::Project());
     }
 };
 

@@ -12,29 +12,29 @@
 namespace lathelier {
 
 /// A curve over a length with a vertical line to drag.
-inline Plot parabola()
+inline report::Plot parabola()
 {
-    Plot data;
+    report::Plot data;
     data.title = "Parabola";
     data.x = {"z", Text{"mm"}};
     data.y = {"radius", Text{"mm"}};
-    Curve curve;
+    report::Curve curve;
     curve.name = "copy";
     for (int i = 0; i <= 100; ++i) {
         curve.x.push_back(i);
         curve.y.push_back(0.01 * i * i);
     }
     data.curves.push_back(curve);
-    data.handles.push_back({"limit", Handle::Kind::Vertical, 80, 0, "+T"});
+    data.handles.push_back({"limit", report::Handle::Kind::Vertical, 80, 0, "+T"});
     return data;
 }
 
-inline QWidget* surface(ChartView& view)
+inline QWidget* surface(plot::ChartView& view)
 {
     return view.findChild<QWidget*>();
 }
 
-inline QPoint at(const ChartView& view, double x, double y)
+inline QPoint at(const plot::ChartView& view, double x, double y)
 {
     return view.pixelAt(x, y).toPoint();
 }
@@ -57,10 +57,10 @@ inline void drag(QWidget* widget, QPoint from, QPoint to)
 }
 
 /// A view of the parabola, as large as in a panel.
-inline std::unique_ptr<ChartView> shownParabola()
+inline std::unique_ptr<plot::ChartView> shownParabola()
 {
     QLocale::setDefault(QLocale::c());
-    auto view = std::make_unique<ChartView>();
+    auto view = std::make_unique<plot::ChartView>();
     view->setData(parabola());
     view->resize(600, 400);
     view->show();

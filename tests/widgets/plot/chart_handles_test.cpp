@@ -13,21 +13,21 @@ namespace {
 
 /// A curve with a tolerance to drag.
 /// A limit over speed with the regions beside it and an operating point.
-Plot lobes()
+report::Plot lobes()
 {
-    Plot plot;
+    report::Plot plot;
     plot.title = "Lobes";
-    plot.x = {"Speed", Text{"1/min"}, Axis::Scale::Logarithmic, Interval{100, 10000}};
-    plot.y = {"Depth", Text{"mm"}, Axis::Scale::Logarithmic, Interval{0.1, 10}};
-    Curve curve;
+    plot.x = {"Speed", Text{"1/min"}, report::Axis::Scale::Logarithmic, Interval{100, 10000}};
+    plot.y = {"Depth", Text{"mm"}, report::Axis::Scale::Logarithmic, Interval{0.1, 10}};
+    report::Curve curve;
     curve.name = "limit";
     curve.x = {100, 1000, 10000};
     curve.y = {2, 2, 2};
     const std::vector<double> end(3, std::numeric_limits<double>::infinity());
-    plot.regions = {between("stable", ColourRole::Stable, curve.x, {0, 0, 0}, curve.y),
-                    between("unstable", ColourRole::Unstable, curve.x, curve.y, end)};
+    plot.regions = {report::between("stable", report::ColourRole::Stable, curve.x, {0, 0, 0}, curve.y),
+                    report::between("unstable", report::ColourRole::Unstable, curve.x, curve.y, end)};
     plot.curves = {curve};
-    plot.handles = {{"operating", Handle::Kind::Point, 1000, 1, "operating point", Interval{200, 5000}, {}}};
+    plot.handles = {{"operating", report::Handle::Kind::Point, 1000, 1, "operating point", Interval{200, 5000}, {}}};
     return plot;
 }
 
@@ -37,7 +37,7 @@ class ChartHandlesTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<ChartView> view_;
+    std::unique_ptr<plot::ChartView> view_;
 
 private slots:
     void init() { view_ = shownParabola(); }
@@ -45,7 +45,7 @@ private slots:
 
     void aHandleIsDraggedWithoutPanning()
     {
-        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &plot::ChartView::handleMoved);
         const QRectF before = view_->visibleRange();
         drag(surface(*view_), at(*view_, 80, 40), at(*view_, 60, 40));
         QCOMPARE(view_->visibleRange(), before);
@@ -64,10 +64,10 @@ private slots:
         QApplication::sendEvent(surface(*view_), &move);
         view_->setData(parabola());
         QVERIFY(std::abs(view_->data().handles[0].x - 50) < 0.5);
-        Plot without = parabola();
+        report::Plot without = parabola();
         without.handles.clear();
         view_->setData(without);
-        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &plot::ChartView::handleMoved);
         QTest::mouseRelease(surface(*view_), Qt::LeftButton, {}, to);
         QCOMPARE(moved.count(), 0);  // it is gone
     }
@@ -78,7 +78,7 @@ private slots:
         QCoreApplication::processEvents();
         const double middle = (view_->pixelAt(100, 1).x() + view_->pixelAt(10000, 1).x()) / 2;
         QVERIFY(std::abs(view_->pixelAt(1000, 1).x() - middle) < 1);
-        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &plot::ChartView::handleMoved);
         drag(surface(*view_), at(*view_, 1000, 1), at(*view_, 3000, 0.3));
         QCOMPARE(moved.last()[0].toString(), QString("operating"));
         QVERIFY2(std::abs(moved.last()[1].toDouble() / 3000 - 1) < 0.01, qPrintable(moved.last()[1].toString()));
@@ -96,7 +96,7 @@ private slots:
     {
         view_->setData(lobes());
         view_->setFocus();
-        QSignalSpy moved(view_.get(), &ChartView::handleMoved);
+        QSignalSpy moved(view_.get(), &plot::ChartView::handleMoved);
         const QRectF before = view_->visibleRange();
         QTest::keyClick(view_.get(), Qt::Key_Tab);  // to the handle, not out of the chart
         QTest::keyClick(view_.get(), Qt::Key_Right);

@@ -18,17 +18,17 @@ class ChartPathsTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<ChartView> view_;
+    std::unique_ptr<plot::ChartView> view_;
 
-    static Plot circle()
+    static report::Plot circle()
     {
-        Plot data;
+        report::Plot data;
         data.title = "Path";
         data.x = {"X", Text{"µm"}};
         data.y = {"Y", Text{"µm"}};
         data.along = {"angle", Text{"°"}};
         data.equal_scales = true;
-        Curve curve;
+        report::Curve curve;
         curve.name = "axis";
         for (int i = 0; i < 360; ++i) {
             const double angle = i * std::numbers::pi / 180;
@@ -44,7 +44,7 @@ private slots:
     void init()
     {
         QLocale::setDefault(QLocale::c());
-        view_ = std::make_unique<ChartView>();
+        view_ = std::make_unique<plot::ChartView>();
         view_->resize(700, 320);
         view_->show();
         view_->setData(circle());

@@ -18,7 +18,7 @@ class ChartViewTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<ChartView> view_;
+    std::unique_ptr<plot::ChartView> view_;
 
 private slots:
     void init() { view_ = shownParabola(); }
@@ -67,7 +67,7 @@ private slots:
 
     void dragPansAndAClickPoints()
     {
-        QSignalSpy clicks(view_.get(), &PlotCanvas::clicked);
+        QSignalSpy clicks(view_.get(), &plot::PlotCanvas::clicked);
         const QRectF before = view_->visibleRange();
         const QPoint from = at(*view_, 20, 50), to = at(*view_, 40, 50);
         drag(surface(*view_), from, to);
@@ -135,7 +135,7 @@ private slots:
     void csvHasADecimalPointInEveryLocale()
     {
         QLocale::setDefault(QLocale(QLocale::Polish));
-        Plot data = parabola();
+        report::Plot data = parabola();
         data.curves[0].y[1] = 0.1 + 0.2;
         data.curves[0].y[2] = std::nan("");
         view_->setData(data);
@@ -159,11 +159,11 @@ private slots:
 
     void aMillionPointsAreDrawn()
     {
-        Plot data;
+        report::Plot data;
         data.title = "Noise";
         data.x = {"t", Text{"s"}};
         data.y = {"a", Text{"m/s²"}};
-        Curve curve;
+        report::Curve curve;
         unsigned state = 1;
         for (int i = 0; i < 1'000'000; ++i) {
             state = state * 1664525U + 1013904223U;
@@ -182,12 +182,12 @@ private slots:
 
     void barsAreReadByTheirWholeNumber()
     {
-        Plot data;
+        report::Plot data;
         data.title = "Spectrum";
         data.x = {"Undulations", Text{"UPR"}};
         data.y = {"Amplitude", Text{"µm"}};
-        Curve bars;
-        bars.style = Curve::Style::Bars;
+        report::Curve bars;
+        bars.style = report::Curve::Style::Bars;
         for (int upr = 2; upr <= 60; ++upr) {
             bars.x.push_back(upr - 0.5);
             bars.y.push_back(10.0 / upr);
@@ -207,7 +207,8 @@ private slots:
 
     void doubleClickTakesItsFirstClickBack()
     {
-        QSignalSpy clicked(view_.get(), &PlotCanvas::clicked), back(view_.get(), &PlotCanvas::clickTakenBack);
+        QSignalSpy clicked(view_.get(), &plot::PlotCanvas::clicked),
+            back(view_.get(), &plot::PlotCanvas::clickTakenBack);
         const QPoint place = at(*view_, 30, 50);
         QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, place);
         QTest::mouseDClick(surface(*view_), Qt::LeftButton, {}, place);
@@ -217,7 +218,7 @@ private slots:
 
     void theRemarkStaysBesideTheReadout()
     {
-        Plot data = parabola();
+        report::Plot data = parabola();
         data.remark = "error × 200";
         view_->setData(data);
         const auto inkAtTheRight = [&] {

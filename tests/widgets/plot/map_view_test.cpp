@@ -12,9 +12,9 @@ using namespace lathelier;
 namespace {
 
 /// Four columns (z 0…40) by three rows (0…360°); the last cell has no data.
-ColourMap small()
+report::ColourMap small()
 {
-    ColourMap map;
+    report::ColourMap map;
     map.title = "Unrolled";
     map.x = {"z", Text{"mm"}};
     map.y = {"angle", Text{"°"}};
@@ -33,7 +33,7 @@ void hover(QWidget* widget, QPoint place)
     QApplication::sendEvent(widget, &move);
 }
 
-bool near(QColor a, Rgb b)
+bool near(QColor a, report::Rgb b)
 {
     return std::abs(a.red() - b.red) + std::abs(a.green() - b.green) + std::abs(a.blue() - b.blue) <= 6;
 }
@@ -44,7 +44,7 @@ class MapViewTest : public QObject {
     Q_OBJECT
 
 private:
-    MapView* view_ = nullptr;
+    plot::MapView* view_ = nullptr;
 
     QColor pixel(double x, double y)
     {
@@ -55,7 +55,7 @@ private:
 private slots:
     void init()
     {
-        view_ = new MapView;
+        view_ = new plot::MapView;
         view_->setColours({0.2, {}});
         view_->setData(small());
         view_->resize(640, 400);
@@ -67,7 +67,7 @@ private slots:
 
     void cellsHaveTheColourOfTheirValue()
     {
-        const DeviationColours rule{0.2, {}};
+        const report::DeviationColours rule{0.2, {}};
         QVERIFY(near(pixel(5, 60), rule(0)));
         QVERIFY(near(pixel(35, 60), rule(0.2)));
         QVERIFY(near(pixel(25, 180), rule(-0.2)));
@@ -99,7 +99,7 @@ private slots:
 
     void clickPicksAndMarkerIsKept()
     {
-        QSignalSpy clicks(view_, &PlotCanvas::clicked);
+        QSignalSpy clicks(view_, &plot::PlotCanvas::clicked);
         QTest::mouseClick(view_->findChild<QWidget*>(), Qt::LeftButton, {}, view_->pixelAt(12, 100).toPoint());
         QCOMPARE(clicks.count(), 1);
         QVERIFY(std::abs(clicks[0][0].toDouble() - 12) < 0.2);
@@ -110,7 +110,7 @@ private slots:
 
     void scaleIsEdited()
     {
-        QSignalSpy edits(view_, &MapView::limitEdited);
+        QSignalSpy edits(view_, &plot::MapView::limitEdited);
         auto* box = view_->findChild<QDoubleSpinBox*>();
         QVERIFY(box && box->isVisible());
         QCOMPARE(box->value(), 0.2);

@@ -20,19 +20,19 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 /// Radius 25 mm, 5 µm of three lobes, with a reference circle 8 µm off the centre and two contacts.
-PolarPlot lobes(int samples = 720)
+report::PolarPlot lobes(int samples = 720)
 {
-    PolarPlot plot;
+    report::PolarPlot plot;
     plot.title = std::string("Roundness");
     plot.base_radius_mm = 25;
-    PolarPlot::Trace trace;
+    report::PolarPlot::Trace trace;
     trace.name = std::string("profile");
     for (int i = 0; i < samples; ++i) {
         trace.angle_deg.push_back(i * 360.0 / samples);
         trace.deviation_um.push_back(5 * std::cos(3 * trace.angle_deg.back() * degree));
     }
     plot.traces.push_back(trace);
-    PolarPlot::ReferenceLine circle;
+    report::PolarPlot::ReferenceLine circle;
     circle.name = std::string("MCCI");
     circle.x_um = 8;
     circle.deviation_um = 2;
@@ -61,7 +61,7 @@ class PolarViewTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<PolarView> view_;
+    std::unique_ptr<plot::PolarView> view_;
 
 private slots:
     void initTestCase()
@@ -71,10 +71,10 @@ private slots:
     }
     void init()
     {
-        view_ = std::make_unique<PolarView>();
+        view_ = std::make_unique<plot::PolarView>();
         view_->resize(640, 560);
         view_->show();
-        view_->setPicture(polarPicture(lobes()));
+        view_->setPicture(plot::polarPicture(lobes()));
         QCoreApplication::processEvents();
     }
     void cleanup() { view_.reset(); }
@@ -82,23 +82,23 @@ private slots:
     void offCentreCircleIsExact()
     {
         const auto& circle = view_->polar()->plot.circles.front();
-        QCOMPARE(deviationAt(circle, 25, 0), 10.0);
-        QVERIFY(std::abs(deviationAt(circle, 25, 180) + 6) < 1e-9);
+        QCOMPARE(plot::deviationAt(circle, 25, 0), 10.0);
+        QVERIFY(std::abs(plot::deviationAt(circle, 25, 180) + 6) < 1e-9);
         // Every point of it lies on the circle: (R0 + d) (cos, sin) is R away from (x, y).
         for (int angle = 0; angle < 360; angle += 7) {
-            const double r_um = 25000 + deviationAt(circle, 25, angle);
+            const double r_um = 25000 + plot::deviationAt(circle, 25, angle);
             const double away = std::hypot(r_um * std::cos(angle * degree) - 8, r_um * std::sin(angle * degree));
             QVERIFY(std::abs(away - 25002) < 1e-6);
         }
-        QVERIFY(std::isnan(deviationAt({std::string(), 3000, 0, -500}, 1, 90)));
+        QVERIFY(std::isnan(plot::deviationAt({std::string(), 3000, 0, -500}, 1, 90)));
     }
 
     void thinningKeepsExtremes()
     {
-        PolarPlot plot = lobes(400000);
+        report::PolarPlot plot = lobes(400000);
         plot.traces.front().deviation_um[12345] = 40;
         plot.traces.front().deviation_um[222222] = -40;
-        const PolarPicturePtr picture = polarPicture(plot);
+        const plot::PolarPicturePtr picture = plot::polarPicture(plot);
         QCOMPARE(picture->highest_um, 40.0);
         QCOMPARE(picture->lowest_um, -40.0);
         QVERIFY(picture->lines.front().angle_deg.size() <= 4 * 3600);
@@ -107,14 +107,14 @@ private slots:
 
     void gapsStayOpen()
     {
-        PolarPlot plot = lobes();
+        report::PolarPlot plot = lobes();
         for (std::size_t i = 100; i < 180; ++i) plot.traces.front().deviation_um[i] = std::nan("");
-        const PolarLine line = polarPicture(plot)->lines.front();
+        const plot::PolarLine line = plot::polarPicture(plot)->lines.front();
         QCOMPARE(std::count_if(line.angle_deg.begin(), line.angle_deg.end(), [](double a) { return std::isnan(a); }),
                  std::ptrdiff_t{1});
         plot.traces.front().angle_deg.resize(600);  // an arc of 300°
         plot.traces.front().deviation_um.resize(600);
-        QVERIFY(!polarPicture(plot)->lines.front().closed);
+        QVERIFY(!plot::polarPicture(plot)->lines.front().closed);
     }
 
     void magnificationIsRoundAndTrue()
@@ -132,7 +132,7 @@ private slots:
     void wheelMagnifiesAndDoubleClickResets()
     {
         const double first = view_->magnification();
-        QSignalSpy changed(view_.get(), &PolarView::magnificationChanged);
+        QSignalSpy changed(view_.get(), &plot::PolarView::magnificationChanged);
         turnWheel(view_.get(), 1);
         QVERIFY(view_->magnification() >= 2 * first);
         turnWheel(view_.get(), -2);
@@ -145,7 +145,7 @@ private slots:
     void pointerReadsTheNearestPoint()
     {
         QVERIFY(view_->readout().isEmpty());
-        QSignalSpy pointed(view_.get(), &PolarView::pointed);
+        QSignalSpy pointed(view_.get(), &plot::PolarView::pointed);
         const QPoint place = view_->pixelAt(120.1, 3).toPoint();
         hover(view_.get(), place);
         QVERIFY(pointed.count() > 0);
@@ -155,9 +155,9 @@ private slots:
 
     void theOtherCircleOfAZoneHasANameInTheTable()
     {
-        PolarPlot plot = lobes();
+        report::PolarPlot plot = lobes();
         plot.circles.push_back({std::string(), 8, 0, -6});
-        QVERIFY(toCsv(plot).contains("\n\"MCCI, inner circle\",0,2\n"));
+        QVERIFY(plot::toCsv(plot).contains("\n\"MCCI, inner circle\",0,2\n"));
     }
 
     void titleAndMagnificationStayBesideTheReadout()
@@ -182,7 +182,7 @@ private slots:
     void doubleClickLeavesTheMarker()
     {
         view_->setMarker(90.0);
-        QSignalSpy clicked(view_.get(), &PolarView::clicked), unmarked(view_.get(), &PolarView::unmarked);
+        QSignalSpy clicked(view_.get(), &plot::PolarView::clicked), unmarked(view_.get(), &plot::PolarView::unmarked);
         const QPoint place = view_->pixelAt(45, 0).toPoint();
         QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place);
         QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, place);
@@ -202,20 +202,20 @@ private slots:
     void scaleNeverHidesTheData()
     {
         // A profile so dense that there is no free place for the numbers: it must be drawn unbroken all the same.
-        PolarPlot plot = lobes();
+        report::PolarPlot plot = lobes();
         plot.circles.clear();
         plot.contacts.clear();
         plot.title = std::string();
         for (int k = 0; k < 40; ++k) {
-            PolarPlot::Trace ring = plot.traces.front();
+            report::PolarPlot::Trace ring = plot.traces.front();
             ring.colour = 0;
             for (double& value : ring.deviation_um) value = -5 + k * 0.25;
             plot.traces.push_back(ring);
         }
-        view_->setPicture(polarPicture(plot));
+        view_->setPicture(plot::polarPicture(plot));
         const QImage image = view_->grab().toImage();
-        const QColor ink = PlotStyle(view_->palette(), view_->font()).colour(0);
-        for (const PolarPlot::Trace& trace : plot.traces)
+        const QColor ink = plot::PlotStyle(view_->palette(), view_->font()).colour(0);
+        for (const report::PolarPlot::Trace& trace : plot.traces)
             for (std::size_t i = 0; i < trace.angle_deg.size(); ++i) {
                 const QPoint place = view_->pixelAt(trace.angle_deg[i], trace.deviation_um[i]).toPoint();
                 int away = 500;
@@ -229,12 +229,12 @@ private slots:
 
     void theDiscComesBeforeTheLegend()
     {
-        PolarPlot plot = lobes();
+        report::PolarPlot plot = lobes();
         plot.circles.clear();
         for (const char* name :
              {"LSCI  RONt 10.77 µm", "MZCI  RONt 9.49 µm", "MICI  RONt 13.62 µm", "MCCI  RONt 11.29 µm"})
             plot.circles.push_back({std::string(name), 1, 1, 2});
-        view_->setPicture(polarPicture(plot));
+        view_->setPicture(plot::polarPicture(plot));
         QFont large = view_->font();
         large.setPixelSize(21);
         view_->setFont(large);
@@ -252,24 +252,24 @@ private slots:
     void oneSidedDeviationsAreDrawnAsLarge()
     {
         for (const double side : {5.0, -5.0}) {
-            PolarPlot plot = lobes();
+            report::PolarPlot plot = lobes();
             plot.circles.clear();
             plot.contacts.clear();
-            const double both = fittingMagnification(*polarPicture(plot));
+            const double both = plot::fittingMagnification(*plot::polarPicture(plot));
             for (double& value : plot.traces.front().deviation_um) value += side;  // from an inscribed circle, say
-            QVERIFY(fittingMagnification(*polarPicture(plot)) >= both / 2);
+            QVERIFY(plot::fittingMagnification(*plot::polarPicture(plot)) >= both / 2);
         }
     }
 
     void screenAndReportShareTheirColours()
     {
-        const PlotStyle paper(paperPalette(), view_->font());
-        for (int i = 0; i < 8; ++i) QCOMPARE(paper.colour(i).name().toStdString(), hex(colourOf(i)));
+        const plot::PlotStyle paper(plot::paperPalette(), view_->font());
+        for (int i = 0; i < 8; ++i) QCOMPARE(paper.colour(i).name().toStdString(), report::hex(report::colourOf(i)));
     }
 
     void clickAndKeysMoveTheMarker()
     {
-        QSignalSpy clicked(view_.get(), &PolarView::clicked);
+        QSignalSpy clicked(view_.get(), &plot::PolarView::clicked);
         QTest::mouseClick(view_.get(), Qt::LeftButton, {}, view_->pixelAt(45, 0).toPoint());
         QCOMPARE(clicked.count(), 1);
         QVERIFY(std::abs(*view_->marker() - 45) < 0.5);
@@ -312,7 +312,7 @@ private slots:
         dark.setColor(QPalette::Text, QColor(230, 230, 230));
         view_->setPalette(dark);
         QVERIFY(qGray(view_->grab().toImage().pixel(2, 2)) < 64);
-        view_->setPicture(polarPicture(PolarPlot{}));
+        view_->setPicture(plot::polarPicture(report::PolarPlot{}));
         QVERIFY(!view_->grab().isNull());
         view_->setPicture(nullptr);
         QVERIFY(!view_->grab().isNull());

@@ -19,14 +19,14 @@ namespace {
 
 const QColor blue(31, 119, 180), red(214, 39, 40);
 
-SceneObject shaft(const QColor& colour)
+scene::SceneObject shaft(const QColor& colour)
 {
     static const auto scan = [] {
-        ScannerModel scanner;
+        sample::ScannerModel scanner;
         scanner.row_pitch_mm = 0.5;
-        return std::make_shared<const Scan>(scanShaft(nominalShaft(), scanner));
+        return std::make_shared<const Scan>(sample::scanShaft(sample::nominalShaft(), scanner));
     }();
-    SceneObject object;
+    scene::SceneObject object;
     object.scan = scan;
     object.colour = colour;
     return object;
@@ -60,14 +60,14 @@ class SceneViewTest : public QObject {
     Q_OBJECT
 
 private:
-    SceneView* view_ = nullptr;
+    scene::SceneView* view_ = nullptr;
 
-    QWidget* canvas() const { return view_->findChild<SceneCanvas*>(); }
+    QWidget* canvas() const { return view_->findChild<scene::SceneCanvas*>(); }
 
 private slots:
     void init()
     {
-        view_ = new SceneView;
+        view_ = new scene::SceneView;
         QVERIFY2(view_->canDraw(), "no OpenGL: run under xvfb with software rendering, as ./dev test does");
         view_->resize(800, 500);
         view_->show();
@@ -77,7 +77,7 @@ private slots:
 
     void overlayShowsBothColours()
     {
-        SceneObject copy = shaft(red);
+        scene::SceneObject copy = shaft(red);
         copy.scene_T_scan.translation() = Vector3d(60, 0, 0);
         view_->setObjects({shaft(blue), copy});
         const QImage image = view_->picture();
@@ -90,7 +90,7 @@ private slots:
 
     void deviationRecoloursAtOnce()
     {
-        SceneObject object = shaft(blue);
+        scene::SceneObject object = shaft(blue);
         object.values = std::make_shared<const std::vector<float>>(object.scan->points_mm.size(), 0.04F);
         view_->setColours({0.05, {}});
         view_->setScaleTitle("Deviation (mm)");
@@ -104,9 +104,9 @@ private slots:
 
     void theShaftLiesLevelInTheSideView()
     {
-        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
         view_->setObjects({shaft(blue)});
-        view_->setViewpoint(SceneViewpoint::Side);
+        view_->setViewpoint(scene::SceneViewpoint::Side);
         const auto a = view_->pixelAt({0, 0, 0}), b = view_->pixelAt({0, 0, 183});
         QVERIFY(a && b);
         QVERIFY(std::abs(a->y() - b->y()) < 1);
@@ -116,11 +116,11 @@ private slots:
 
     void aClickPicksThePointUnderThePointer()
     {
-        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
         view_->setObjects({shaft(blue)});
         view_->setParallel(true);
-        view_->setViewpoint(SceneViewpoint::Side);
-        QSignalSpy picks(view_, &SceneView::pointPicked);
+        view_->setViewpoint(scene::SceneViewpoint::Side);
+        QSignalSpy picks(view_, &scene::SceneView::pointPicked);
         const QPoint place = view_->pixelAt({0, 0, 60})->toPoint();
         QTest::mouseClick(canvas(), Qt::LeftButton, {}, canvas()->mapFrom(view_, place));
         QCOMPARE(picks.count(), 1);
@@ -143,7 +143,7 @@ private slots:
     void aDragTurnsThePartAndIsNoPick()
     {
         view_->setObjects({shaft(blue)});
-        QSignalSpy picks(view_, &SceneView::pointPicked);
+        QSignalSpy picks(view_, &scene::SceneView::pointPicked);
         const auto before = view_->pixelAt({0, 0, 0});
         const QPoint from(400, 250);
         QTest::mousePress(canvas(), Qt::LeftButton, {}, from);
@@ -160,7 +160,7 @@ private slots:
     {
         view_->setObjects({shaft(blue)});
         view_->turn(5, 0);
-        const SceneView::Speed speed = view_->speed();
+        const scene::SceneView::Speed speed = view_->speed();
         QVERIFY(speed.movingPoints > 0);
         QVERIFY(speed.movingPoints <= view_->objects()[0].scan->points_mm.size());
         QTRY_VERIFY(view_->speed().moving_s > 0);
@@ -170,21 +170,21 @@ private slots:
 
     void sectionCutsAway()
     {
-        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
         view_->setObjects({shaft(blue)});
-        view_->setViewpoint(SceneViewpoint::Side);
-        const int whole = count(view_->picture(SceneViewpoint::Side, false), isBlue);
+        view_->setViewpoint(scene::SceneViewpoint::Side);
+        const int whole = count(view_->picture(scene::SceneViewpoint::Side, false), isBlue);
         view_->findChild<QComboBox*>()->setCurrentIndex(3);  // along z
         view_->findChild<QSlider*>()->setValue(500);
-        const int cut = count(view_->picture(SceneViewpoint::Side, false), isBlue);
+        const int cut = count(view_->picture(scene::SceneViewpoint::Side, false), isBlue);
         QVERIFY2(cut > 0.3 * whole && cut < 0.7 * whole, qPrintable(QString("%1 of %2").arg(cut).arg(whole)));
         view_->findChild<QComboBox*>()->setCurrentIndex(0);
-        QVERIFY(count(view_->picture(SceneViewpoint::Side, false), isBlue) > 0.95 * whole);
+        QVERIFY(count(view_->picture(scene::SceneViewpoint::Side, false), isBlue) > 0.95 * whole);
     }
 
     void buttonsChangeTheView()
     {
-        view_->setLongAxis(SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
         view_->setObjects({shaft(blue)});
         for (QToolButton* button : view_->findChildren<QToolButton*>()) {
             if (button->text() == "End") {
@@ -200,8 +200,8 @@ private slots:
 
     void meshesAreDrawn()
     {
-        SceneObject mesh;
-        mesh.scan = std::make_shared<const Scan>(shaftMesh(nominalShaft()));
+        scene::SceneObject mesh;
+        mesh.scan = std::make_shared<const Scan>(sample::shaftMesh(sample::nominalShaft()));
         mesh.colour = blue;
         view_->setObjects({mesh});
         QVERIFY(count(view_->picture(), isBlue) > 3000);
@@ -211,7 +211,7 @@ private slots:
     {
         view_->setObjects({});
         QVERIFY(!view_->picture().isNull());
-        SceneObject dot;
+        scene::SceneObject dot;
         auto scan = std::make_shared<Scan>();
         scan->points_mm.push_back({1e6, 2e6, 3e6});
         dot.scan = scan;

@@ -16,6 +16,8 @@
 #include "engine/trajectory/trajectory_plots.h"
 #include "tests/widgets/core/drop_files.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/answer_strip.h"
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/core/session.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
@@ -62,37 +64,44 @@ private:
     QTemporaryDir folder_;
     QString record_, profile_, trace_;
     std::unique_ptr<Session> session_;
-    std::unique_ptr<RoundnessPanel> roundness_;
-    std::unique_ptr<TrajectoryPanel> trajectory_;
-    std::unique_ptr<LongitudinalPanel> longitudinal_;
+    std::unique_ptr<roundness_panel::RoundnessPanel> roundness_;
+    std::unique_ptr<trajectory_panel::TrajectoryPanel> trajectory_;
+    std::unique_ptr<longitudinal_panel::LongitudinalPanel> longitudinal_;
 
-    std::vector<SpindlePanel*> panels() const { return {roundness_.get(), trajectory_.get(), longitudinal_.get()}; }
+    std::vector<trajectory_common::SpindlePanel*> panels() const
+    {
+        return {roundness_.get(), trajectory_.get(), longitudinal_.get()};
+    }
 
     void settle()
     {
         QCoreApplication::processEvents();
-        for (SpindlePanel* panel : panels()) {
+        for (trajectory_common::SpindlePanel* panel : panels()) {
             QTRY_VERIFY_WITH_TIMEOUT(!panel->isBusy(), 60000);
             QVERIFY2(!panel->error(), panel->error() ? panel->error()->what() : "");
         }
     }
     void set(const char* key, const Value& value)
     {
-        session_->edit(key,
-                       [&](Project& project) { lathelier::set(project.panels["roundness"].parameters, key, value); });
+        session_->edit(key, [&](project::Project& project) {
+            lathelier::set(project.panels["roundness"].parameters, key, value);
+        });
     }
-    QString headline(const SpindlePanel& panel) const { return panel.findChild<QLabel*>("headline")->text(); }
+    QString headline(const trajectory_common::SpindlePanel& panel) const
+    {
+        return panel.findChild<AnswerStrip*>()->text();
+    }
 
 private slots:
     void initTestCase()
     {
         useResources();
         QLocale::setDefault(QLocale::c());
-        SpindleModel model = quietSpindle();
+        sample::SpindleModel model = sample::quietSpindle();
         model.sections = 6;
         model.revolutions = 10;
         record_ = folder_.filePath("record.csv");
-        write(record_, toCsv(makeProbeRecord(model)));
+        write(record_, sample::toCsv(sample::makeProbeRecord(model)));
         profile_ = folder_.filePath("profile.csv");
         write(profile_, profileText(1));
         trace_ = folder_.filePath("trace.csv");
@@ -101,10 +110,10 @@ private slots:
     void init()
     {
         session_ = std::make_unique<Session>();
-        roundness_ = std::make_unique<RoundnessPanel>(*session_);
-        trajectory_ = std::make_unique<TrajectoryPanel>(*session_);
-        longitudinal_ = std::make_unique<LongitudinalPanel>(*session_);
-        for (SpindlePanel* panel : panels()) {
+        roundness_ = std::make_unique<roundness_panel::RoundnessPanel>(*session_);
+        trajectory_ = std::make_unique<trajectory_panel::TrajectoryPanel>(*session_);
+        longitudinal_ = std::make_unique<longitudinal_panel::LongitudinalPanel>(*session_);
+        for (trajectory_common::SpindlePanel* panel : panels()) {
             panel->resize(1200, 720);
             panel->show();
             QVERIFY(QTest::qWaitForWindowExposed(panel));
@@ -131,12 +140,12 @@ private slots:
         QVERIFY2(std::abs(result->longitudinal->taper_diameter_um - 16) < 0.1,
                  qPrintable(QString::number(result->longitudinal->taper_diameter_um)));
         QVERIFY(std::abs(result->longitudinal->barrel_um - 5) < 0.1);
-        QVERIFY2(headline(*longitudinal_).contains("taper +16"), qPrintable(headline(*longitudinal_)));
+        QVERIFY2(headline(*longitudinal_).contains("Taper +16"), qPrintable(headline(*longitudinal_)));
         QVERIFY2(headline(*roundness_).contains("RONt(MZCI)"), qPrintable(headline(*roundness_)));
-        QVERIFY2(headline(*trajectory_).contains("synchronous"), qPrintable(headline(*trajectory_)));
-        QCOMPARE(longitudinal_->findChild<SectionTable*>()->rowCount(), 6);
+        QVERIFY2(headline(*trajectory_).contains("Motion of the workpiece axis"), qPrintable(headline(*trajectory_)));
+        QCOMPARE(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->rowCount(), 6);
         QVERIFY(longitudinal_->views().stack().scan != nullptr);
-        QCOMPARE(trajectory_->findChild<QTabWidget*>("pages")->currentIndex(), 0);
+        QCOMPARE(trajectory_->findChild<HeroViews*>()->hero(), QString("motion"));
     }
 
     void worstSectionFirstAndOneChoiceForAll()
@@ -144,11 +153,11 @@ private slots:
         drop(roundness_.get(), {record_});
         settle();
         const std::size_t worst = *longitudinal_->result()->trajectory->worstSection();
-        for (SpindlePanel* panel : panels()) QCOMPARE(*panel->result()->section, worst);
+        for (trajectory_common::SpindlePanel* panel : panels()) QCOMPARE(*panel->result()->section, worst);
         const std::size_t other = worst == 2 ? 3 : 2;
         roundness_->chooseSection(static_cast<int>(other) + 1);
         settle();
-        for (SpindlePanel* panel : panels()) {
+        for (trajectory_common::SpindlePanel* panel : panels()) {
             QCOMPARE(*panel->result()->section, other);
             QCOMPARE(panel->findChild<QComboBox*>("section")->currentIndex(), static_cast<int>(other));
         }
@@ -166,12 +175,12 @@ private slots:
     {
         drop(roundness_.get(), {record_});
         settle();
-        const auto& table = *longitudinal_->findChild<SectionTable*>();
+        const auto& table = *longitudinal_->findChild<longitudinal_panel::SectionTable*>();
         QCOMPARE(table.item(0, 3)->text(), QStringLiteral("–"));
         set("tolerance_um", 0.5);
         settle();
         QVERIFY(table.item(0, 3)->text().contains("✗"));
-        QVERIFY(roundness_->findChild<QLabel*>("verdict")->isVisible());
+        QVERIFY(roundness_->findChild<QLabel*>("verdict")->text().contains("✗"));
         set("tolerance_um", 500.0);
         settle();
         QVERIFY(table.item(5, 3)->text().contains("✓"));
@@ -207,7 +216,7 @@ private slots:
                  qPrintable(QString::number(laid->largest_difference_um)));
         QVERIFY(roundness_->findChild<QToolButton*>("showLaid")->isChecked());
         QVERIFY(roundness_->findChild<QLabel*>("difference")->text().contains("0.5"));
-        const auto* polar = roundness_->findChild<PolarView*>("polar");
+        const auto* polar = roundness_->findChild<plot::PolarView*>("polar");
         QCOMPARE(polar->polar()->plot.traces.size(), std::size_t{3});
         roundness_->findChild<QToolButton*>("showForm")->click();
         QVERIFY(!polar->polar()->plot.circles.empty());
@@ -217,18 +226,18 @@ private slots:
     {
         drop(roundness_.get(), {record_});
         settle();
-        auto* polar = roundness_->findChild<PolarView*>("polar");
+        auto* polar = roundness_->findChild<plot::PolarView*>("polar");
         QTest::mouseClick(polar, Qt::LeftButton, {}, polar->pixelAt(120, 0).toPoint());
         QVERIFY(std::abs(*polar->marker() - 120) < 1);
-        QVERIFY(std::abs(*trajectory_->findChild<PolarView*>("motion")->marker() - 120) < 1);
-        QVERIFY(trajectory_->findChild<ChartView*>("coordinates")->marker().has_value());
-        auto* stack = longitudinal_->findChild<SceneView*>("stack");
+        QVERIFY(std::abs(*trajectory_->findChild<plot::PolarView*>("motion")->marker() - 120) < 1);
+        QVERIFY(trajectory_->findChild<plot::ChartView*>("coordinates")->marker().has_value());
+        auto* stack = longitudinal_->findChild<scene::SceneView*>("stack");
         if (stack->canDraw()) {
             const Eigen::Vector3d place = *stack->marker();
             QVERIFY(std::abs(std::atan2(place.y(), place.x()) * 180 / std::numbers::pi - 120) < 1.5);
         }
         // A click beside the path of the axis marks the sample nearest to it.
-        auto* axes = trajectory_->findChild<ChartView*>("axes");
+        auto* axes = trajectory_->findChild<plot::ChartView*>("axes");
         const trajectory::TrajectorySection& section = *trajectory_->result()->chosenSection();
         const std::vector<double> angles = partAngles_deg(section);
         const std::size_t sample = 37;
@@ -250,12 +259,12 @@ private slots:
     {
         drop(roundness_.get(), {profile_});
         settle();
-        const auto* polar = roundness_->findChild<PolarView*>("polar");
+        const auto* polar = roundness_->findChild<plot::PolarView*>("polar");
         const std::size_t traces = polar->polar()->plot.traces.size();
         roundness_->views().markHarmonic(3);
         QCOMPARE(polar->polar()->plot.traces.size(), traces + 1);
         QVERIFY(std::abs(polar->polar()->plot.traces.back().deviation_um.front()) <= 6.01);
-        QCOMPARE(*roundness_->findChild<ChartView*>("spectrum")->marker(), 3.0);
+        QCOMPARE(*roundness_->findChild<plot::ChartView*>("spectrum")->marker(), 3.0);
         roundness_->views().markHarmonic({});
         QCOMPARE(polar->polar()->plot.traces.size(), traces);
     }
@@ -266,10 +275,12 @@ private slots:
         settle();
         set("channels", std::string("marker=1,X3=0,Y3=2,Xp=3,Yp=4"));
         QTRY_VERIFY(!trajectory_->isBusy() && trajectory_->error());
-        auto* pages = trajectory_->findChild<QTabWidget*>("pages");
-        QVERIFY(trajectory_->findChild<ChannelTable*>()->isVisible());  // where it can be mended
-        QVERIFY(!pages->isTabEnabled(0));
-        auto* box = qobject_cast<QComboBox*>(trajectory_->findChild<ChannelTable*>()->cellWidget(0, 5));
+        auto* heroes = trajectory_->findChild<HeroViews*>();
+        QVERIFY(trajectory_->findChild<trajectory_panel::ChannelTable*>()->isVisible());  // where it can be mended
+        QCOMPARE(heroes->hero(), QString("record"));
+        QVERIFY(!heroes->keys().contains("motion"));
+        auto* box =
+            qobject_cast<QComboBox*>(trajectory_->findChild<trajectory_panel::ChannelTable*>()->cellWidget(0, 5));
         QVERIFY(box != nullptr);
         box->setCurrentIndex(box->findData("marker"));
         emit box->activated(box->currentIndex());
@@ -278,6 +289,7 @@ private slots:
             fromValues<trajectory::TrajectoryParameters>(session_->panel("roundness").parameters).channels;
         QVERIFY2(map.find("marker=0") != std::string::npos && map.find("X3=1") != std::string::npos, map.c_str());
         QVERIFY(trajectory_->result()->trajectory != nullptr);
+        QCOMPARE(heroes->hero(), QString("motion"));
     }
 
     void aFileOfAnotherKindIsRefusedInItsPlace()
@@ -287,7 +299,7 @@ private slots:
         drop(trajectory_.get(), {path});
         QTRY_VERIFY(!trajectory_->isBusy() && trajectory_->error());
         QVERIFY(!trajectory_->hasResult());
-        QVERIFY(!trajectory_->findChild<QLabel*>("headline")->isVisible() || headline(*trajectory_).isEmpty());
+        QVERIFY(trajectory_->findChild<QLabel*>("headline")->text().isEmpty());
     }
 
     void cancelStopsThemAll()
@@ -296,9 +308,9 @@ private slots:
         settle();
         const auto before = longitudinal_->result();
         set("points", std::int64_t{15000});
-        for (SpindlePanel* panel : panels()) QVERIFY(panel->isBusy());
+        for (trajectory_common::SpindlePanel* panel : panels()) QVERIFY(panel->isBusy());
         roundness_->cancel();
-        for (SpindlePanel* panel : panels()) {
+        for (trajectory_common::SpindlePanel* panel : panels()) {
             QTRY_VERIFY_WITH_TIMEOUT(!panel->isBusy(), 2000);
             QVERIFY(!panel->isCurrent());
         }
@@ -312,7 +324,7 @@ private slots:
     {
         drop(roundness_.get(), {record_});
         settle();
-        for (SpindlePanel* panel : panels()) {
+        for (trajectory_common::SpindlePanel* panel : panels()) {
             const auto document = panel->reportDocument();
             QVERIFY(document && document->sections.size() >= 2);
             QCOMPARE(document->inputs.size(), std::size_t{1});
@@ -325,14 +337,14 @@ private slots:
             }
         }
         // The report says which section it judges.
-        const Document judged = *roundness_->reportDocument();
-        const auto* said = std::get_if<Paragraph>(&judged.sections.front().blocks.at(1));
+        const report::Document judged = *roundness_->reportDocument();
+        const auto* said = std::get_if<report::Paragraph>(&judged.sections.front().blocks.at(1));
         QVERIFY(said);
         QCOMPARE(*find(said->values, "section"), Value(std::int64_t{roundness_->result()->chosenSection()->section}));
         session_->save(folder_.filePath("project.lathelier"));
-        const ProjectFile saved = readProject(folder_.filePath("project.lathelier").toStdString());
+        const project::ProjectFile saved = project::readProject(folder_.filePath("project.lathelier").toStdString());
         QCOMPARE(saved.project.panels.at("roundness").inputs.at("record").sha256.size(), std::size_t{64});
-        QVERIFY(checkSources(saved.project).empty());
+        QVERIFY(project::checkSources(saved.project).empty());
     }
 
     void theLanguageIsSwitchedAtRunTime()
@@ -342,11 +354,12 @@ private slots:
         Languages languages;
         languages.use("pl");
         settle();
-        QCOMPARE(trajectory_->findChild<QTabWidget*>("pages")->tabText(1), QStringLiteral("Sygnały"));
-        QVERIFY(longitudinal_->findChild<SectionTable*>()->horizontalHeaderItem(0)->text() == "Przekrój");
+        QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Sygnały"));
+        QVERIFY(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->horizontalHeaderItem(0)->text() ==
+                "Przekrój");
         languages.use("en");
         settle();
-        QCOMPARE(trajectory_->findChild<QTabWidget*>("pages")->tabText(1), QStringLiteral("Signals"));
+        QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Signals"));
         QLocale::setDefault(QLocale::c());
     }
 };

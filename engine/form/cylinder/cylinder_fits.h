@@ -1,0 +1,44 @@
+// Least-squares and minimum-zone cylinders.
+// Source: ISO 12180-1; Forbes, "Least-squares best-fit geometric elements", NPL report DITC 140/89.
+#pragma once
+
+#include <vector>
+
+#include "engine/form/cylinder/cylinder_points.h"
+
+namespace lathelier::form {
+
+struct LeastSquaresCylinder {
+    AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
+    double radius = 0;                             ///< in the unit of CylinderPoints
+    double rms = 0;                                ///< root mean square of distance - radius, in that unit
+    bool converged = false;                        ///< false: no minimum found, or the points are as good as plane
+};
+
+/// Where to look for a cylinder: coordinates near its axis, and the cylinder in them.
+struct CylinderGuess {
+    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();     ///< of the points: origin of the coordinates
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector near the axis: z of the coordinates
+    double scale_mm = 1;                                   ///< about the larger of radius and half length
+    LeastSquaresCylinder cylinder;                         ///< in these coordinates
+};
+
+/// The least-squares cylinder of some of the points, from many directions: near enough for any pose, long or short.
+/// Errors: tooFewPoints, pointsDegenerate, notConverged, coordinateTooLarge.
+CylinderGuess guessCylinder(std::span<const Eigen::Vector3d> points_mm, const Progress& progress);
+
+/// Geometric least squares by damped Gauss-Newton from an axis near z.
+LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const LeastSquaresCylinder& start,
+                                          const Progress& progress);
+
+struct MinimumZoneCylinder {
+    AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
+    double inner = 0, outer = 0;                   ///< smallest and largest distance of a point from the axis
+    std::vector<std::size_t> contacts;             ///< indices of the points that hold the zone, ascending
+};
+
+/// The narrowest zone between coaxial cylinders near `start`: the best local optimum from several starts.
+MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const AxisParameters& start,
+                                        const Progress& progress);
+
+}  // namespace lathelier::form

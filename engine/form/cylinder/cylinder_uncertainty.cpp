@@ -1,0 +1,112 @@
+#include "engine/form/cylinder/cylinder_uncertainty.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+#include "engine/core/random.h"
+#include "engine/form/linear_minimax.h"
+#include "engine/form/roundness/drawn_changes.h"
+
+namespace lathelier::form {
+namespace {
+
+constexpr std::uint64_t seed = 12180;
+constexpr int waves = 8, degree = 3;
+constexpr int functions = (2 * waves + 1) * (degree + 1);
+constexpr std::size_t enoughToFit = 20000;  ///< points that tell the form
+constexpr double standsOut = 3;             ///< standard errors of a coefficient
+
+using Row = Eigen::Vector<double, functions>;
+
+/// Waves around times Legendre polynomials along.
+Row rowAt(double angle, double u)
+{
+    const double along[] = {1, u, (3 * u * u - 1) / 2, (5 * u * u * u - 3 * u) / 2};
+    Row row;
+    int k = 0;
+    for (int m = 0; m <= waves; ++m)
+        for (int l = 0; l <= degree; ++l) {
+            row[k++] = std::cos(m * angle) * along[l];
+            if (m > 0) row[k++] = std::sin(m * angle) * along[l];
+        }
+    return row;
+}
+
+/// The points about the axis of the fit: distance, its slope, and the place on the surface.
+struct Unrolled {
+    std::vector<double> distance, angle, along;
+    std::vector<Eigen::Vector4d> slope;
+};
+
+Unrolled unroll(const CylinderPoints& points, const AxisParameters& axis, const Progress& progress)
+{
+    Unrolled result;
+    const double low = points.lowest(), height = std::max(points.highest() - low, 1e-300);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % 16384 == 0) progress.check();
+        const Eigen::Vector3d p = points.point(i);
+        const AxisDistance d = distanceFrom(axis, p);
+        result.distance.push_back(d.distance);
+        result.slope.push_back(-d.gradient);
+        result.angle.push_back(std::atan2(p.y() - axis[1] - p.z() * axis[3], p.x() - axis[0] - p.z() * axis[2]));
+        result.along.push_back(2 * (p.z() - low) / height - 1);
+    }
+    return result;
+}
+
+/// Deviations from `radius` that waves explain which stand out of noise.
+std::vector<double> formOf(const Unrolled& surface, double radius, double sigma, const Progress& progress)
+{
+    const std::size_t n = surface.distance.size(), stride = n / enoughToFit + 1;
+    std::vector<double> form(n, 0.0);
+    if (n < 4 * std::size_t{functions}) return form;
+    Eigen::Matrix<double, functions, functions> normal = Eigen::Matrix<double, functions, functions>::Zero();
+    Row right = Row::Zero();
+    for (std::size_t i = 0; i < n; i += stride) {
+        if (i / stride % 1024 == 0) progress.check();
+        const Row row = rowAt(surface.angle[i], surface.along[i]);
+        normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
+        right += row * (surface.distance[i] - radius);
+    }
+    const double ridge = 1e-9 * normal.diagonal().maxCoeff();
+    normal = normal.selfadjointView<Eigen::Lower>();
+    normal.diagonal().array() += ridge;
+    const Eigen::LDLT<Eigen::Matrix<double, functions, functions>> solver(normal);
+    const Row variance = solver.solve(Eigen::Matrix<double, functions, functions>::Identity()).diagonal();
+    Row coefficients = solver.solve(right);
+    for (int k = 0; k < functions; ++k)
+        if (std::abs(coefficients[k]) < standsOut * sigma * std::sqrt(variance[k])) coefficients[k] = 0;
+    parallelFor(n, 8192, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) form[i] = coefficients.dot(rowAt(surface.angle[i], surface.along[i]));
+    });
+    return form;
+}
+
+}  // namespace
+
+double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquaresCylinder& fit, double sigma,
+                                  const Progress& progress)
+{
+    if (!(sigma > 0)) return 0;
+    const std::size_t n = points.size();
+    const Unrolled surface = unroll(points, fit.axis, progress);
+    const std::vector<double> form = formOf(surface, fit.radius, sigma, progress);
+    const double half = fit.radius / 2;
+    const auto width = [&](double noise, std::uint64_t draw) {
+        LinearDistances<4> distances;
+        for (std::size_t i = 0; i < n; ++i)
+            distances.push(fit.radius + form[i] + noise * randomNormal(seed, draw, i), surface.slope[i]);
+        return minimax(distances, MinimaxGoal::Width, half).value;
+    };
+    const double quiet = width(0, 0);
+    std::vector<double> changes(std::clamp<std::size_t>(400000 / n, 12, 120));
+    parallelFor(changes.size(), 1, progress,
+                [&](std::size_t begin, std::size_t) { changes[begin] = width(sigma, begin) - quiet; });
+    // Few points tell little of the form that the draws are laid on.
+    const double few = 1 + functions / (2.0 * static_cast<double>(n));
+    return few * coverageHalfWidth(std::move(changes), 0);
+}
+
+}  // namespace lathelier::form

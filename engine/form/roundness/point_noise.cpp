@@ -1,0 +1,348 @@
+#include "engine/form/roundness/point_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "engine/core/statistics.h"
+#include "engine/signal/fourier.h"
+#include "engine/signal/hampel.h"
+#include "engine/signal/harmonics.h"
+#include "engine/signal/nonuniform_fourier.h"
+
+namespace lathelier::form {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr std::size_t leastPoints = 32;
+constexpr std::size_t leastHarmonics = 8;  ///< fewer: an arc, looked at in the sequence of its points
+constexpr double standsOut = 8;            ///< times the mean square amplitude: noise alone once in e⁸ = 3000
+constexpr double spikeSigma = 6;
+constexpr double mostSpikes = 0.1;       ///< share of the points; more are no spikes
+constexpr std::size_t longestSpike = 4;  ///< points; a longer run is form
+
+/// The mean square amplitude of noise by order, smooth: clipped means over windows, in which single lines do not count.
+struct PowerFloor {
+    std::vector<double> at;  ///< for each order
+    double level = 0;        ///< of all orders, if they are alike
+    double effective = 1;    ///< number of independent values behind `level`
+    bool white = true;       ///< no window differs from the level by more than chance
+};
+
+struct WindowMean {
+    double mean = 0;
+    std::size_t count = 0;
+};
+
+/// Mean of an exponential distribution from values of which a few may be anything: those above six means are clipped.
+WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::uint8_t>& skip, std::size_t from,
+                       std::size_t to)
+{
+    constexpr std::size_t enough = 8192;
+    const std::size_t stride = (to - from) / enough + 1;
+    std::vector<double> values;
+    for (std::size_t m = from; m <= to; m += stride)
+        if (!skip[m]) values.push_back(power[m]);
+    if (values.empty()) return {};
+    const double clip = 6 * median(values) / std::log(2.0);
+    double sum = 0;
+    for (const double value : values) sum += std::min(value, clip);
+    return {sum / static_cast<double>(values.size()) / (1 - std::exp(-6.0)), values.size()};
+}
+
+/// `power` for the orders 0…; orders 0 and 1, which the fit of the circle takes out, do not count.
+/// `first`: order below which the floor stays as it is there.
+PowerFloor floorOf(const std::vector<double>& power, const std::vector<std::uint8_t>& skip, double first = 4)
+{
+    PowerFloor result;
+    result.at.assign(power.size(), 0.0);
+    if (power.size() < 4) return result;
+    const std::size_t last = power.size() - 1;
+    const WindowMean all = clippedMean(power, skip, 2, last);
+    result.level = all.mean;
+    result.effective = static_cast<double>(std::max<std::size_t>(all.count, 1));
+    std::vector<std::pair<double, double>> knots;  // order, mean power
+    WindowMean quietest, loudest;
+    for (double knot = std::min(first, static_cast<double>(last) / 2); knot < 1.25 * static_cast<double>(last);
+         knot *= 1.25) {
+        const double order = std::min(knot, static_cast<double>(last));
+        const auto from = static_cast<std::size_t>(std::max(2.0, std::min(order / 1.6, order - 4)));
+        const auto to = std::min(last, static_cast<std::size_t>(std::max(order * 1.6, order + 2)));
+        const WindowMean window = clippedMean(power, skip, from, to);
+        if (window.count < 3) continue;
+        // Above the mean where few orders tell of it: what is not known counts against the measurement.
+        knots.emplace_back(order, window.mean * (1 + 4 / static_cast<double>(window.count)));
+        if (knots.size() == 1 || window.mean < quietest.mean) quietest = window;
+        if (knots.size() == 1 || window.mean > loudest.mean) loudest = window;
+    }
+    if (!knots.empty()) {
+        const double chance =
+            3 * std::sqrt(1 / static_cast<double>(quietest.count) + 1 / static_cast<double>(loudest.count));
+        result.white = !(loudest.mean > quietest.mean * std::exp(chance));
+    }
+    if (knots.empty() || result.white) {
+        std::fill(result.at.begin(), result.at.end(), result.level);
+        return result;
+    }
+    std::size_t k = 0;
+    for (std::size_t m = 0; m <= last; ++m) {
+        const auto order = static_cast<double>(m);
+        while (k + 1 < knots.size() && knots[k + 1].first < order) ++k;
+        const auto& [a, low] = knots[k];
+        const auto& [b, high] = knots[std::min(k + 1, knots.size() - 1)];
+        const double share = b > a ? std::clamp((order - a) / (b - a), 0.0, 1.0) : 0;
+        result.at[m] = low > 0 && high > 0 ? low * std::pow(high / low, share) : low + share * (high - low);
+    }
+    double sum = 0, squares = 0;
+    for (std::size_t m = 2; m <= last; ++m) {
+        sum += result.at[m];
+        squares += result.at[m] * result.at[m];
+    }
+    result.level = sum / static_cast<double>(last - 1);
+    result.effective = squares > 0 ? sum * sum / squares : 1;
+    return result;
+}
+
+/// Squared amplitudes of the orders 0…n/2 of a sequence.
+std::vector<double> periodogram(std::span<const double> values)
+{
+    const std::vector<Complex> spectrum = signal::FourierTransform(values.size()).forward(values);
+    std::vector<double> power;
+    power.reserve(spectrum.size());
+    const double scale = 4 / (static_cast<double>(values.size()) * static_cast<double>(values.size()));
+    for (const Complex& x : spectrum) power.push_back(scale * std::norm(x));
+    return power;
+}
+
+struct Form {
+    std::vector<double> values;        ///< at the points
+    std::vector<std::uint8_t> isLine;  ///< by order
+};
+
+/// The harmonics that stand out.
+Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& coefficients, const Progress& progress)
+{
+    Form form;
+    std::vector<double> power;
+    power.reserve(coefficients.size());
+    for (const Complex& c : coefficients) power.push_back(4 * std::norm(c));
+    // Form fills the lowest orders: those are judged by what higher ones show first, then by what is no line among
+    // them.
+    form.isLine.assign(coefficients.size(), 0);
+    for (const double first : {10., 4.}) {
+        const std::vector<double> floor = floorOf(power, form.isLine, first).at;
+        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > standsOut * floor[k];
+    }
+    std::vector<Complex> lines(coefficients.size());
+    for (std::size_t k = 1; k < lines.size(); ++k)
+        if (form.isLine[k]) lines[k] = coefficients[k];
+    form.values = signal::fourierSeries(lines, prepared.sampling.angle_rad, progress);
+    return form;
+}
+
+/// The same for an arc: lines in the sequence of its points, laid to and fro so that it closes.
+Form standingOutOfArc(const std::vector<double>& deviation)
+{
+    const std::size_t n = deviation.size();
+    std::vector<double> mirrored(deviation);
+    mirrored.insert(mirrored.end(), deviation.rbegin(), deviation.rend());
+    const signal::FourierTransform transform(2 * n);
+    std::vector<Complex> spectrum = transform.forward(mirrored);
+    std::vector<double> power;
+    power.reserve(spectrum.size());
+    for (const Complex& x : spectrum) power.push_back(std::norm(x));
+    Form form;
+    form.isLine.assign(power.size(), 0);
+    for (const double first : {10., 4.}) {
+        const PowerFloor floor = floorOf(power, form.isLine, first);
+        for (std::size_t k = 0; k < power.size(); ++k) form.isLine[k] = k < 3 || power[k] > standsOut * floor.at[k];
+    }
+    for (std::size_t k = 0; k < spectrum.size(); ++k)
+        spectrum[k] = form.isLine[k] ? spectrum[k] / static_cast<double>(2 * n) : 0;
+    form.values = transform.series(spectrum);
+    form.values.resize(n);
+    form.isLine.clear();
+    return form;
+}
+
+/// 1 at spikes. Longer runs of points that stand out are form: their rest is moved into it.
+std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double>& rest, double least_um)
+{
+    const std::size_t n = rest.size();
+    const double middle = median(rest);
+    const double sigma = std::max(signal::robustSpread(rest, middle), least_um);
+    std::vector<std::uint8_t> out(n), spike(n);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < n; ++i) count += out[i] = std::abs(rest[i] - middle) > spikeSigma * sigma;
+    if (count == 0 || count == n) return spike;
+    std::size_t start = 0;
+    while (out[start]) ++start;  // runs may pass the first point
+    std::size_t spikes = 0;
+    for (std::size_t i = 0; i < n;) {
+        std::size_t run = 0;
+        while (run < n && out[(start + i + run) % n]) ++run;
+        for (std::size_t k = 0; k < run; ++k) {
+            const std::size_t at = (start + i + k) % n;
+            if (run <= longestSpike) {
+                spike[at] = 1;
+                ++spikes;
+            } else {
+                form[at] += rest[at];
+                rest[at] = 0;
+            }
+        }
+        i += std::max<std::size_t>(run, 1);
+    }
+    if (static_cast<double>(spikes) > mostSpikes * static_cast<double>(n)) std::fill(spike.begin(), spike.end(), 0);
+    return spike;
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> result(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] - b[i];
+    return result;
+}
+
+/// Adds to the coefficients what they leave of `rest`.
+void refine(const PreparedProfile& prepared, const std::vector<double>& rest, const std::vector<std::uint8_t>& isLine,
+            std::vector<Complex>& coefficients, const Progress& progress)
+{
+    double total = 0;
+    std::vector<double> weighted(rest.size());
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        weighted[i] = prepared.sampling.weight[i] * rest[i];
+        total += prepared.sampling.weight[i];
+    }
+    const std::vector<Complex> sums =
+        signal::fourierSums(prepared.sampling.angle_rad, weighted, static_cast<int>(coefficients.size()) - 1, progress);
+    for (std::size_t k = 1; k < coefficients.size(); ++k)
+        coefficients[k] = (isLine[k] ? coefficients[k] : 0) + sums[k] / total;
+}
+
+/// Greatest step of which all differences of a profile's `value(point)` are multiples; 0 below `least`.
+template <class ValueOf>
+double commonStep(const Profile& profile, double least, ValueOf value)
+{
+    const double rounding = 0.02 * least;
+    double step = 0;
+    std::optional<double> first;
+    for (const Eigen::Vector2d& point : profile.points_mm) {
+        if (!point.allFinite()) continue;
+        if (!first) first = value(point);
+        double a = std::abs(value(point) - *first);
+        if (a <= rounding) continue;
+        if (step == 0) {
+            step = a;
+            continue;
+        }
+        double b = step;
+        while (a > rounding) {  // Euclid, with rounding
+            const double rest = std::abs(std::remainder(b, a));
+            b = a;
+            a = rest;
+        }
+        step = b;
+        if (step < least) return 0;
+    }
+    return step;
+}
+
+}  // namespace
+
+double resolutionOf(const Profile& profile)
+{
+    constexpr double least_mm = 2e-5;
+    const auto finite = std::count_if(profile.points_mm.begin(), profile.points_mm.end(),
+                                      [](const Eigen::Vector2d& point) { return point.allFinite(); });
+    if (finite < 3) return 0;
+    // Few values can share a large step by chance or by layout: steps count that are small against the range.
+    const auto step = [&](auto value) {
+        const double found = commonStep(profile, least_mm, value);
+        if (!(found > 0)) return 0.0;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Eigen::Vector2d& point : profile.points_mm)
+            if (point.allFinite()) {
+                low = std::min(low, value(point));
+                high = std::max(high, value(point));
+            }
+        return found < 0.5 * (high - low) ? found : 0.0;
+    };
+    const double radial = step([](const Eigen::Vector2d& point) { return point.norm(); });
+    if (radial > 0) return radial;
+    const double across = step([](const Eigen::Vector2d& point) { return point.x(); });
+    return across > 0 ? std::max(across, step([](const Eigen::Vector2d& point) { return point.y(); })) : 0;
+}
+
+PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<signal::Harmonic>& harmonics,
+                         double resolution_mm, std::optional<double> stated_um, const Progress& progress)
+{
+    PointNoise noise;
+    const std::size_t n = prepared.distance_mm.size();
+    std::vector<double> deviation;
+    deviation.reserve(n);
+    for (const double distance : prepared.distance_mm) deviation.push_back(1000 * (distance - prepared.radius_mm));
+    noise.resolution_um = 1000 * resolution_mm;
+    const double rounding_um = noise.resolution_um / std::sqrt(12.0);
+
+    const bool arc = harmonics.size() < leastHarmonics;
+    std::vector<Complex> coefficients(harmonics.size() + 1);
+    for (const signal::Harmonic& h : harmonics)
+        coefficients[static_cast<std::size_t>(h.upr)] = std::polar(h.amplitude / 2, -h.phase_rad);
+    Form form = arc ? standingOutOfArc(deviation) : standingOut(prepared, coefficients, progress);
+    std::vector<double> rest = difference(deviation, form.values);
+    std::vector<std::uint8_t> spike = spikesOf(form.values, rest, rounding_um);
+    const auto withoutSpikes = [&] {
+        std::vector<double> clean = rest;
+        for (std::size_t i = 0; i < n; ++i)
+            if (spike[i]) clean[i] = 0;
+        return clean;
+    };
+    if (!arc && std::count(spike.begin(), spike.end(), 1) > 0) {
+        refine(prepared, withoutSpikes(), form.isLine, coefficients, progress);
+        form = standingOut(prepared, coefficients, progress);
+        rest = difference(deviation, form.values);
+        spike = spikesOf(form.values, rest, rounding_um);
+    }
+    progress.check();
+    noise.form_um = std::move(form.values);
+
+    if (stated_um) {
+        noise.sigma_um = noise.beyond_rounding_um = *stated_um;
+        noise.resolution_um = 0;
+        const double floor = std::sqrt(standsOut * 4 / static_cast<double>(n)) * *stated_um;
+        noise.floor_um.assign(harmonics.size(), floor);
+        return noise;
+    }
+    if (n < leastPoints) {
+        noise.sigma_um = std::numeric_limits<double>::quiet_NaN();
+        noise.floor_um.assign(harmonics.size(), 0);
+        return noise;
+    }
+    const std::vector<double> power = periodogram(withoutSpikes());
+    std::vector<std::uint8_t> skip(power.size());
+    for (std::size_t k = 0; k < std::min(skip.size(), form.isLine.size()); ++k) skip[k] = form.isLine[k];
+    PowerFloor floor = floorOf(power, skip);
+    noise.relative_u = 0.5 / std::sqrt(floor.effective);
+    if (!floor.white) {
+        noise.correlation_points = std::max(1.0, floor.at[2] / floor.level);
+        noise.power_um2 = floor.at;
+    }
+    // What the residuals show beyond rounding; rounding itself is drawn by rounding.
+    const double shown = std::sqrt(floor.level * static_cast<double>(n) / 4);
+    noise.beyond_rounding_um = std::sqrt(std::max(0.0, shown * shown - rounding_um * rounding_um));
+    noise.sigma_um = std::max(shown, rounding_um);
+    const double least = 4 * rounding_um * rounding_um / static_cast<double>(n);
+    for (double& value : floor.at) value = std::max(value, least);
+    for (std::size_t i = 0; i < n; ++i)
+        if (spike[i]) noise.spikes_um.push_back(rest[i]);
+    for (std::size_t k = 1; k <= harmonics.size(); ++k)
+        noise.floor_um.push_back(std::sqrt(standsOut * floor.at[std::min(k, floor.at.size() - 1)]));
+    return noise;
+}
+
+}  // namespace lathelier::form

@@ -1,0 +1,117 @@
+#include "engine/form/roundness/roundness_methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/signal/closed_filter.h"
+
+namespace lathelier::form {
+namespace {
+
+constexpr double samplesAtLeast = 2.5;  ///< a wave; with fewer the samples do not see it at all
+
+std::array<double, 4> deviations(const ReferenceCircles& circles)
+{
+    return {circles.LSCI.RONt_um, circles.MZCI.RONt_um, circles.MICI.RONt_um, circles.MCCI.RONt_um};
+}
+
+double pointsPerTurn(const signal::AngularSampling& sampling)
+{
+    return 2 * std::numbers::pi / sampling.median_spacing_rad;
+}
+
+/// A turn of 105 points carries 15 UPR: rounding of the angles must not tell otherwise.
+constexpr double rounding = 1 + 1e-6;
+
+std::vector<signal::TransmissionBand> bandsFor(const signal::AngularSampling& sampling,
+                                               const signal::TransmissionBand& asked)
+{
+    std::vector<signal::TransmissionBand> bands{{}};
+    for (const double cutoff : standardCutoffs) {
+        if (cutoff > 500 || cutoff * samplesAtLeast > pointsPerTurn(sampling) * rounding) break;
+        bands.push_back({{}, cutoff});
+        if (cutoff > carriedCutoff(sampling)) break;
+    }
+    if (std::find(bands.begin(), bands.end(), asked) == bands.end()) bands.push_back(asked);
+    return bands;
+}
+
+/// The filtered points. Of a profile with many more points than its waves need, fewer at even angles: 400 to a wave of
+/// the cut-off, whose height they miss by 3e-5 at most.
+std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const signal::TransmissionBand& band,
+                                            signal::ClosedFilter& filter, const Progress& progress)
+{
+    constexpr double pointsPerWave = 400;
+    constexpr std::size_t worthIt = 4;
+    const auto count = static_cast<std::size_t>(pointsPerWave * band.high_upr.value_or(0));
+    if (band.high_upr && points.points_mm.size() > worthIt * count)
+        if (const auto radii = filter.even(band, count, progress)) {
+            std::vector<Eigen::Vector2d> even;
+            even.reserve(radii->size());
+            for (std::size_t i = 0; i < radii->size(); ++i) {
+                const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(radii->size());
+                even.push_back(points.centre_mm + (*radii)[i] * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+            }
+            return even;
+        }
+    return evaluateProfile(points, band, filter, progress).points_mm;
+}
+
+}  // namespace
+
+double carriedCutoff(const signal::AngularSampling& sampling)
+{
+    // Where the spacing varies smoothly, the widest has to carry the wave as well; beside gaps there is a note.
+    const bool even = sampling.displacement <= signal::AngularSampling::nearlyEven || sampling.gaps > 0;
+    const double spacing_rad = even ? sampling.median_spacing_rad : sampling.largest_regular_rad;
+    return 2 * std::numbers::pi / spacing_rad / signal::samplesPerCutoff * rounding;
+}
+
+double carriedStandardCutoff(const signal::AngularSampling& sampling)
+{
+    double carried = 0;
+    for (const double cutoff : standardCutoffs)
+        if (cutoff <= carriedCutoff(sampling)) carried = cutoff;
+    return carried;
+}
+
+std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile& prepared,
+                                  const RoundnessParameters& parameters, const ReferenceCircles& chosen,
+                                  const Progress& progress)
+{
+    const signal::TransmissionBand asked = bandOf(parameters);
+    const bool hampel = parameters.outliers == OutlierRule::Hampel;
+    const PreparedProfile other = hampel ? prepareProfile(profile, parameters.exclude_deg, OutlierRule::None, progress)
+                                         : withoutOutliers(profile, prepared, progress);
+    const std::vector<signal::TransmissionBand> bands = bandsFor(prepared.sampling, asked);
+    std::vector<MethodRow> rows;
+    CircleOptions quick;
+    quick.certify = false;
+    for (const OutlierRule rule : {OutlierRule::None, OutlierRule::Hampel}) {
+        const bool own = rule == parameters.outliers;
+        const PreparedProfile& points = own ? prepared : other;
+        double largest_upr = 0;
+        for (const signal::TransmissionBand& band : bands)
+            largest_upr = std::max({largest_upr, band.high_upr.value_or(0), band.low_upr.value_or(0)});
+        signal::ClosedFilter filter(points.sampling, points.distance_mm, largest_upr);
+        // Where there are no outliers the rows are the same.
+        const bool same = rule == OutlierRule::Hampel && points.outliers == 0;
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            progress.report(static_cast<double>(rows.size()) / static_cast<double>(2 * bands.size()));
+            MethodRow row{bands[i], rule, {}, false};
+            row.undersampled = bands[i].high_upr && *bands[i].high_upr > carriedCutoff(points.sampling);
+            if (bands[i] == asked && (own || same || (!hampel && other.outliers == 0)))
+                row.RONt_um = deviations(chosen);
+            else if (same)
+                row.RONt_um = rows[i].RONt_um;
+            else
+                row.RONt_um =
+                    deviations(fitCircles(filteredPoints(points, bands[i], filter, progress), quick, progress.quiet()));
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+}  // namespace lathelier::form

@@ -1,0 +1,34 @@
+#include "engine/form/roundness/roundness_quantities.h"
+#include "engine/form/roundness/roundness_report.h"
+#include "engine/report/quantity_table.h"
+
+namespace lathelier::form {
+
+report::Section superimposeSection(const SuperimposeResult& result, const Language& language)
+{
+    const report::QuantityTable figures =
+        report::quantityTable(LT_TEXT("Engine", "The second profile laid on the first"), result,
+                              {"largest_difference_um", "mean_difference_um", "rms_difference_um", "correlation",
+                               "rotation_deg", "mirrored", "shift_x_mm", "shift_y_mm", "radius_difference_mm"});
+    const Text um = LT_TEXT("Engine", "µm");
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Both profiles");
+    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
+    plot.y = {LT_TEXT("Engine", "Deviation"), um};
+    plot.curves = {
+        {LT_TEXT("Engine", "first"), result.angle_deg, result.first_um, report::Curve::Style::Line, {}, 0},
+        {LT_TEXT("Engine", "second"), result.angle_deg, result.second_um, report::Curve::Style::Line, {}, 1}};
+    plot.x.range = Interval{0, 360};
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Largest difference of the profiles");
+    answer.value = result.largest_difference_um;
+    answer.unit = um;
+    answer.decimals = 2;
+    answer.sentence = LT_TEXT("Engine", "mean {mean} µm");
+    answer.values = {{"mean", fixed(result.mean_difference_um, 2, language)}};
+    report::Section section{LT_TEXT("Engine", "Superimposed profiles"), {answer, figures, plot}};
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+}  // namespace lathelier::form

@@ -1,0 +1,220 @@
+// Clouds in text tables: XYZ, ASC, CSV, TXT, PTS.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "engine/core/parallel.h"
+#include "engine/io/cloud/raw_scan.h"
+#include "engine/io/io_codes.h"
+#include "engine/io/probe/probe_columns.h"
+#include "engine/io/table/column_names.h"
+#include "engine/io/table/table_facts.h"
+#include "engine/io/table/text_table.h"
+#include "engine/io/text/readable_text.h"
+
+namespace lathelier::io {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;
+constexpr std::array<Text, 3> axes = {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")};
+
+/// What a column name means to a cloud.
+enum class Role { Unknown, X, Y, Z, NormalX, NormalY, NormalZ, Other, Polar };
+
+/// "Position_X", "x-coordinate", "Points:0" say the same as "x".
+Role roleOf(const std::string& name)
+{
+    std::string core;
+    for (const char c : name)
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) core += c;
+    for (const char* word : {"coordinates", "coordinate", "koordinate", "coord", "positions", "position", "points",
+                             "point", "pos", "measured", "actual", "axis", "achse", "value", "wert"}) {
+        const std::size_t at = core.find(word);
+        if (at != std::string::npos && core.size() > std::string_view(word).size())
+            core.erase(at, std::string_view(word).size());
+    }
+    if (core == "x" || core == "px" || (core == "0" && name.find("point") == 0)) return Role::X;
+    if (core == "y" || core == "py" || (core == "1" && name.find("point") == 0)) return Role::Y;
+    if (core == "z" || core == "pz" || (core == "2" && name.find("point") == 0)) return Role::Z;
+    if (core == "nx" || core == "normalx" || core == "normalsx" || core == "normals0" || core == "xnormal")
+        return Role::NormalX;
+    if (core == "ny" || core == "normaly" || core == "normalsy" || core == "normals1" || core == "ynormal")
+        return Role::NormalY;
+    if (core == "nz" || core == "normalz" || core == "normalsz" || core == "normals2" || core == "znormal")
+        return Role::NormalZ;
+    for (const char* word :
+         {"r",         "g",     "b",       "a",         "red",    "green",       "blue",      "alpha",  "i",
+          "intensity", "index", "id",      "nr",        "no",     "n",           "number",    "name",   "label",
+          "time",      "t",     "quality", "curvature", "scalar", "reflectance", "amplitude", "weight", "deviation",
+          "class",     "line",  "row",     "punkt",     "point",  "pt",          "lp"})
+        if (core == word) return Role::Other;
+    for (const char* word : {"angle", "theta", "phi", "azimuth", "elevation", "radius", "rho", "range", "winkel"})
+        if (core == word) return Role::Polar;
+    return Role::Unknown;
+}
+
+/// Which columns hold what; normals are -1 when there are none.
+struct Columns {
+    std::array<int, 3> point = {-1, -1, -1};
+    std::array<int, 3> normal = {-1, -1, -1};
+    bool normalsGuessed = false;  ///< three columns without names behind x, y, z
+};
+
+[[noreturn]] void throwNoCoordinates(const TableLayout& layout)
+{
+    throw Error(errors::malformed, {{"line", layout.bodyLine},
+                                    {"column", std::int64_t{1}},
+                                    {"found", columnNames(layout)},
+                                    {"expected", LT_TEXT("Engine", "columns named x, y and z")}});
+}
+
+/// The column of one coordinate; -1 without one. A plain "x" comes before "X position". Error columnsAmbiguous when
+/// several are named alike: two sets of coordinates in one table.
+int coordinate(const TableLayout& layout, const std::vector<Role>& roles, std::size_t axis)
+{
+    const std::string letter(1, static_cast<char>('x' + axis));
+    std::vector<std::size_t> named, plain;
+    for (std::size_t k = 0; k < roles.size(); ++k) {
+        if (!layout.columns[k].isNumber ||
+            static_cast<std::size_t>(roles[k]) != static_cast<std::size_t>(Role::X) + axis)
+            continue;
+        named.push_back(k);
+        if (layout.columns[k].name == letter) plain.push_back(k);
+    }
+    const std::vector<std::size_t>& candidates = plain.empty() ? named : plain;
+    if (candidates.size() > 1) throwAmbiguous(layout, candidates, axes[axis]);
+    return candidates.empty() ? -1 : static_cast<int>(candidates.front());
+}
+
+Columns findColumns(const TableLayout& layout)
+{
+    Columns columns;
+    bool polar = false;
+    std::vector<Role> roles;
+    for (const TableColumn& column : layout.columns) roles.push_back(roleOf(column.name));
+    for (std::size_t axis = 0; axis < 3; ++axis) columns.point[axis] = coordinate(layout, roles, axis);
+    for (std::size_t k = 0; k < roles.size(); ++k) {
+        if (!layout.columns[k].isNumber) continue;
+        const auto axis = static_cast<int>(roles[k]) - static_cast<int>(Role::NormalX);
+        if (axis >= 0 && axis < 3 && columns.normal[static_cast<std::size_t>(axis)] < 0)
+            columns.normal[static_cast<std::size_t>(axis)] = static_cast<int>(k);
+        polar = polar || roles[k] == Role::Polar;
+    }
+    const bool anyAxis = std::any_of(columns.point.begin(), columns.point.end(), [](int k) { return k >= 0; });
+    if (columns.normal[0] < 0 || columns.normal[1] < 0 || columns.normal[2] < 0) columns.normal = {-1, -1, -1};
+    if (columns.point[0] >= 0 && columns.point[1] >= 0 && columns.point[2] >= 0) return columns;
+    if (anyAxis || polar || hasProbeNames(layout)) throwNoCoordinates(layout);
+
+    // No names that help: the first three columns of numbers, after a row number.
+    std::vector<int> candidates;
+    for (std::size_t k = 0; k < roles.size(); ++k)
+        if (layout.columns[k].isNumber && roles[k] == Role::Unknown) candidates.push_back(static_cast<int>(k));
+    const auto column = [&](std::size_t i) { return layout.columns[static_cast<std::size_t>(candidates[i])]; };
+    if (candidates.size() >= 4 && column(0).isCount && column(0).name.empty() &&
+        (column(1).hasMarks || column(2).hasMarks))
+        candidates.erase(candidates.begin());
+    if (candidates.size() < 3) throwNoCoordinates(layout);
+    // Forces over time are no points, though three columns of numbers they are.
+    const std::vector<std::size_t> taken(candidates.begin(), candidates.begin() + 3);
+    if (saySomethingElse(layout, taken)) throwNoCoordinates(layout);
+    std::copy_n(candidates.begin(), 3, columns.point.begin());
+    if (!layout.hasNames && candidates.size() == 6) {
+        std::copy_n(candidates.begin() + 3, 3, columns.normal.begin());
+        columns.normalsGuessed = true;
+    }
+    return columns;
+}
+
+std::optional<LengthScale> unitOf(const TableLayout& layout, const Columns& columns)
+{
+    std::optional<LengthScale> unit;
+    for (const int k : columns.point) {
+        const std::optional<LengthScale>& found = layout.columns[static_cast<std::size_t>(k)].unit;
+        if (unit && found && found->key != unit->key)
+            throw Error(errors::malformed, {{"line", layout.bodyLine},
+                                            {"column", std::int64_t{1}},
+                                            {"found", found->key},
+                                            {"expected", LT_TEXT("Engine", "one unit for x, y and z")}});
+        if (found) unit = found;
+    }
+    return unit ? unit : layout.unit;
+}
+
+/// Reads points and normals together and takes them apart.
+TableRows readWithNormals(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
+                          bool guessed, const Progress& progress, Scan& scan)
+{
+    std::unique_ptr<double[]> values;
+    TableRows rows = readRows(
+        text, layout, wanted,
+        [&values](std::size_t count) { return (values = std::unique_ptr<double[]>(new double[count * 6])).get(); },
+        progress);
+    scan.points_mm.resize(rows.rows);
+    scan.normals.resize(rows.rows);
+    const bool unitLength = parallelReduce(
+        rows.rows, grain, progress, true,
+        [&](std::size_t begin, std::size_t end) {
+            bool all = true;
+            for (std::size_t i = begin; i < end; ++i) {
+                const Eigen::Map<const Eigen::Vector3d> normal(&values[6 * i + 3]);
+                scan.points_mm[i] = Eigen::Map<const Eigen::Vector3d>(&values[6 * i]);
+                scan.normals[i] = normal.cast<float>();
+                all = all && std::abs(normal.squaredNorm() - 1) < 0.01;
+            }
+            return all;
+        },
+        [](bool a, bool b) { return a && b; });
+    // Without names, three columns are normals only when they all have unit length (else colours, for instance).
+    if (guessed && !unitLength) scan.normals.clear();
+    return rows;
+}
+
+}  // namespace
+
+RawScan readTextScan(const ScanSource& source)
+{
+    refuseProgram(source.text, LT_TEXT("Engine", "points as text"));
+    TableExpectation expectation;
+    expectation.minimumColumns = 3;
+    expectation.knowsName = [](const std::string& name) {
+        const Role role = roleOf(name);
+        return role != Role::Unknown && role != Role::Other;
+    };
+    const TableLayout layout = findLayout(source.text, expectation, source.options);
+    const Columns columns = findColumns(layout);
+
+    RawScan raw;
+    raw.statedUnit = unitOf(layout, columns);
+    raw.facts.format = "xyz_text";
+    const double largest = largestCoordinate(raw.statedUnit, source.options);
+    std::vector<WantedColumn> wanted;
+    for (const int k : columns.point) wanted.push_back({static_cast<std::size_t>(k), largest, false});
+    TableRows rows;
+    const Progress reading = source.progress.part(0, 0.9, LT_TEXT("Engine", "Reading"));
+    if (columns.normal[0] >= 0) {
+        for (const int k : columns.normal)
+            wanted.push_back({static_cast<std::size_t>(k), std::numeric_limits<double>::infinity(), true});
+        rows = readWithNormals(source.text, layout, wanted, columns.normalsGuessed, reading, raw.scan);
+    } else {
+        std::vector<Eigen::Vector3d>& points = raw.scan.points_mm;
+        rows = readRows(
+            source.text, layout, wanted,
+            [&points](std::size_t count) {
+                points.resize(count);
+                return points.empty() ? nullptr : points.front().data();
+            },
+            reading);
+        points.resize(rows.rows);
+    }
+    describeTable(layout, rows, source.encoding, raw.facts, raw.notes);
+    // Three columns without names leave nothing to choose.
+    const std::array<std::size_t, 3> read{wanted[0].column, wanted[1].column, wanted[2].column};
+    if (layout.hasNames || layout.columns.size() > 3) noteColumns(layout, read, raw.facts, raw.notes);
+    raw.notFinite = rows.notFinite;
+    raw.skippedCount = countSkipped(layout, rows);
+    raw.places.firstLine = layout.bodyLine;
+    return raw;
+}
+
+}  // namespace lathelier::io

@@ -1,0 +1,156 @@
+#include "engine/io/json/json_fields.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/core_codes.h"
+#include "engine/io/io_codes.h"
+
+namespace lathelier::io {
+namespace {
+
+constexpr std::size_t mostMembers = 1000;
+constexpr std::size_t mostRows = 100000;
+
+/// Reads one object, and those within it, into values by flat keys.
+class FieldReader {
+public:
+    FieldReader(const std::vector<FieldInfo>& fields, Notes& notes) : fields_(fields), notes_(notes) {}
+
+    Values read(const JsonCursor& object, const std::vector<std::string>& others)
+    {
+        readMembers(object, "", others);
+        for (const FieldInfo& info : fields_)
+            if (info.required && !find(values_, info.key) && isGroupThere(info)) missing(object, info);
+        return std::move(values_);
+    }
+
+private:
+    bool isGroupThere(const FieldInfo& info) const
+    {
+        if (info.group_key.empty()) return true;
+        const Value* there = find(values_, info.group_key);
+        return there && *there == Value(true);
+    }
+
+    [[noreturn]] static void missing(const JsonCursor& object, const FieldInfo& info)
+    {
+        const JsonPlace here = object.place();
+        throw Error(errors::keyMissing, {{"line", here.line},
+                                         {"column", here.column},
+                                         {"key", info.key},
+                                         {"expected", info.label.empty() ? Value(info.key) : Value(info.label)}});
+    }
+
+    void readMembers(const JsonCursor& object, const std::string& prefix, const std::vector<std::string>& others)
+    {
+        object.members(mostMembers, [&](const std::string& name, const JsonCursor& member) {
+            const std::string key = prefix + name;
+            const auto info =
+                std::find_if(fields_.begin(), fields_.end(), [&key](const FieldInfo& one) { return one.key == key; });
+            const bool is_group = std::any_of(fields_.begin(), fields_.end(),
+                                              [&key](const FieldInfo& one) { return one.key.starts_with(key + "."); });
+            if (is_group) {
+                const bool optional = info != fields_.end();
+                if (optional) set(values_, key, !member.isNull());
+                if (!(optional && member.isNull())) readMembers(member, key + ".", {});
+            } else if (info != fields_.end()) {
+                set(values_, key, valueOf(member, *info));
+            } else if (std::find(others.begin(), others.end(), key) == others.end()) {
+                const JsonPlace here = member.place();
+                notes_.push_back({notes::unknownKey, {{"key", key}, {"line", here.line}, {"column", here.column}}});
+            }
+        });
+    }
+
+    Value valueOf(const JsonCursor& member, const FieldInfo& info)
+    {
+        Value value = typed(member, info);
+        try {
+            check(info, value);
+        } catch (Error& error) {
+            if (!(error.code() == errors::valueOutOfRange)) member.reject(expectedOf(error));
+            const JsonPlace here = member.place();
+            Values values = error.values();
+            set(values, "key", info.key);
+            set(values, "line", here.line);
+            set(values, "column", here.column);
+            throw Error(errors::keyOutOfRange, values);
+        }
+        return value;
+    }
+
+    static Value expectedOf(const Error& error)
+    {
+        const Value* expected = find(error.values(), "expected");
+        return expected ? *expected : Value();
+    }
+
+    Value typed(const JsonCursor& member, const FieldInfo& info)
+    {
+        if (member.isNull()) return {};
+        switch (info.kind) {
+            case FieldInfo::Kind::Flag:
+            case FieldInfo::Kind::Group: return member.flag();
+            case FieldInfo::Kind::Integer: return member.integer();
+            case FieldInfo::Kind::Number: return member.number();
+            case FieldInfo::Kind::Choice:
+            case FieldInfo::Kind::Word: return member.string();
+            case FieldInfo::Kind::Intervals: return member.value();
+            case FieldInfo::Kind::Rows: break;
+        }
+        Rows rows;
+        member.items(mostRows, [&](const JsonCursor& item) {
+            rows.rows.push_back({FieldReader(info.columns, notes_).read(item, {})});
+        });
+        return rows;
+    }
+
+    const std::vector<FieldInfo>& fields_;
+    Notes& notes_;
+    Values values_;
+};
+
+Json valueAsJson(const FieldInfo& info, const Value& value)
+{
+    if (info.kind != FieldInfo::Kind::Rows) return toJson(value);
+    Json list = Json::array();
+    if (const Rows* rows = std::get_if<Rows>(&value))
+        for (const Row& row : rows->rows) list.push_back(objectOf(info.columns, row.cells));
+    return list;
+}
+
+}  // namespace
+
+Values valuesOf(const JsonCursor& object, const std::vector<FieldInfo>& fields, Notes& notes,
+                const std::vector<std::string>& others)
+{
+    return FieldReader(fields, notes).read(object, others);
+}
+
+Json objectOf(const std::vector<FieldInfo>& fields, const Values& values)
+{
+    Json result = Json::object();
+    for (const FieldInfo& info : fields) {
+        const Value* value = find(values, info.key);
+        if (!value) continue;
+        if (!info.group_key.empty()) {
+            const Value* there = find(values, info.group_key);
+            if (!there || !(*there == Value(true))) continue;
+        }
+        Json* place = &result;
+        std::size_t from = 0;
+        for (std::size_t dot = info.key.find('.'); dot != std::string::npos; dot = info.key.find('.', from)) {
+            place = &(*place)[info.key.substr(from, dot - from)];
+            from = dot + 1;
+        }
+        Json& member = (*place)[info.key.substr(from)];
+        if (info.kind == FieldInfo::Kind::Group)
+            member = *value == Value(true) ? Json::object() : Json(nullptr);
+        else
+            member = valueAsJson(info, *value);
+    }
+    return result;
+}
+
+}  // namespace lathelier::io

@@ -1,0 +1,29 @@
+// Parameter structs as JSON objects, by their description: groups are objects within objects, rows lists of objects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/fields.h"
+#include "engine/io/json/json_document.h"
+
+namespace lathelier::io {
+
+/// The members of `object` that `fields` describe, by their flat keys ("chuck.radial_N_mm"). A member that none
+/// describes, and that is not in `others`, is the note unknownKey with its place. Errors, with line and column:
+/// malformed (wrong type, no such choice), keyMissing (a required field), keyOutOfRange.
+Values valuesOf(const JsonCursor& object, const std::vector<FieldInfo>& fields, Notes& notes,
+                const std::vector<std::string>& others = {});
+
+/// The same as the struct; what is not given keeps its default.
+template <class P>
+P readFields(const JsonCursor& object, Notes& notes, const std::vector<std::string>& others = {}, P defaults = {})
+{
+    return fromValues<P>(valuesOf(object, infos<P>(), notes, others), std::move(defaults));
+}
+
+/// The reverse: values by flat keys as objects within objects; a group that is absent is null. A struct as JSON is
+/// objectOf(infos<P>(), toValues(parameters)).
+Json objectOf(const std::vector<FieldInfo>& fields, const Values& values);
+
+}  // namespace lathelier::io

@@ -1,0 +1,30 @@
+// JSON text with places: where it is no JSON, and where a value stands, as line and column.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/json.h"
+
+namespace lathelier::io {
+
+/// The keys (or array indices in decimal) that lead from the root to a value.
+using JsonPath = std::vector<std::string>;
+
+/// Parses `text`. Error malformed with `line` and `column` where it is no JSON, or nests deeper than 32.
+Json parseJson(std::string_view text);
+
+/// Line and column, counted from 1, of the value at `path` in `text`, which is JSON; of the object that lacks it.
+struct JsonPlace {
+    std::int64_t line = 1;    ///< from 1
+    std::int64_t column = 1;  ///< from 1, in characters
+};
+JsonPlace placeOf(std::string_view text, const JsonPath& path);
+
+/// Error malformed for the value at `path` in `text`, which is JSON: it is not what is expected there.
+Error misfit(std::string_view text, const JsonPath& path, Value expected);
+
+}  // namespace lathelier::io

@@ -1,0 +1,40 @@
+// The columns of a table that is a probe record.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/io/table/text_table.h"
+#include "engine/io/text/quantity.h"
+
+namespace lathelier::io {
+
+/// A name without blanks and marks, ASCII letters in lower case: "X 3" and "x_3" are "x3".
+std::string plainName(std::string_view name);
+
+/// True for plain names of row numbers: "i", "index", "nr"…
+bool isIndexName(const std::string& plain);
+
+/// True for names (without unit) that only probe records use: "marker", "X3", "Yp", "ch 2"… and for times.
+bool isProbeName(std::string_view name);
+
+/// True when the headings are those of a probe record: two of the paper's four probes, two signals (a marker, numbered
+/// channels, voltages), or one beside times. Coordinates with times are none.
+bool hasProbeNames(const TableLayout& layout);
+
+/// What a column of a record holds.
+struct ProbeColumn {
+    enum class Role { Signal, Time, Index, Section, Position, Angle, Text };
+    Role role = Role::Signal;          ///< what the values mean
+    std::string name;                  ///< as written, without the unit
+    std::optional<QuantityUnit> unit;  ///< stated by the heading or a row of units; none: not stated
+};
+
+/// All columns of the layout, in their order.
+std::vector<ProbeColumn> findProbeColumns(const TableLayout& layout);
+
+/// What findLayout() should look for.
+TableExpectation probeExpectation();
+
+}  // namespace lathelier::io

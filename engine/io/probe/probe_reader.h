@@ -1,0 +1,78 @@
+// Reading probe records: CSV tables and the recorder program L-Graph.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/io/import.h"
+#include "engine/io/input_files.h"
+#include "engine/io/probe/probe_record.h"
+
+namespace lathelier::io {
+
+/// What an L-Graph pair leaves open.
+struct RecorderOptions {
+    std::optional<double> full_scale_code;  ///< converter code of `full_scale_V` at gain 1; default by device
+    std::optional<double> full_scale_V;     ///< default by device
+};
+
+const std::vector<Field<RecorderOptions>>& fieldsOf(const RecorderOptions*);
+
+struct ProbeFile {
+    std::variant<ProbeRecord, AveragedRecord> record;  ///< a continuous recording, or averages
+    FileFacts facts;  ///< format "probe_csv_raw" | "probe_csv_averaged" | "lgraph_1" | "lgraph_2008" | "lgraph_2";
+                      ///< details: "channels", "frames", "rate_kHz", "duration_s", "channel_skew_us", "device"…;
+                      ///< averaged: "sections", "angles"
+    Notes notes;
+};
+
+/// The files that a record consists of.
+struct RecordFiles {
+    enum class Kind { Table, LGraph };
+    Kind kind = Kind::Table;  ///< a text table, or a pair of the recorder
+    std::string par;          ///< of an L-Graph; empty when it is not there
+    std::string dat;          ///< likewise
+};
+
+/// Finds the partner of `path`, whose content is `bytes`: the same name with .par or .dat in any case.
+RecordFiles findRecordFiles(const std::string& path, std::string_view bytes);
+
+/// The files beside `path` that could be its partner, by name alone: NAME.dat for NAME.par and the reverse, in any
+/// case.
+std::vector<std::string> recordPartners(const std::string& path);
+
+/// Error partnerMissing (`path` of the file that is there, `partner`) when one of an L-Graph pair is not there.
+void requirePartner(const RecordFiles& files);
+
+/// True for a table whose headings are those of a probe record.
+bool isProbeTable(std::string_view bytes, const ImportOptions& options = {});
+
+/// Reads a record. CSV, raw: `t_s, marker_V (or angle_deg), X3_um, …`; averaged: `section, z_mm, i, angle_deg, X3_um…`;
+/// key=value remarks are kept. L-Graph: NAME.dat or NAME.par, either of the pair may be given.
+/// L-Graph is checked against itself (signature, counts, size of .dat, total time, rates, channel flags); what
+/// contradicts is an Error recordContradicts with `check`, `found`, `expected`, or a note where one source is known to
+/// be wrong (the converter rate of L-Graph II).
+/// Errors: those of readScan(); partnerMissing (a .dat without .par or the reverse), recordContradicts, truncated.
+ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options = {},
+                          const RecorderOptions& recorder = {}, const Progress& progress = {});
+
+/// The same of a file that `inputs` has opened, with its content `bytes`; the partner is opened there as well. What was
+/// parsed of a large table is released: `bytes` are not to be read again.
+ProbeFile readProbeRecord(const std::string& path, std::string_view bytes, InputFiles& inputs,
+                          const ImportOptions& options, const RecorderOptions& recorder, const Progress& progress);
+
+/// An L-Graph pair from memory; `name` stands for the path of the .par in messages, `datName` for that of the .dat.
+ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
+                     const RecorderOptions& recorder = {}, const Progress& progress = {},
+                     const std::string& datName = {});
+
+/// A table from memory. `parsed` hears from time to time how many of the bytes are not needed any more.
+ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},
+                         const Progress& progress = {}, const std::function<void(std::size_t)>& parsed = {});
+
+}  // namespace lathelier::io

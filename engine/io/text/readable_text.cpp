@@ -1,0 +1,245 @@
+#include "engine/io/text/readable_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "engine/io/io_codes.h"
+#include "engine/io/text/text_lines.h"
+#include "engine/io/text/units.h"
+
+namespace lathelier::io {
+namespace {
+
+constexpr std::size_t headBytes = 65536;
+
+struct Magic {
+    std::string_view start;
+    Text what;
+};
+
+/// Files that a person may well drop here, and that must not be mistaken for a cloud.
+const Magic foreign[] = {
+    {"\x89PNG", LT_TEXT("Engine", "a PNG picture")},
+    {"\xFF\xD8\xFF", LT_TEXT("Engine", "a JPEG picture")},
+    {"GIF8", LT_TEXT("Engine", "a GIF picture")},
+    {"%PDF", LT_TEXT("Engine", "a PDF document")},
+    {"PK\x03\x04", LT_TEXT("Engine", "a ZIP archive or an Office document")},
+    {"\x1F\x8B", LT_TEXT("Engine", "a gzip archive")},
+    {"7z\xBC\xAF", LT_TEXT("Engine", "a 7z archive")},
+    {"\x28\xB5\x2F\xFD", LT_TEXT("Engine", "a zstd archive")},
+    {"\xFD"
+     "7zXZ",
+     LT_TEXT("Engine", "an xz archive")},
+    {"ASTM-E57", LT_TEXT("Engine", "an E57 scan")},
+    {"LASF", LT_TEXT("Engine", "a LAS scan")},
+    {"ISO-10303-21", LT_TEXT("Engine", "a STEP file")},
+    {"# vtk DataFile", LT_TEXT("Engine", "a VTK file")},
+    {"{\\rtf", LT_TEXT("Engine", "an RTF document")},
+    {"<?xml", LT_TEXT("Engine", "an XML document")},
+    {"<!DOCTYPE", LT_TEXT("Engine", "an HTML document")},
+    {"<!doctype", LT_TEXT("Engine", "an HTML document")},
+    {"<html", LT_TEXT("Engine", "an HTML document")},
+    {"<HTML", LT_TEXT("Engine", "an HTML document")},
+    {"\x7F"
+     "ELF",
+     LT_TEXT("Engine", "a program")},
+    {"SQLite format", LT_TEXT("Engine", "a database")},
+};
+
+/// What the end of a name says.
+struct Extension {
+    std::string_view end;  ///< with its point, lower case
+    Text what;
+    bool holdsScan = false;  ///< a format that the reader of scans knows
+};
+
+constexpr Text programText = LT_TEXT("Engine", "the source text of a program");
+constexpr Text qdasFile = LT_TEXT("Engine", "a Q-DAS file");
+constexpr Text offMesh = LT_TEXT("Engine", "an OFF mesh");
+constexpr Text jsonText = LT_TEXT("Engine", "a JSON text");
+
+const Extension extensions[] = {
+    {".ply", LT_TEXT("Engine", "a PLY scan"), true},
+    {".pcd", LT_TEXT("Engine", "a PCD scan"), true},
+    {".stl", LT_TEXT("Engine", "an STL mesh"), true},
+    {".obj", LT_TEXT("Engine", "an OBJ mesh"), true},
+    {".off", offMesh},
+    {".coff", offMesh},
+    {".noff", offMesh},
+    {".e57", LT_TEXT("Engine", "an E57 scan")},
+    {".las", LT_TEXT("Engine", "a LAS scan")},
+    {".laz", LT_TEXT("Engine", "a LAS scan")},
+    {".step", LT_TEXT("Engine", "a STEP file")},
+    {".stp", LT_TEXT("Engine", "a STEP file")},
+    {".igs", LT_TEXT("Engine", "an IGES file")},
+    {".iges", LT_TEXT("Engine", "an IGES file")},
+    {".dxf", LT_TEXT("Engine", "a DXF drawing")},
+    {".dfq", qdasFile},
+    {".dfd", qdasFile},
+    {".dfx", qdasFile},
+    {".uff", LT_TEXT("Engine", "a universal file (UFF)")},
+    {".unv", LT_TEXT("Engine", "a universal file (UFF)")},
+    {".json", jsonText},
+    {".nc", LT_TEXT("Engine", "an NC program")},
+    {".ngc", LT_TEXT("Engine", "an NC program")},
+    {".mpf", LT_TEXT("Engine", "an NC program")},
+    {".html", LT_TEXT("Engine", "an HTML document")},
+    {".htm", LT_TEXT("Engine", "an HTML document")},
+    {".xml", LT_TEXT("Engine", "an XML document")},
+    {".md", LT_TEXT("Engine", "a text document")},
+    {".c", programText},
+    {".cc", programText},
+    {".cpp", programText},
+    {".cxx", programText},
+    {".h", programText},
+    {".hpp", programText},
+    {".py", programText},
+    {".m", programText},
+    {".js", programText},
+    {".ts", programText},
+    {".java", programText},
+    {".cs", programText},
+    {".go", programText},
+    {".rs", programText},
+    {".f90", programText},
+    {".sh", programText},
+    {".bat", programText},
+    {".cmake", programText},
+    {".bas", programText},
+};
+
+/// "OFF", "COFF", "STCN4OFF"… behind blank lines and remarks.
+bool looksLikeOff(std::string_view text)
+{
+    Lines lines(text.substr(0, headBytes));
+    while (lines.next()) {
+        std::string_view word = trimmed(lines.line());
+        if (word.empty() || word.front() == '#') continue;
+        word = word.substr(0, word.find_first_of(" \t#"));
+        for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
+            if (word.size() > 3 && word.starts_with(prefix)) word.remove_prefix(prefix.size());
+        return word == "OFF";
+    }
+    return false;
+}
+
+bool isWord(std::string_view text)
+{
+    const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+    return !text.empty() && std::all_of(text.begin(), text.end(), fits);
+}
+
+/// "import numpy as np", "from math import pi"
+bool isPythonImport(std::string_view line)
+{
+    std::vector<std::string_view> words;
+    splitWords(line, words);
+    if (words.size() < 2 || !isWord(words[1])) return false;
+    if (words[0] == "import") return words.size() == 2 || (words.size() == 4 && words[2] == "as");
+    return words[0] == "from" && words.size() >= 4 && words[2] == "import";
+}
+
+/// A line that only programs (or JSON) hold.
+bool isProgramLine(std::string_view line)
+{
+    line = trimmed(line);
+    if (line.empty()) return false;
+    for (const std::string_view start : {"#include <", "#include \"", "#pragma ", "#define ", "#ifndef ", "#ifdef ",
+                                         "#!/", "using namespace ", "namespace ", "template <", "public class "})
+        if (line.starts_with(start)) return true;
+    for (const std::string_view whole : {"}", "};", "},", "})", "});", "];", "]);", "{", "[", "]", "],"})
+        if (line == whole) return true;
+    if (line.ends_with('{') || line.ends_with("= [") || line.ends_with("=[") || line.ends_with("([") ||
+        line.ends_with("= (") || line.ends_with("};") || line.ends_with(": ["))
+        return true;
+    if (line.starts_with("def ") && line.ends_with(':')) return true;
+    return isPythonImport(line);
+}
+
+std::string_view endOf(std::string_view text, std::size_t bytes)
+{
+    return text.substr(text.size() - std::min(text.size(), bytes));
+}
+
+/// A disk fills a file's last cluster; more than that is not filling, but a file of something else.
+void refuseLongFilling(std::string_view bytes, Text expected)
+{
+    constexpr std::size_t largestFilling = headBytes;
+    if (bytes.size() <= largestFilling) return;
+    const std::string_view end = endOf(bytes, largestFilling);
+    if (end.find_first_not_of(std::string_view("\0\x1a", 2)) != std::string_view::npos) return;
+    throw Error(errors::formatUnknown, {{"byte", static_cast<std::int64_t>(bytes.size() - largestFilling)},
+                                        {"found", LT_TEXT("Engine", "nothing but zero bytes to the end")},
+                                        {"expected", expected}});
+}
+
+}  // namespace
+
+void throwUnknownFormat(Text found, Text expected)
+{
+    throw Error(errors::formatUnknown, {{"byte", std::int64_t{0}}, {"found", found}, {"expected", expected}});
+}
+
+void refuseForeign(std::string_view bytes, Text expected)
+{
+    for (const Magic& magic : foreign)
+        if (bytes.starts_with(magic.start)) throwUnknownFormat(magic.what, expected);
+    if (looksLikeOff(bytes)) throwUnknownFormat(offMesh, expected);
+}
+
+void refuseForeignName(std::string_view name, bool isTable, Text expected)
+{
+    const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 8)));
+    for (const Extension& extension : extensions)
+        if (lower.size() > extension.end.size() && lower.ends_with(extension.end) && (isTable || !extension.holdsScan))
+            throwUnknownFormat(extension.what, expected);
+}
+
+void refuseProgram(std::string_view text, Text expected)
+{
+    Lines lines(text.substr(0, headBytes));
+    while (lines.next())
+        if (isProgramLine(lines.line()))
+            throw Error(errors::formatUnknown, {{"line", lines.number()},
+                                                {"column", std::int64_t{1}},
+                                                {"found", LT_TEXT("Engine", "the source text of a program or JSON")},
+                                                {"expected", expected}});
+}
+
+bool looksLikeQdas(std::string_view text)
+{
+    Lines lines(text.substr(0, headBytes));
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        if (line.empty()) continue;
+        if (line.size() < 7 || line.front() != 'K') return false;
+        const bool digits = line.find_first_not_of("0123456789", 1) == 5;
+        return digits && (line[5] == ' ' || line[5] == '/' || line[5] == '\t');
+    }
+    return false;
+}
+
+DecodedText readableText(std::string_view bytes, Encoding encoding, Text expected, const Progress& progress)
+{
+    if (bytes.empty()) throw Error(errors::fileEmpty, {});
+    refuseForeign(bytes, expected);
+    refuseLongFilling(bytes, expected);
+    if (!looksLikeText(bytes)) throwUnknownFormat(LT_TEXT("Engine", "binary data"), expected);
+    DecodedText text = decodeText(bytes, encoding, progress);
+    if (text.view().empty()) throw Error(errors::fileEmpty, {});
+    refuseForeign(trimmed(text.view().substr(0, headBytes)), expected);
+    return text;
+}
+
+DecodedText readableTable(std::string_view name, std::string_view bytes, Encoding encoding, Text expected,
+                          const Progress& progress)
+{
+    refuseForeignName(name, true, expected);
+    DecodedText text = readableText(bytes, encoding, expected, progress);
+    if (looksLikeQdas(text.view())) throwUnknownFormat(qdasFile, expected);
+    refuseProgram(text.view(), expected);
+    return text;
+}
+
+}  // namespace lathelier::io

@@ -1,0 +1,71 @@
+#include "engine/registration/general/general_reference.h"
+
+#include <algorithm>
+
+#include "engine/core/error.h"
+#include "engine/registration/point_checks.h"
+#include "engine/registration/surface/surface_samples.h"
+
+namespace lathelier::registration {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr std::size_t mesh_samples = 200000;
+constexpr std::size_t enough_for_median = 100000;
+
+double upperPart(std::vector<double> values, std::size_t numerator, std::size_t denominator)
+{
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * numerator / denominator);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> everyNth(const std::vector<Eigen::Vector3d>& points_mm, std::size_t count)
+{
+    if (points_mm.size() <= count) return points_mm;
+    Points result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(points_mm[i * points_mm.size() / count]);
+    return result;
+}
+
+CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& progress)
+{
+    CentredPoints result;
+    result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
+    checkPoints(result.points_mm, role, progress, 4);
+    const Points some = everyNth(result.points_mm, enough_for_median);
+    std::vector<double> values(some.size());
+    for (int a = 0; a < 3; ++a) {
+        std::transform(some.begin(), some.end(), values.begin(), [a](const auto& p) { return p[a]; });
+        result.middle_mm[a] = upperPart(values, 1, 2);
+    }
+    std::transform(some.begin(), some.end(), values.begin(),
+                   [&](const auto& p) { return (p - result.middle_mm).norm(); });
+    result.size_mm = upperPart(values, 9, 10);
+    progress.check();
+    for (auto& p : result.points_mm) p -= result.middle_mm;
+    return result;
+}
+
+GeneralReference prepareReference(const Scan& reference, const Progress& progress)
+{
+    GeneralReference result;
+    result.points = centrePoints(reference, "reference", progress);
+    progress.report(0.1);
+    Scan shifted;
+    shifted.normals = reference.normals;
+    shifted.triangles = reference.triangles;
+    shifted.points_mm = result.points.points_mm;
+    if (reference.isMesh()) {
+        shifted.points_mm = reference.points_mm;
+        for (auto& p : shifted.points_mm) p -= result.points.middle_mm;
+    }
+    result.surface = makeSurface(shifted, progress.part(0.1, 1));
+    return result;
+}
+
+}  // namespace lathelier::registration

@@ -1,0 +1,119 @@
+#include "engine/registration/neighbours/cloud_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/registration/drawn_places.h"
+#include "engine/registration/neighbours/cloud_distance.h"
+#include "engine/registration/neighbours/neighbours.h"
+#include "engine/registration/neighbours/points_near.h"
+#include "engine/registration/sampling.h"
+
+namespace lathelier::registration {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kAll = 100000;     // so many points are all asked…
+constexpr std::size_t kQueries = 25000;  // …of more, so many: 0.5 % of standard error
+constexpr std::size_t kFew = 40;         // points to a query from which an index of all of them does not pay
+
+struct Answers {
+    std::vector<float> distances_mm;  ///< NaN: none within reach
+    double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();
+};
+
+Answers byIndex(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& queries, double max_distance_mm,
+                const Progress& progress)
+{
+    const Neighbours index(reference, progress.part(0, 0.6));
+    return {nearestDistances(index, queries, max_distance_mm, progress.part(0.6, 1)),
+            samplingFloor(reference, index, progress).rms_mm};
+}
+
+/// The same answers where the cloud is large and the queries are few: first from the points close about the queries;
+/// those without an answer there are asked again further about.
+Answers byVicinity(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& queries, double max_distance_mm,
+                   const Progress& progress)
+{
+    constexpr double nearby = 4, patch = 40;  // in spacings of the points
+    const double spacing_mm = roughSpacing_mm(reference, progress);
+    if (!(spacing_mm > 0)) return byIndex(reference, queries, max_distance_mm, progress);
+    Answers answers;
+    answers.distances_mm.resize(queries.size(), std::numeric_limits<float>::quiet_NaN());
+    std::vector<std::size_t> open(queries.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    for (double radius_mm = nearby * spacing_mm; !open.empty(); radius_mm *= nearby) {
+        progress.check();
+        const bool first = open.size() == queries.size(), last = radius_mm >= max_distance_mm;
+        Vicinity asked{{}, std::min(radius_mm, max_distance_mm)};
+        for (const std::size_t q : open) asked.places_mm.push_back(queries[q]);
+        std::vector<Vicinity> vicinities{asked};
+        const double reach_mm = std::max(asked.radius_mm, patch * spacing_mm);
+        if (first) vicinities.push_back({samplingPlaces(reference), reach_mm});
+        const Neighbours index(pointsNear(reference, vicinities, progress), progress.quiet());
+        if (first) {
+            SamplingFloor floor = samplingFloor(reference, index, progress);
+            if (!(floor.reach_mm <= reach_mm)) floor = samplingFloor(reference, Neighbours(reference), progress);
+            answers.sampling_floor_mm = floor.rms_mm;
+        }
+        const std::vector<float> found = nearestDistances(index, asked.places_mm, asked.radius_mm, progress.quiet());
+        std::vector<std::size_t> still;
+        for (std::size_t i = 0; i < open.size(); ++i)
+            if (std::isnan(found[i]))
+                still.push_back(open[i]);
+            else
+                answers.distances_mm[open[i]] = found[i];
+        if (last) break;
+        open = std::move(still);
+    }
+    return answers;
+}
+
+}  // namespace
+
+CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::vector<Vector3d>& moved_copy_mm,
+                          const std::vector<std::uint8_t>& used, double max_distance_mm, const Progress& progress)
+{
+    std::vector<std::uint32_t> asked;
+    asked.reserve(moved_copy_mm.size());
+    for (std::size_t i = 0; i < moved_copy_mm.size(); ++i)
+        if (used[i]) asked.push_back(static_cast<std::uint32_t>(i));
+    const bool all = asked.size() <= kAll;
+    std::vector<Vector3d> queries;
+    if (all)
+        for (const std::uint32_t place : asked) queries.push_back(moved_copy_mm[place]);
+    else
+        for (const std::size_t place : drawnPlaces(asked.size(), kQueries, 17))
+            queries.push_back(moved_copy_mm[asked[place]]);
+    const bool few = reference_mm.size() > kFew * queries.size();
+    const Answers answers = few ? byVicinity(reference_mm, queries, max_distance_mm, progress)
+                                : byIndex(reference_mm, queries, max_distance_mm, progress);
+    const std::vector<float>& distances = answers.distances_mm;
+    CloudFigure figure;
+    figure.sampling_floor_mm = answers.sampling_floor_mm;
+
+    double squares = 0;
+    double found = 0;
+    for (const float distance : distances)
+        if (!std::isnan(distance)) {
+            squares += static_cast<double>(distance) * distance;
+            found += 1;
+        }
+    if (found == 0) return figure;
+    const double mean = squares / found;
+    double scatter = 0;
+    for (const float distance : distances)
+        if (!std::isnan(distance)) {
+            const double off = static_cast<double>(distance) * distance - mean;
+            scatter += off * off;
+        }
+    const double left_out = 1 - static_cast<double>(queries.size()) / static_cast<double>(asked.size());
+    figure.rmse_mm = std::sqrt(mean);
+    figure.standard_error_mm = mean > 0 ? std::sqrt(scatter * left_out / mean) / (2 * found) : 0;
+    return figure;
+}
+
+}  // namespace lathelier::registration

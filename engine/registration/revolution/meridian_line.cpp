@@ -1,0 +1,275 @@
+#include "engine/registration/revolution/meridian_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/core/parallel.h"
+
+namespace lathelier::registration {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// An end face seen in the scan: where it is and how far in it is known.
+struct EndFace {
+    double z;
+    double inner_radius;
+};
+
+/// Points beyond the last known bin and clearly inside its radius lie on the end face.
+std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_scan,
+                                   double z_end, double radius, double sigma, double step, double sign,
+                                   const Progress& progress)
+{
+    using Found = std::vector<Vector2d>;
+    Found found = parallelReduce(
+        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found{},
+        [&](std::size_t begin, std::size_t end) {
+            Found part;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double z = axis_T_scan.linear().row(2).dot(points[i]) + axis_T_scan.translation().z();
+                const double beyond = (z - z_end) * sign;
+                if (beyond < -1.5 * step || beyond > 6 * step) continue;
+                const double r = (axis_T_scan * points[i]).head<2>().norm();
+                if (r < radius - 8 * sigma) part.emplace_back(z, r);
+            }
+            return part;
+        },
+        [](Found all, const Found& part) {
+            all.insert(all.end(), part.begin(), part.end());
+            return all;
+        });
+    if (found.size() < 20) return std::nullopt;
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+    std::nth_element(found.begin(), middle, found.end(),
+                     [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+    const double z = middle->x();
+    const auto inner = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 20);
+    std::nth_element(found.begin(), inner, found.end(),
+                     [](const Vector2d& a, const Vector2d& b) { return a.y() < b.y(); });
+    return EndFace{z, inner->y()};
+}
+
+}  // namespace
+
+MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points, const Progress& progress)
+    : profile_(part.fit.profile)
+{
+    // Rough zones have no vote in the axis, but a surface to measure from.
+    for (std::size_t i = 0; i < std::min(profile_.size(), part.fit.rough_mm.size()); ++i)
+        if (std::isnan(profile_.radius_mm[i]) && !std::isnan(part.fit.rough_mm[i])) {
+            profile_.radius_mm[i] = part.fit.rough_mm[i];
+            profile_.slope[i] = 0;
+        }
+    const double step = profile_.step_mm;
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < profile_.size(); ++i)
+        if (!std::isnan(profile_.radius_mm[i])) known.push_back(i);
+    if (known.empty()) return;
+
+    // Vertices: the bins' middles, interrupted by shoulders (a vertical stroke) and by gaps (the line ends).
+    std::vector<Vector2d> line;
+    std::vector<double> corners;  // z of everything that is not smooth side
+    const auto vertex = [&](std::size_t bin) { return Vector2d(profile_.middle_mm(bin), profile_.radius_mm[bin]); };
+    const auto at = [&](std::size_t bin, double z) {
+        return profile_.radius_mm[bin] + profile_.slope[bin] * (z - profile_.middle_mm(bin));
+    };
+    const auto endFace = [&](std::size_t bin, double sign) {
+        return findEndFace(points, part.fit.axis_T_scan, profile_.middle_mm(bin) + sign * step / 2,
+                           profile_.radius_mm[bin], part.fit.sigma_mm, step, sign, progress);
+    };
+    if (const auto face = endFace(known.front(), -1)) {
+        line.emplace_back(face->z, face->inner_radius);
+        line.emplace_back(face->z, at(known.front(), face->z));
+        z_first_ = face->z;
+    } else {
+        z_first_ = profile_.middle_mm(known.front()) - step / 2;
+        line.emplace_back(z_first_, at(known.front(), z_first_));
+    }
+    corners.push_back(z_first_);
+    auto shoulder = part.shoulders.begin();
+    for (std::size_t k = 0; k < known.size(); ++k) {
+        line.push_back(vertex(known[k]));
+        if (k + 1 == known.size()) break;
+        const double z1 = profile_.middle_mm(known[k]);
+        const double z2 = profile_.middle_mm(known[k + 1]);
+        while (shoulder != part.shoulders.end() && shoulder->z_mm < z1) ++shoulder;
+        if (shoulder != part.shoulders.end() && shoulder->z_mm <= z2) {
+            line.emplace_back(shoulder->z_mm, at(known[k], shoulder->z_mm));
+            line.emplace_back(shoulder->z_mm, at(known[k + 1], shoulder->z_mm));
+            corners.push_back(shoulder->z_mm);
+        } else if (known[k + 1] - known[k] > 10) {
+            line.emplace_back(z1 + step / 2, at(known[k], z1 + step / 2));
+            addPiece(line);
+            corners.push_back(z1);
+            corners.push_back(z2);
+            line = {Vector2d(z2 - step / 2, at(known[k + 1], z2 - step / 2))};
+        } else if (known[k + 1] - known[k] > 1) {
+            corners.push_back(z1);
+            corners.push_back(z2);
+        }
+    }
+    if (const auto face = endFace(known.back(), 1)) {
+        line.emplace_back(face->z, at(known.back(), face->z));
+        line.emplace_back(face->z, face->inner_radius);
+        z_last_ = face->z;
+    } else {
+        z_last_ = profile_.middle_mm(known.back()) + step / 2;
+        line.emplace_back(z_last_, at(known.back(), z_last_));
+    }
+    corners.push_back(z_last_);
+    addPiece(line);
+
+    std::sort(corners.begin(), corners.end());
+    clearance_.assign(profile_.size(), 0);
+    for (const std::size_t i : known) {
+        const double z = profile_.middle_mm(i);
+        const auto next = std::lower_bound(corners.begin(), corners.end(), z);
+        double nearest = std::numeric_limits<double>::infinity();
+        if (next != corners.end()) nearest = *next - z;
+        if (next != corners.begin()) nearest = std::min(nearest, z - *(next - 1));
+        clearance_[i] = nearest - step;
+    }
+
+    bin_start_ = z_first_ - step;
+    bin_step_ = step;
+    outside_ = indexOf(0, segments_.size());
+    if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
+}
+
+MeridianLine::Index MeridianLine::indexOf(std::size_t from, std::size_t to) const
+{
+    const auto bins = static_cast<std::size_t>((z_last_ - z_first_) / bin_step_) + 3;
+    Index index{std::vector<std::size_t>(bins, segments_.size()), std::vector<std::size_t>(bins, 0)};
+    for (std::size_t s = from; s < to; ++s) {
+        const double low = std::min(segments_[s].from.x(), segments_[s].to.x());
+        const double high = std::max(segments_[s].from.x(), segments_[s].to.x());
+        const auto clampBin = [&](double z) {
+            return static_cast<std::size_t>(
+                std::clamp((z - bin_start_) / bin_step_, 0.0, static_cast<double>(bins - 1)));
+        };
+        for (std::size_t b = clampBin(low); b <= clampBin(high); ++b) {
+            index.first[b] = std::min(index.first[b], s);
+            index.last[b] = std::max(index.last[b], s + 1);
+        }
+    }
+    return index;
+}
+
+/// The bore's bins joined from the last to the first, so that the material lies on the other side; a step between bins
+/// is a shoulder, many unknown bins are a gap.
+void MeridianLine::addBore(const RadiusProfile& bore)
+{
+    const std::size_t first = segments_.size();
+    std::vector<Vector2d> line;
+    std::size_t before = bore.size();
+    for (std::size_t i = bore.size(); i-- > 0;) {
+        if (std::isnan(bore.radius_mm[i])) continue;
+        const Vector2d here(bore.middle_mm(i), bore.radius_mm[i]);
+        if (before < bore.size() && before - i > 10) {
+            addPiece(line);
+            line.clear();
+        } else if (before < bore.size() && std::abs(bore.radius_mm[before] - here.y()) > bore.step_mm) {
+            const double middle = (bore.middle_mm(before) + here.x()) / 2;
+            line.emplace_back(middle, bore.radius_mm[before]);
+            line.emplace_back(middle, here.y());
+        }
+        line.push_back(here);
+        before = i;
+        // Nearer to the bore than to the outside: no short cut for these points.
+        if (!std::isnan(profile_.radius_mm[i])) {
+            const double half = (profile_.radius_mm[i] - here.y()) / 2;
+            for (std::size_t k = i < 3 ? 0 : i - 3; k < std::min(clearance_.size(), i + 4); ++k)
+                clearance_[k] = std::min(clearance_[k], half);
+        }
+    }
+    if (!line.empty()) addPiece(line);
+    bore_ = indexOf(first, segments_.size());
+}
+
+void MeridianLine::addPiece(const std::vector<Vector2d>& line)
+{
+    const std::size_t first = segments_.size();
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vector2d along = line[i] - line[i - 1];
+        if (along.norm() == 0) continue;
+        Segment segment;
+        segment.from = line[i - 1];
+        segment.to = line[i];
+        segment.normal = Vector2d(-along.y(), along.x()).normalized();
+        segment.from_normal = segment.to_normal = segment.normal;
+        segments_.push_back(segment);
+    }
+    if (segments_.size() == first) return;
+    for (std::size_t s = first + 1; s < segments_.size(); ++s) {
+        const Vector2d both = segments_[s - 1].normal + segments_[s].normal;
+        segments_[s - 1].to_normal = both;
+        segments_[s].from_normal = both;
+    }
+    segments_[first].open_from = true;
+    segments_.back().open_to = true;
+}
+
+double MeridianLine::deviation_mm(double z, double r, double max_distance) const
+{
+    const double place = (z - profile_.z_start_mm) / profile_.step_mm;
+    if (place >= 0 && place < static_cast<double>(profile_.size())) {
+        const auto bin = static_cast<std::size_t>(place);
+        if (clearance_[bin] > 0) {  // smooth side: interpolate between this bin and its neighbour on the point's side
+            const double t = place - static_cast<double>(bin) - 0.5;
+            const std::size_t other = t < 0 ? bin - 1 : bin + 1;
+            const double rise = (profile_.radius_mm[other] - profile_.radius_mm[bin]) * (t < 0 ? -1 : 1);
+            const double error = r - profile_.radius_mm[bin] - t * rise;
+            if (std::abs(error) < clearance_[bin]) {
+                const double slope = rise / profile_.step_mm;
+                const double deviation = error / std::sqrt(1 + slope * slope);
+                return std::abs(deviation) <= max_distance ? deviation : kNone;
+            }
+        }
+    }
+    return search(z, r, max_distance);
+}
+
+double MeridianLine::search(double z, double r, double reach) const
+{
+    const Vector2d point(z, r);
+    const auto bins = static_cast<std::ptrdiff_t>(outside_.first.size());
+    if (bins == 0) return kNone;
+    const double place = std::floor((z - bin_start_) / bin_step_);
+    if (!(std::abs(place) < 1e9)) return kNone;
+    const auto centre = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place), 0, bins - 1);
+    double nearest = reach * reach;
+    double signed_distance = kNone;
+    const auto tryOne = [&](const Segment& segment) {
+        const Vector2d along = segment.to - segment.from;
+        const double t = (point - segment.from).dot(along) / along.squaredNorm();
+        const Vector2d foot = segment.from + std::clamp(t, 0.0, 1.0) * along;
+        const double distance = (point - foot).squaredNorm();
+        if (distance > nearest) return;
+        nearest = distance;
+        const Vector2d& normal = t <= 0 ? segment.from_normal : t >= 1 ? segment.to_normal : segment.normal;
+        const bool open = (t < 0 && segment.open_from) || (t > 1 && segment.open_to);
+        const double side = (point - foot).dot(normal);
+        signed_distance = open ? kNone : std::copysign(std::sqrt(distance), side);
+    };
+    // Outward from the point's own bin, until the bins are further than what was found.
+    for (std::ptrdiff_t ring = 0; ring < bins; ++ring) {
+        const double gap = (static_cast<double>(ring) - 1) * bin_step_;
+        if (gap > 0 && gap * gap > nearest) break;
+        for (const std::ptrdiff_t bin : {centre - ring, centre + ring}) {
+            if (bin < 0 || bin >= bins || (ring == 0 && bin != centre)) continue;
+            const auto b = static_cast<std::size_t>(bin);
+            for (std::size_t s = outside_.first[b]; s < outside_.last[b]; ++s) tryOne(segments_[s]);
+            if (!bore_.first.empty())
+                for (std::size_t s = bore_.first[b]; s < bore_.last[b]; ++s) tryOne(segments_[s]);
+            if (ring == 0) break;
+        }
+    }
+    return signed_distance;
+}
+
+}  // namespace lathelier::registration

@@ -1,0 +1,29 @@
+// Registration of bodies of revolution: axis on axis, then one shift along it; the roll is left alone.
+#pragma once
+
+#include <vector>
+
+#include "engine/registration/alignment.h"
+#include "engine/registration/compare.h"
+#include "engine/registration/revolution/revolution_axis.h"
+#include "engine/registration/revolution/revolution_shoulders.h"
+
+namespace lathelier::registration {
+
+/// A body of revolution with its shoulders, in its axis frame.
+struct TurnedPart {
+    RevolutionFit fit;                ///< axis and radius along it
+    std::vector<Shoulder> shoulders;  ///< in order of z in the axis frame
+};
+
+/// The axis through the middle of the data, toward the larger coordinate on its dominant axis.
+Axis axisOf(const RevolutionFit& fit);
+
+/// Aligns the copy's axis with the reference's. Both directions are tried (only the nearer one, and shifts of up to a
+/// tenth of the length, with InitialPose::Identity). The shift comes from shoulders and slopes, never from where the
+/// data end; each shoulder or slope counts by its own uncertainty, and slopes that contradict the shoulders (their
+/// radius differs) count less. Free motions keep the smallest rotation and no shift from the initial pose.
+/// Error partsDoNotMatch when the two profiles have nothing in common.
+Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial);
+
+}  // namespace lathelier::registration

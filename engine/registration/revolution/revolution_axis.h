@@ -1,0 +1,92 @@
+// The axis of a body of revolution and the radius along it, from points of its surface.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/registration/revolution/revolution_bend.h"
+
+namespace lathelier::registration {
+
+/// Radius along the axis in equal steps. Where there is no single radius (a shoulder, no data) it is NaN.
+struct RadiusProfile {
+    double z_start_mm = 0;          ///< lower limit of the first bin
+    double step_mm = 1;             ///< width of a bin along the axis
+    std::vector<double> radius_mm;  ///< at the middle of each bin
+    std::vector<double> slope;      ///< dR/dz
+    std::vector<double> sigma_mm;   ///< standard uncertainty of the radius
+    std::vector<double> points;     ///< number of points (sum of weights)
+
+    double middle_mm(std::size_t bin) const { return z_start_mm + (static_cast<double>(bin) + 0.5) * step_mm; }
+    std::size_t size() const { return radius_mm.size(); }
+};
+
+/// Why points are not those of a body of revolution.
+enum class NotTurned {
+    No,             ///< they are
+    Line,           ///< on a line, as far as their scatter tells: a cylinder must be larger than its noise
+    Flat,           ///< a plate
+    SeveralParts,   ///< in pieces beside each other
+    NoSingleAxis,   ///< a sphere
+    SmallCoverage,  ///< less than 60° of the circle
+    Bent,           ///< the centre line is off by more than 1 mm or a 200th of the length
+    NotRound
+};
+
+/// Less of the circle than this gives no axis.
+inline constexpr double kLeastCoverage_deg = 60;
+
+/// What was found of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
+struct RevolutionFit {
+    Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();  ///< takes points of the scan into the axis frame
+    RadiusProfile profile;         ///< of the outside; of the bore where that alone is seen
+    RadiusProfile bore;            ///< in the same bins, where both are seen; empty without a bore
+    std::vector<double> rough_mm;  ///< median radius of bins too rough to vote (a thread, a knurl); NaN elsewhere
+    Bend bend;                     ///< taken out of the points before the fit when it is seen
+    NotTurned not_turned = NotTurned::NotRound;  ///< No, or the first reason against a body of revolution
+    double coverage_deg = 0;                     ///< how much of the circle the data see
+    double sigma_mm = 0;                         ///< robust scatter of the points about the profile, along its normal
+    double consistent_share = 0;  ///< of the points: how many lie on one surface of revolution about the axis
+    double side_share = 0;        ///< of the points: on the profile, where it determines the axis across
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of (x, y) at the origin in mm and the two slopes
+    bool converged = false;  ///< the last step was below a tenth of the standard uncertainty
+    int iterations = 0;      ///< steps of the fit in all stages
+
+    /// A point of the scan in the axis frame, a bend of the part taken out.
+    Eigen::Vector3d onAxis(const Eigen::Vector3d& scan_point) const
+    {
+        return axis_T_scan * (bend.isSeen() ? bend.straightened(scan_point) : scan_point);
+    }
+};
+
+/// Starts for the axis, best first, and how far neighbouring points scatter about a plane (noise, and some curvature).
+struct AxisCandidates {
+    std::vector<Eigen::Isometry3d> axis_T_scan;  ///< best first: the axis is z
+    double noise_mm = 0;                         ///< scatter of neighbouring points about a plane
+};
+
+/// Starting directions and places of the axis. `points` are 1000 to 30 000 spread over the surface.
+/// Normal lines of a surface of revolution meet its axis: the linear complex of Pottmann and Wallner,
+/// "Computational Line Geometry", 2001, section 4.2, solved with robust weights; and the principal axes.
+AxisCandidates findAxisCandidates(const std::vector<Eigen::Vector3d>& points, const Progress& progress);
+
+/// Robust least squares (Tukey weights) over the axis's four parameters with the radius free in every bin.
+/// Starts from each candidate on a sample and finishes on all points, or two million of a larger cloud, drawn evenly
+/// from it. Points: at least 50, finite, not all in a plane. The covariance is never less than that of independent
+/// residuals, and more where residuals of neighbours on the surface go together (patches of 22.5° by a 96th of the
+/// length, and whole rings of that length).
+RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Progress& progress = {});
+
+/// True when the fit shows a body of revolution.
+bool isBodyOfRevolution(const RevolutionFit& fit);
+
+/// Judges the fit: nearly all points on one profile, enough of them at its side and around it, one axis, not bent, and
+/// a scatter that looks like noise. Fills `coverage_deg` and gives the first reason against. `noise_mm` as in
+/// AxisCandidates.
+NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Eigen::Vector3d>& sample, double noise_mm);
+
+/// The same with z reversed: the frame turned by 180° about its x axis.
+RevolutionFit reversed(const RevolutionFit& fit);
+
+}  // namespace lathelier::registration

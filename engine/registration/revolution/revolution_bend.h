@@ -1,0 +1,41 @@
+// A bent body of revolution: its sections are round, but their centres lie on a curve.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "engine/registration/revolution/meridian_bins.h"
+
+namespace lathelier::registration {
+
+/// The curve of the section centres, a parabola over the length. Where it runs straight on, the axis lies.
+struct Bend {
+    Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
+    double middle_mm = 0;                              ///< of the data, along that direction
+    double half_mm = 1;                                ///< half their length
+    Eigen::Vector3d bow_mm = Eigen::Vector3d::Zero();  ///< from mid length to the chord between the ends
+    double sigma_mm = 0;                               ///< standard uncertainty of the bow
+    double scatter_mm = 0;                             ///< of the points about the circles of their sections
+
+    double size_mm() const { return bow_mm.norm(); }
+    double length_mm() const { return 2 * half_mm; }
+    /// More than its uncertainty (3 sigma) and 20 µm.
+    bool isSeen() const { return size_mm() > 3 * sigma_mm && size_mm() > 0.02; }
+    /// More than 1 mm or a 200th of the length: no body of revolution any more.
+    bool isLarge() const { return isSeen() && (size_mm() > 1 || size_mm() > length_mm() / 200); }
+
+    Eigen::Vector3d straightened(const Eigen::Vector3d& point) const
+    {
+        const double t = (along.dot(point) - middle_mm) / half_mm;
+        return point - bow_mm * (t * t - 1.0 / 3);
+    }
+    /// The bend of what is left when `first` has been taken out and `rest` was found on it.
+    static Bend sum(const Bend& first, const Bend& rest);
+};
+
+/// The bend of a sample about its axis (in the frame of the points). Circles about each section's own centre, robust,
+/// and a parabola through the centres; what the centres scatter about it counts in its uncertainty.
+Bend findBend(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
+              const MeridianBins& bins);
+
+}  // namespace lathelier::registration

@@ -1,0 +1,211 @@
+#include "engine/registration/revolution/revolution_deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/revolution/quick_turn.h"
+
+namespace lathelier::registration {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPi = std::numbers::pi;
+
+struct Sums {
+    double n = 0;
+    double sum = 0;
+    double squares = 0;
+
+    void add(double v)
+    {
+        n += 1;
+        sum += v;
+        squares += v * v;
+    }
+    void add(const Sums& other)
+    {
+        n += other.n;
+        sum += other.sum;
+        squares += other.squares;
+    }
+    double mean() const { return n > 0 ? sum / n : kNone; }
+    double deviation() const { return n > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1))) : kNone; }
+};
+
+/// Zones, meridian and map are those of the outside.
+bool isOnBore(const RevolutionFit& fit, std::size_t bin, double r)
+{
+    if (fit.bore.size() <= bin) return false;
+    const double bore = fit.bore.radius_mm[bin];
+    return !std::isnan(bore) && !(r > (bore + fit.profile.radius_mm[bin]) / 2);
+}
+
+/// Limits of zones in z of the profile: between shoulders, gaps and kinks, without the bins next to them.
+std::vector<Interval> findZones(const TurnedPart& part, const MeridianLine& line)
+{
+    const RadiusProfile& p = part.fit.profile;
+    constexpr std::size_t kMargin = 2;  // bins: the spot smears what lies nearer to an edge
+    std::vector<Interval> zones;
+    const auto finish = [&](std::size_t from, std::size_t to) {  // bins from … to - 1 are one smooth stretch
+        if (to < from + 2 * kMargin + 3) return;
+        from += kMargin;
+        to -= kMargin;
+        const double start = p.z_start_mm + static_cast<double>(from) * p.step_mm;
+        const double length = static_cast<double>(to - from) * p.step_mm;
+        const double longest = (line.zLast_mm() - line.zFirst_mm()) / 8;
+        const int parts = std::max(1, static_cast<int>(std::ceil(length / longest - 1e-9)));
+        for (int k = 0; k < parts; ++k) zones.push_back({start + length * k / parts, start + length * (k + 1) / parts});
+    };
+    const double jump = 8 * part.fit.sigma_mm;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const bool known = !std::isnan(p.radius_mm[i]);
+        if (!known) {
+            finish(from, i);
+            from = i + 1;
+            continue;
+        }
+        if (i == from) continue;
+        const double middle = (p.middle_mm(i - 1) + p.middle_mm(i)) / 2;
+        const bool edge = std::any_of(part.shoulders.begin(), part.shoulders.end(),
+                                      [&](const Shoulder& s) { return std::abs(s.z_mm - middle) <= p.step_mm / 2; });
+        const bool turns = i >= 2 && i + 1 < p.size() && std::abs(p.slope[i] - p.slope[i - 1]) > 0.2 &&
+                           std::abs(p.slope[i + 1] - p.slope[i - 2]) > 0.2;
+        if (edge || turns || std::abs(p.radius_mm[i] - p.radius_mm[i - 1]) > jump + 3 * p.step_mm) {
+            finish(from, i);
+            from = i;
+        }
+    }
+    finish(from, p.size());
+    return zones;
+}
+
+}  // namespace
+
+std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
+                                     const std::vector<Eigen::Vector3d>& points, double max_distance_mm,
+                                     const Progress& progress)
+{
+    std::vector<float> deviations(points.size());
+    parallelFor(points.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
+            const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
+            deviations[i] = static_cast<float>(line.deviation_mm(p.z(), r, max_distance_mm));
+        }
+    });
+    return deviations;
+}
+
+std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
+                          const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+{
+    std::vector<Interval> zones = result.parameters.exclude_z_mm;
+    if (zones.empty()) return 0;
+    for (Interval& zone : zones) {  // a zone that begins or ends with the part takes what the noise puts beyond it
+        if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
+        if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
+    }
+    return parallelReduce(
+        points.size(), 65536, progress, std::int64_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::int64_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double z = (reference.fit.axis_T_scan * points[i]).z() - line.zFirst_mm();
+                const bool inside = std::any_of(zones.begin(), zones.end(),
+                                                [&](const Interval& zone) { return z >= zone.from && z <= zone.to; });
+                if (!inside || !result.used[i]) continue;
+                result.used[i] = 0;
+                result.deviation_mm[i] = std::numeric_limits<float>::quiet_NaN();
+                ++count;
+            }
+            return count;
+        },
+        [](std::int64_t all, std::int64_t part) { return all + part; });
+}
+
+void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
+                        const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+{
+    const RadiusProfile& profile = reference.fit.profile;
+    const std::vector<Interval> zones = findZones(reference, line);
+    double radius = 0;
+    for (const double r : profile.radius_mm) radius = std::isnan(r) ? radius : std::max(radius, r);
+    const double length = line.zLast_mm() - line.zFirst_mm();
+
+    UnrolledMap map;
+    map.angle_count = points.size() > 100000 ? 120 : 48;
+    const double cell = 2 * kPi * radius / map.angle_count;
+    map.z_count = std::clamp(static_cast<int>(length / cell * 2), 10, 400);
+    map.z_step_mm = length / map.z_count;
+
+    struct Part {
+        std::vector<Sums> bins, zones, cells;
+    };
+    const auto sized = [&] {
+        return Part{std::vector<Sums>(profile.size()), std::vector<Sums>(zones.size()),
+                    std::vector<Sums>(static_cast<std::size_t>(map.z_count * map.angle_count))};
+    };
+    std::vector<int> zone_of(profile.size() * 8, -1);  // at an eighth of a bin
+    for (std::size_t k = 0; k < zone_of.size(); ++k) {
+        const double z = profile.z_start_mm + (static_cast<double>(k) + 0.5) * profile.step_mm / 8;
+        for (std::size_t j = 0; j < zones.size(); ++j)
+            if (z >= zones[j].from && z < zones[j].to) zone_of[k] = static_cast<int>(j);
+    }
+    const Part sums = parallelReduce(
+        points.size(), std::max<std::size_t>(32768, points.size() / 8), progress, sized(),
+        [&](std::size_t begin, std::size_t end) {
+            Part part = sized();
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!result.used[i]) continue;
+                const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
+                const double v = result.deviation_mm[i];
+                const double place = (p.z() - profile.z_start_mm) / profile.step_mm;
+                if (place >= 0 && place < static_cast<double>(profile.size())) {
+                    if (isOnBore(reference.fit, static_cast<std::size_t>(place), p.head<2>().norm())) continue;
+                    part.bins[static_cast<std::size_t>(place)].add(v);
+                    const int zone = zone_of[static_cast<std::size_t>(place * 8)];
+                    if (zone >= 0) part.zones[static_cast<std::size_t>(zone)].add(v);
+                }
+                const int row = static_cast<int>((p.z() - line.zFirst_mm()) / map.z_step_mm);
+                if (p.z() < line.zFirst_mm() || row >= map.z_count) continue;
+                const double turn = quickTurn(p.y(), p.x());
+                const int column =
+                    std::min(map.angle_count - 1, static_cast<int>((turn < 0 ? turn + 1 : turn) * map.angle_count));
+                part.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) +
+                           static_cast<std::size_t>(column)]
+                    .add(v);
+            }
+            return part;
+        },
+        [](Part all, const Part& part) {
+            const auto add = [](std::vector<Sums>& to, const std::vector<Sums>& from) {
+                for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
+            };
+            add(all.bins, part.bins);
+            add(all.zones, part.zones);
+            add(all.cells, part.cells);
+            return all;
+        });
+
+    result.axis_T_reference = Eigen::Translation3d(0, 0, -line.zFirst_mm()) * reference.fit.axis_T_scan;
+    Meridian meridian;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        meridian.z_mm.push_back(profile.middle_mm(i) - line.zFirst_mm());
+        meridian.reference_radius_mm.push_back(profile.radius_mm[i]);
+        meridian.deviation_mm.push_back(sums.bins[i].mean());
+        meridian.std_mm.push_back(sums.bins[i].deviation());
+    }
+    result.meridian = std::move(meridian);
+    for (std::size_t k = 0; k < zones.size(); ++k)
+        if (sums.zones[k].n > 0)
+            result.zones.push_back({zones[k].from - line.zFirst_mm(), zones[k].to - line.zFirst_mm(),
+                                    sums.zones[k].mean(), sums.zones[k].deviation(),
+                                    static_cast<std::int64_t>(sums.zones[k].n)});
+    for (const Sums& s : sums.cells) map.mean_mm.push_back(static_cast<float>(s.mean()));
+    result.unrolled = std::move(map);
+}
+
+}  // namespace lathelier::registration

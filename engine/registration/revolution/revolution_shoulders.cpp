@@ -1,0 +1,222 @@
+#include "engine/registration/revolution/revolution_shoulders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
+#include "engine/registration/revolution/shoulder_rays.h"
+
+namespace lathelier::registration {
+namespace {
+
+/// An edge ready for trial places and widths.
+class Smear {
+public:
+    Smear(EdgeRays edge, double start) : edge_(std::move(edge)), start_(start)
+    {
+        hits_before_.push_back(0);
+        double count = 0, sum = 0;
+        for (const Ray& ray : edge_.rays) {
+            hits_before_.push_back(hits_before_.back() + (ray.hit ? 1 : 0));
+            if (ray.hit != (ray.height < start)) continue;
+            count += 1;
+            sum += std::abs(ray.height - start);
+        }
+        guess_ = count > 0 ? 6 * sum / count : 0;  // the mean misplacement in a ramp is a sixth of its width
+        density_ = static_cast<double>(edge_.rays.size()) / (edge_.edge.to_mm - edge_.edge.from_mm);
+    }
+
+    const Edge& edge() const { return edge_.edge; }
+    double widthGuess() const { return guess_; }
+    double leanSigma() const { return edge_.lean_sigma_mm; }
+    double density() const { return density_; }  ///< rays for each mm of height
+
+    struct Place {
+        double height = 0;
+        double surprise = 0;  ///< -log of the likelihood
+    };
+
+    /// The best place for a spot of this width: a fine scan, then three finer ones around the best.
+    Place findPlace(double width) const
+    {
+        Place best{start_, surprise(start_, width)};
+        double step = width / 16;
+        for (int zoom = 0; zoom < 4; ++zoom, step /= 5) {
+            const double centre = best.height;
+            const int reach = zoom == 0 ? 16 : 6;
+            for (int k = -reach; k <= reach; ++k) {
+                const Place trial{centre + k * step, surprise(centre + k * step, width)};
+                if (trial.surprise < best.surprise) best = trial;
+            }
+        }
+        return best;
+    }
+
+private:
+    double surprise(double place, double width) const
+    {
+        constexpr double kStray = 0.003;  // spurious points hit or miss anywhere
+        static const double stray = -std::log(kStray);
+        static const double regular = -std::log(1 - kStray);
+        const auto below = [](const Ray& ray, double height) { return ray.height < height; };
+        const auto& rays = edge_.rays;
+        const auto from = std::lower_bound(rays.begin(), rays.end(), place - width / 2, below);
+        const auto to = std::lower_bound(from, rays.end(), place + width / 2, below);
+        // Outside the ramp only counts matter.
+        const auto first = static_cast<std::size_t>(from - rays.begin());
+        const auto last = static_cast<std::size_t>(to - rays.begin());
+        const double hits_before = hits_before_[first];
+        const double misses_after =
+            static_cast<double>(rays.size() - last) - (hits_before_.back() - hits_before_[last]);
+        double total = (hits_before + misses_after) * stray +
+                       (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
+        double product = 1;
+        for (auto ray = from; ray != to; ++ray) {
+            const double p = std::clamp(0.5 + (ray->height - place) / width, kStray, 1 - kStray);
+            product *= ray->hit ? p : 1 - p;
+            if (product < 1e-200) {
+                total -= std::log(product);
+                product = 1;
+            }
+        }
+        return total - std::log(product);
+    }
+
+    EdgeRays edge_;
+    std::vector<double> hits_before_;  ///< hits among the first k rays
+    double start_;
+    double guess_ = 0;
+    double density_ = 0;
+};
+
+std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                            const Progress& progress)
+{
+    std::vector<Smear> smears;
+    for (EdgeRays& edge : findEdgeRays(points, fit, progress))
+        if (const auto start = balance(edge.rays)) smears.emplace_back(std::move(edge), *start);
+    return smears;
+}
+
+using Group = std::vector<const Smear*>;
+
+/// One trial width for all shoulders of a group.
+struct Trial {
+    double log_width = 0;
+    double surprise = 0;
+    std::vector<double> heights;
+};
+
+Trial tryWidth(const Group& group, double log_width, const Progress& progress)
+{
+    std::vector<Smear::Place> places(group.size());
+    parallelFor(group.size(), 1, progress,
+                [&](std::size_t i, std::size_t) { places[i] = group[i]->findPlace(std::exp(log_width)); });
+    Trial trial{log_width, 0, {}};
+    for (const Smear::Place& place : places) {
+        trial.surprise += place.surprise;
+        trial.heights.push_back(place.height);
+    }
+    return trial;
+}
+
+std::vector<Trial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
+{
+    std::vector<Trial> trials;
+    trials.reserve(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) trials.push_back(tryWidth(group, from + (to - from) * k / (count - 1), progress));
+    return trials;
+}
+
+double leastSurprise(const std::vector<Trial>& trials)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const Trial& trial : trials) least = std::min(least, trial.surprise);
+    return least;
+}
+
+/// Trials over a factor of 3 to either side of what the misplaced points suggest, on one ladder of widths for all
+/// groups, so that their likelihoods compare.
+std::vector<Trial> coarseTrials(const Group& group, double finest, const Progress& progress)
+{
+    std::vector<double> guesses;
+    for (const Smear* smear : group) guesses.push_back(smear->widthGuess());
+    const double middle = upperMedianInPlace(guesses);
+    const double rung = std::log(3.0) / 5;
+    const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
+    return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
+}
+
+/// The shoulders of a group, averaged over the widths that the data allow, each by its likelihood.
+std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coarse, const Progress& progress)
+{
+    const double least = leastSurprise(coarse);
+    std::size_t first = coarse.size(), last = 0;
+    for (std::size_t k = 0; k < coarse.size(); ++k)
+        if (coarse[k].surprise < least + 8) {
+            first = std::min(first, k);
+            last = std::max(last, k);
+        }
+    first = first > 0 ? first - 1 : 0;
+    last = std::min(coarse.size() - 1, last + 1);
+    const std::vector<Trial> fine = tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
+    const double best = leastSurprise(fine);
+    std::vector<Shoulder> shoulders;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        double weight = 0, sum = 0, squares = 0, width = 0;
+        for (const Trial& trial : fine) {
+            const double w = std::exp(best - trial.surprise);
+            const double off = trial.heights[i] - fine.front().heights[i];
+            weight += w;
+            sum += w * off;
+            squares += w * off * off;
+            width += w * std::exp(trial.log_width);
+        }
+        const double mean = sum / weight;
+        width /= weight;
+        const Edge& edge = group[i]->edge();
+        const double density = group[i]->density();
+        const double open = std::max(0.0, squares / weight - mean * mean);  // variance that the width leaves
+        const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
+        shoulders.push_back({(fine.front().heights[i] + mean) * edge.sign,
+                             std::hypot(std::sqrt(own + open), group[i]->leanSigma()), edge.before_mm, edge.after_mm});
+    }
+    return shoulders;
+}
+
+}  // namespace
+
+ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
+                           const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,
+                           const Progress& progress)
+{
+    const std::vector<Smear> reference_smears = smearsOf(reference_points, reference, progress);
+    const std::vector<Smear> copy_smears = smearsOf(copy_points, copy, progress);
+    const double finest = 1e-3 * std::min(reference.profile.step_mm, copy.profile.step_mm);
+    Group first, second, both;
+    for (const Smear& smear : reference_smears) first.push_back(&smear);
+    for (const Smear& smear : copy_smears) second.push_back(&smear);
+    both = first;
+    both.insert(both.end(), second.begin(), second.end());
+
+    ShoulderPair result;
+    if (!first.empty() && !second.empty()) {
+        const std::vector<Trial> own1 = coarseTrials(first, finest, progress);
+        const std::vector<Trial> own2 = coarseTrials(second, finest, progress);
+        const std::vector<Trial> shared = coarseTrials(both, finest, progress);
+        if (leastSurprise(shared) < leastSurprise(own1) + leastSurprise(own2) + 6) {
+            const std::vector<Shoulder> all = settle(both, shared, progress);
+            const auto split = all.begin() + static_cast<std::ptrdiff_t>(first.size());
+            result.reference.assign(all.begin(), split);
+            result.copy.assign(split, all.end());
+        } else {
+            result.reference = settle(first, own1, progress);
+            result.copy = settle(second, own2, progress);
+        }
+    }
+    return result;
+}
+
+}  // namespace lathelier::registration

@@ -1,0 +1,31 @@
+// Shoulders of a body of revolution: where along the axis the radius jumps.
+#pragma once
+
+#include <vector>
+
+#include "engine/registration/revolution/revolution_axis.h"
+
+namespace lathelier::registration {
+
+struct Shoulder {
+    double z_mm = 0;       ///< place along the axis, in the axis frame of the part
+    double sigma_mm = 0;   ///< standard uncertainty of z
+    double before_mm = 0;  ///< radius just before it, in z
+    double after_mm = 0;   ///< radius just after it
+    int facing() const { return after_mm > before_mm ? -1 : 1; }  ///< direction of its outward normal along z
+};
+
+/// Shoulders of the two parts to be compared, in order of z.
+/// A scanner's spot smears a shoulder: near it, a ray may hit the larger radius or not, with a probability that rises
+/// in proportion to its height over the width of the spot. Place and width are fitted to that by maximum likelihood,
+/// the width for all shoulders of a scan together, and for both scans together when that contradicts neither (the same
+/// scanner). What the width leaves open is part of each shoulder's uncertainty.
+struct ShoulderPair {
+    std::vector<Shoulder> reference;  ///< of the reference, in its axis frame
+    std::vector<Shoulder> copy;       ///< of the copy, in its axis frame
+};
+ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
+                           const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,
+                           const Progress& progress = {});
+
+}  // namespace lathelier::registration

@@ -1,0 +1,75 @@
+// The answer of a panel as a value: the verdict, the number with its uncertainty against its limits, one sentence,
+// where and how much. Screen, report and command line all say it from here. Source: ISO 14253-1 (conformity), JCGM 100
+// (expanded uncertainty, k = 2).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/conformity.h"
+#include "engine/core/texts.h"
+#include "engine/core/value.h"
+#include "engine/report/caption.h"
+
+namespace lathelier::report {
+
+/// A place of the part, as far as it is known; views mark it.
+struct Place {
+    std::optional<Interval> z_mm;     ///< along the axis, as the views of the panel count it
+    std::optional<double> angle_deg;  ///< about the axis, 0…360
+    std::optional<int> section;       ///< number of a section of the record
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What stands out: where and how much. A pattern with named values, as in notes.
+struct Finding {
+    Text pattern;                    ///< "Step {value} mm ± {uncertainty}, limit {limit} · z {from}-{to}"
+    Values values;                   ///< that the braces of the pattern name
+    std::optional<Verdict> verdict;  ///< against its limit; nullopt: there is none
+    Place place;                     ///< for the views
+};
+
+/// A value that the answer rests on and that nobody has stated.
+struct Assumption {
+    Caption name;  ///< of the parameter
+    Value value;   ///< that was taken
+    Text unit;     ///< of the value; empty: none
+};
+
+struct Answer {
+    Caption quantity;                            ///< what is asked: "RONt(MZCI)"
+    std::string subject;                         ///< of which part of the data: "section 7 of 20"; empty: of all
+    std::optional<double> value;                 ///< in `unit`; none: there is no single number
+    std::optional<double> expanded_uncertainty;  ///< k = 2 or 95 %, in `unit`; none: not known
+    Text unit;                                   ///< of value, uncertainty and limits
+    bool is_signed = false;                      ///< a deviation: "+" is written
+    int decimals = 3;                            ///< of value and uncertainty
+    std::optional<double> lower_limit;           ///< none: only one side is limited
+    std::optional<double> upper_limit;           ///< none: no limit was given
+    std::optional<Verdict> verdict;              ///< nullopt: no limit was given
+    Text sentence;                               ///< one sentence, a pattern; empty: the number says it all
+    Values values;                               ///< that the braces of the sentence name
+    std::vector<Finding> findings;               ///< the three most important at most
+    std::vector<Assumption> assumed;             ///< all, for the report; none hidden
+};
+
+/// "RONt(MZCI) 15.30 ± 0.21 µm"; without a value the quantity alone.
+std::string valueLine(const Answer& answer, const Language& language = {});
+
+/// "0.050 ± 0.012 mm", "+0.049 mm"; empty without a value.
+std::string valueText(const Answer& answer, const Language& language = {});
+
+/// "limit 15 µm", "limits -0.080 … +0.080 mm", "no limit given".
+std::string limitText(const Answer& answer, const Language& language = {});
+
+/// "✓ within tolerance", "✗ out of tolerance", "? cannot be decided", "no limit given".
+std::string verdictText(const Answer& answer, const Language& language = {});
+
+std::string sentenceText(const Answer& answer, const Language& language = {});
+std::string findingText(const Finding& finding, const Language& language = {});  ///< without its verdict
+
+/// Everything in lines of plain text: value and verdict, the sentence, a line for each finding.
+std::string plainText(const Answer& answer, const Language& language = {});
+
+}  // namespace lathelier::report

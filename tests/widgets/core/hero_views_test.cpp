@@ -1,0 +1,106 @@
+// One view large, the others small: clicks and keys swap, narrow windows get tabs, presenting shows one at a time.
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTabBar>
+#include <QTest>
+
+#include "widgets/core/panel/hero_views.h"
+
+namespace lathelier {
+
+class HeroViewsTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<HeroViews> views_;
+    std::array<QLabel*, 3> labels_{};
+
+private slots:
+    void init()
+    {
+        views_ = std::make_unique<HeroViews>();
+        const char* keys[] = {"part", "map", "table"};
+        for (std::size_t i = 0; i < labels_.size(); ++i) {
+            labels_[i] = new QLabel(keys[i]);
+            views_->add(keys[i], labels_[i]);
+            views_->setTitle(keys[i], QString(keys[i]).toUpper());
+        }
+        views_->resize(1400, 800);
+        views_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(views_.get()));
+    }
+    void cleanup() { views_.reset(); }
+
+    void theFirstIsLarge()
+    {
+        QCOMPARE(views_->hero(), QString("part"));
+        QVERIFY(labels_[0]->width() > 2 * labels_[1]->width());
+        QVERIFY(labels_[1]->isVisible() && labels_[2]->isVisible());
+        QVERIFY(labels_[1]->height() < labels_[0]->height());
+    }
+
+    void aClickSwapsAndTellsIt()
+    {
+        QSignalSpy changed(views_.get(), &HeroViews::heroChanged);
+        QTest::mouseClick(views_->findChild<QWidget*>("cover_map"), Qt::LeftButton);
+        QCOMPARE(views_->hero(), QString("map"));
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(labels_[1]->width() > 2 * labels_[0]->width());
+        QVERIFY(!views_->findChild<QWidget*>("cover_map")->isVisible());
+        QVERIFY(views_->findChild<QWidget*>("cover_part")->isVisible());
+        QTest::keyClick(views_.get(), Qt::Key_3);
+        QCOMPARE(views_->hero(), QString("table"));
+        views_->setHero("no such view");
+        QCOMPARE(views_->hero(), QString("table"));
+    }
+
+    void aDoubleClickOnACaptionShowsAll()
+    {
+        QTest::mouseDClick(views_->findChild<QWidget*>("caption_part"), Qt::LeftButton);
+        QVERIFY(views_->showsAll());
+        QVERIFY(std::abs(labels_[0]->width() - labels_[1]->width()) < 4);
+        QTest::mouseDClick(views_->findChild<QWidget*>("caption_part"), Qt::LeftButton);
+        QVERIFY(!views_->showsAll());
+    }
+
+    void littleRoomMakesTabs()
+    {
+        views_->resize(500, 400);
+        auto* tabs = views_->findChild<QTabBar*>();
+        QTRY_VERIFY(tabs->isVisible());
+        QCOMPARE(tabs->count(), 3);
+        QCOMPARE(tabs->tabText(1), QString("MAP"));
+        QVERIFY(labels_[0]->isVisible() && !labels_[1]->isVisible());
+        QCOMPARE(labels_[0]->width(), 500);
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(2).center());
+        QCOMPARE(views_->hero(), QString("table"));
+        QVERIFY(labels_[2]->isVisible() && !labels_[0]->isVisible());
+    }
+
+    void aViewWithNothingToShowTakesNoRoom()
+    {
+        views_->setHero("map");
+        views_->setAvailable("map", false);
+        QCOMPARE(views_->hero(), QString("part"));
+        QCOMPARE(views_->keys(), QStringList({"part", "table"}));
+        QVERIFY(!labels_[1]->isVisible());
+    }
+
+    void presentingGoesThroughAllByArrows()
+    {
+        views_->setPresenting(true);
+        QCOMPARE(labels_[0]->size(), views_->size());
+        QVERIFY(!labels_[1]->isVisible());
+        QTest::keyClick(views_.get(), Qt::Key_Right);
+        QCOMPARE(views_->hero(), QString("map"));
+        QTest::keyClick(views_.get(), Qt::Key_Left);
+        QTest::keyClick(views_.get(), Qt::Key_Left);
+        QCOMPARE(views_->hero(), QString("table"));
+        views_->setPresenting(false);
+        QVERIFY(labels_[0]->isVisible() && labels_[1]->isVisible());
+    }
+};
+
+}  // namespace lathelier
+
+QTEST_MAIN(lathelier::HeroViewsTest)
+#include "hero_views_test.moc"

@@ -1,0 +1,163 @@
+#include "widgets/core/form/input_column.h"
+
+#include <QCollator>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/language.h"
+
+namespace lathelier {
+
+InputColumn::InputColumn(const PanelInputs& inputs, QWidget* parent)
+    : QScrollArea(parent), inputs_(inputs), form_(new Form(inputs.fields))
+{
+    setObjectName("inputColumn");
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* column = new QWidget;
+    auto* layout = new QVBoxLayout(column);
+    layout->setSpacing(12);
+    for (const InputRole& role : inputs.roles) layout->addWidget(makeBox(role));
+    auto* line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    layout->addWidget(line);
+    form_->setValues(inputs.defaults);
+    layout->addWidget(form_);
+    layout->addStretch();
+    setWidget(column);  // whose layout requests come to eventFilter() from now on
+    connect(form_, &Form::valueChanged, this, [this](const std::string& key, const Value& value, int gesture) {
+        const auto info = std::find_if(inputs_.fields.begin(), inputs_.fields.end(),
+                                       [&](const FieldInfo& field) { return field.key == key; });
+        emit parameterEdited(key, value, gesture, tr("Change: %1").arg(screenText(info->label)));
+    });
+}
+
+bool InputColumn::eventFilter(QObject* watched, QEvent* event)
+{
+    // There is no horizontal scroll bar: the column is never narrower than what it holds, in any language and type
+    // size.
+    if (watched == widget() && (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize))
+        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    return QScrollArea::eventFilter(watched, event);
+}
+
+InputBox* InputColumn::makeBox(const InputRole& role)
+{
+    auto* box = new InputBox(role);
+    boxes_[role.role] = box;
+    connect(box, &InputBox::openWanted, this, [this, role] { ask(role); });
+    connect(box, &InputBox::filesDropped, this, [this, role](const QStringList& paths) { choose(role, paths); });
+    connect(box, &InputBox::itemWanted, this, [this, role](const QString& name) {
+        project::Source source;
+        source.item = name.toStdString();
+        emit sourcesChosen(role, {source}, tr("Use “%1”").arg(name));
+    });
+    connect(box, &InputBox::clearWanted, this,
+            [this, role] { emit sourcesChosen(role, {}, tr("Take away: %1").arg(screenText(role.label))); });
+    connect(box, &InputBox::importChanged, this, [this, role](const Values& import) {
+        std::vector<project::Source> sources = sourcesOf(state_, role);
+        for (project::Source& source : sources) source.import = import;
+        if (!sources.empty())
+            emit sourcesChosen(role, sources, tr("Change how to read: %1").arg(screenText(role.label)));
+    });
+    return box;
+}
+
+void InputColumn::insertBefore(const std::string& role, QWidget* control)
+{
+    auto* layout = static_cast<QVBoxLayout*>(widget()->layout());
+    layout->insertWidget(layout->indexOf(boxes_.at(role)), control, 0, Qt::AlignHCenter);
+}
+
+void InputColumn::ask(const InputRole& role)
+{
+    const QString title = tr("Open: %1").arg(screenText(role.label));
+    const QString filter = fileFilter(role.kinds);
+    QStringList paths;
+    if (role.several)
+        paths = QFileDialog::getOpenFileNames(this, title, {}, filter);
+    else
+        paths << QFileDialog::getOpenFileName(this, title, {}, filter);
+    paths.removeAll(QString());
+    if (!paths.isEmpty()) choose(role, paths);
+}
+
+void InputColumn::choose(const InputRole& role, const QStringList& paths)
+{
+    std::vector<project::Source> sources;
+    for (const QString& path : counted(paths)) sources.push_back(newSource(path));
+    emit sourcesChosen(role, sources, tr("Open %1").arg(screenFileName(paths.front())));
+}
+
+void InputColumn::showState(const project::PanelState& state)
+{
+    state_ = state;
+    form_->setValues(state.parameters);
+    for (const InputRole& role : inputs_.roles) boxes_.at(role.role)->setSources(sourcesOf(state, role));
+}
+
+void InputColumn::showItems(const project::Project& project)
+{
+    for (const InputRole& role : inputs_.roles) {
+        if (role.item_kind.empty()) continue;
+        std::vector<InputBox::ItemOffer> offers;
+        for (const auto& [name, item] : project.items)
+            if (item.kind == role.item_kind)
+                offers.push_back({QString::fromStdString(name), QString::fromStdString(item.origin.panel),
+                                  project::isOutdated(project, item)});
+        boxes_.at(role.role)->setItems(offers);
+    }
+}
+
+void InputColumn::showFacts(const Understood& understood, const std::optional<Error>& error)
+{
+    const Value* path = error ? lathelier::find(error->values(), "path") : nullptr;
+    for (const InputRole& role : inputs_.roles) {
+        const std::vector<project::Source> sources = sourcesOf(state_, role);
+        InputBox* box = boxes_.at(role.role);
+        box->setUnderstood(sources.empty() ? QString() : understood(role, sources.front()));
+        const bool meant = path && std::any_of(sources.begin(), sources.end(), [&](const project::Source& source) {
+                               return *path == Value(source.path);
+                           });
+        box->setProblem(meant ? &*error : nullptr);
+    }
+}
+
+project::Source newSource(const QString& path)
+{
+    project::Source source;
+    source.path = QFileInfo(path).absoluteFilePath().toStdString();
+    return source;
+}
+
+QString fileFilter(const io::FileKinds& kinds)
+{
+    QStringList filters, names, patterns;
+    for (const io::FileKind* kind : kinds) {
+        names << screenText(kind->name);
+        patterns << QString::fromStdString(kind->patterns).split(' ');
+        filters << QStringLiteral("%1 (%2)").arg(names.back(), QString::fromStdString(kind->patterns));
+    }
+    patterns.removeDuplicates();
+    if (kinds.size() > 1) filters.prepend(QStringLiteral("%1 (%2)").arg(names.join(", "), patterns.join(' ')));
+    filters << InputColumn::tr("All files (*)");
+    return filters.join(";;");
+}
+
+QStringList counted(QStringList paths)
+{
+    QCollator order;
+    order.setNumericMode(true);
+    std::sort(paths.begin(), paths.end(), order);
+    return paths;
+}
+
+}  // namespace lathelier

@@ -1,0 +1,54 @@
+// A short list of ranges "from - to", one row each.
+#pragma once
+
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <vector>
+
+#include "engine/core/value.h"
+#include "widgets/core/form/number_edit.h"
+
+namespace lathelier {
+
+/// Edits ranges within [minimum, maximum]. A row counts once both ends are given and from <= to; until then it is kept
+/// on screen and not announced.
+class IntervalsEdit : public QWidget {
+    Q_OBJECT
+public:
+    IntervalsEdit(double minimum, double maximum, QWidget* parent = nullptr);
+
+    std::vector<Interval> intervals() const;
+    void setIntervals(const std::vector<Interval>& intervals);  ///< announces nothing
+    void setNames(const QString& name, const QString& help);    ///< accessible name of the ends, tooltip
+
+signals:
+    void intervalsChanged();  ///< by the user
+    void finished();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        QWidget* widget;      ///< holds the others
+        NumberEdit* from;     ///< lower end; may be empty
+        NumberEdit* to;       ///< upper end; may be empty
+        QToolButton* remove;  ///< button that takes the row away
+    };
+    void addRow(std::optional<Interval> interval);
+    void removeRow(QWidget* widget);
+    void announce();
+    void retranslate();
+
+    double minimum_;
+    double maximum_;
+    QString name_;
+    QString help_;
+    QVBoxLayout* rowsLayout_;
+    QToolButton* add_;
+    std::vector<Row> rows_;
+    std::vector<Interval> announced_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,346 @@
+#include "widgets/core/panel/answer_strip.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "engine/report/abbreviations.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/notes_chips.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double valueSize = 1.9;      // times the size of the application's type
+constexpr int presentedValue_px = 96;  // readable from the last row of a room
+constexpr int presentedLeast_px = 56;  // where the window is small
+
+QFont scaled(const QFont& font, double factor)
+{
+    QFont result = font;
+    result.setPointSizeF(font.pointSizeF() * factor);
+    return result;
+}
+
+/// Told apart by symbol and word; dark enough for white text in light and dark themes alike.
+QString plateColour(const std::optional<Verdict>& verdict)
+{
+    if (!verdict) return "#52606d";
+    switch (*verdict) {
+        case Verdict::Pass: return "#1d6f42";
+        case Verdict::Fail: return "#a32020";
+        case Verdict::Undecided: return "#8a5a00";
+    }
+    return {};
+}
+
+QString said(const std::string& text)
+{
+    return QString::fromStdString(text);
+}
+
+}  // namespace
+
+ElidedLabel::ElidedLabel(const char* name)
+{
+    setObjectName(name);
+    setTextInteractionFlags(Qt::NoTextInteraction);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ElidedLabel::say(const QString& text)
+{
+    setText(text);
+    updateGeometry();
+}
+
+QSize ElidedLabel::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(text()) + 2, fontMetrics().height()};
+}
+
+QSize ElidedLabel::minimumSizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 8, fontMetrics().height()};
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+}
+
+FindingLink::FindingLink(const char* name) : ElidedLabel(name)
+{
+    offer({});
+}
+
+void FindingLink::offer(const QString& text)
+{
+    const bool there = !text.isEmpty();
+    say(text);
+    setToolTip(text);
+    setAccessibleName(there ? text : tr("no finding"));
+    setFocusPolicy(there ? Qt::StrongFocus : Qt::NoFocus);
+    if (there)
+        setCursor(Qt::PointingHandCursor);
+    else
+        unsetCursor();
+}
+
+void FindingLink::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !text().isEmpty() && rect().contains(event->pos())) emit clicked();
+}
+
+void FindingLink::keyPressEvent(QKeyEvent* event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space;
+    if (enter && !text().isEmpty())
+        emit clicked();
+    else
+        ElidedLabel::keyPressEvent(event);
+}
+
+void FindingLink::paintEvent(QPaintEvent* event)
+{
+    ElidedLabel::paintEvent(event);
+    if (text().isEmpty()) return;
+    QPainter painter(this);
+    painter.setPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Link));
+    const int width = std::min(this->width(), fontMetrics().horizontalAdvance(text()));
+    painter.drawLine(0, height() - 1, width, height() - 1);
+}
+
+AnswerRuler::AnswerRuler(QWidget* parent) : QWidget(parent)
+{
+    setObjectName("ruler");
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void AnswerRuler::setAnswer(const std::optional<report::Answer>& answer)
+{
+    ruler_ = answer ? report::rulerOf(*answer) : std::nullopt;
+    const auto number = [](const std::optional<double>& value) {
+        return value ? said(lathelier::text(Value(*value), screenLanguage())) : QString();
+    };
+    lower_ = answer ? number(answer->lower_limit) : QString();
+    upper_ = answer ? number(answer->upper_limit) : QString();
+    const QString words = answer ? said(report::limitText(*answer, screenLanguage())) : QString();
+    setToolTip(words);
+    setAccessibleName(words);
+    update();
+}
+
+QSize AnswerRuler::sizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 40, fontMetrics().height() * 2 + 6};
+}
+
+QSize AnswerRuler::minimumSizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 14, fontMetrics().height() * 2 + 6};
+}
+
+void AnswerRuler::paintEvent(QPaintEvent*)
+{
+    if (!ruler_) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double line = fontMetrics().height();
+    const double left = line, right = width() - line;
+    const double middle = (height() - line) / 2.0;
+    const double bar = line / 2.6;
+    const auto x = [&](double place) { return left + place * (right - left); };
+    QColor ink = palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText);
+    QColor track = ink;
+    track.setAlphaF(0.15);
+    painter.fillRect(QRectF(left, middle - bar / 2, right - left, bar), track);
+    QColor within(0x2f, 0x9e, 0x6b);
+    within.setAlphaF(isEnabled() ? 0.55 : 0.25);
+    painter.fillRect(
+        QRectF(x(ruler_->within_from), middle - bar / 2, x(ruler_->within_to) - x(ruler_->within_from), bar), within);
+    painter.setPen(QPen(ink, 1.6));
+    const auto limit = [&](double place, const QString& words) {
+        painter.drawLine(QPointF(x(place), middle - bar), QPointF(x(place), middle + bar));
+        const double half = fontMetrics().horizontalAdvance(words) / 2.0 + 1;
+        const double centre = std::clamp(x(place), half, std::max(half, width() - half));
+        painter.drawText(QRectF(centre - half, height() - line, 2 * half, line), Qt::AlignCenter, words);
+    };
+    if (ruler_->is_lower_limited) limit(ruler_->within_from, lower_);
+    if (ruler_->is_upper_limited) limit(ruler_->within_to, upper_);
+    painter.setPen(QPen(ink, std::max(2.0, line / 7)));
+    painter.drawLine(QPointF(x(ruler_->low), middle), QPointF(x(ruler_->high), middle));
+    const double tip = line / 2.8;
+    const double at = x(ruler_->value);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    QPolygonF pointer;
+    pointer << QPointF(at - tip, middle - bar / 2 - 1.6 * tip) << QPointF(at + tip, middle - bar / 2 - 1.6 * tip)
+            << QPointF(at, middle - bar / 2);
+    painter.drawPolygon(pointer);
+}
+
+AnswerStrip::AnswerStrip(QWidget* parent)
+    : QFrame(parent),
+      verdict_(new QLabel),
+      value_(new ElidedLabel("headline")),
+      ruler_(new AnswerRuler),
+      notes_(new NotesChips),
+      sentence_(new ElidedLabel("sentence"))
+{
+    setObjectName("answer");
+    setFrameShape(QFrame::StyledPanel);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    verdict_->setObjectName("verdict");
+    verdict_->setAlignment(Qt::AlignCenter);
+    auto* first = new QHBoxLayout;
+    first->setSpacing(14);
+    first->addWidget(verdict_);
+    first->addWidget(value_, 3);
+    first->addWidget(ruler_, 2);
+    first->addWidget(notes_, 0, Qt::AlignTop);
+    auto* third = new QHBoxLayout;
+    third->setSpacing(10);
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+        static constexpr std::array<const char*, 3> names{"finding1", "finding2", "finding3"};
+        auto* button = new FindingLink(names[i]);
+        connect(button, &FindingLink::clicked, this, [this, i] {
+            if (answer_ && i < answer_->findings.size()) emit placeWanted(answer_->findings[i].place);
+        });
+        third->addWidget(button, 1);
+        findings_[i] = button;
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(10, 6, 10, 6);
+    layout->setSpacing(3);
+    layout->addLayout(first);
+    layout->addWidget(sentence_);
+    layout->addLayout(third);
+    applyFonts();
+    clear();
+}
+
+void AnswerStrip::showPlate(const std::optional<Verdict>& verdict, bool known)
+{
+    verdict_->setVisible(known);
+    verdict_->setStyleSheet(QString("QLabel { background: %1; color: white; border-radius: 6px; padding: 4px 12px; }")
+                                .arg(plateColour(verdict)));
+}
+
+void AnswerStrip::setAnswer(const report::Answer& answer)
+{
+    const Language language = screenLanguage();
+    answer_ = answer;
+    const QString line = said(report::valueLine(answer, language));
+    value_->say(line);
+    const QString words = said(report::expansion(line.toStdString(), language));
+    value_->setToolTip(words.isEmpty() ? line : line + "\n" + words);
+    verdict_->setText(said(report::verdictText(answer, language)));
+    showPlate(answer.verdict, true);
+    ruler_->setAnswer(answer);
+    sentence_->say(said(report::sentenceText(answer, language)));
+    QString whole = sentence_->text();
+    for (const report::Assumption& one : answer.assumed)
+        whole += "\n" + tr("Assumed: %1 %2 %3")
+                            .arg(said(report::captionText(one.name, language)),
+                                 said(lathelier::text(one.value, language)), said(lathelier::text(one.unit, language)));
+    sentence_->setToolTip(whole);
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+        const bool there = i < answer.findings.size();
+        QString text;
+        if (there) {
+            const report::Finding& finding = answer.findings[i];
+            text = said(report::findingText(finding, language));
+            if (finding.verdict) text = said(lathelier::text(shortName(*finding.verdict), language)) + ": " + text;
+        }
+        findings_[i]->offer(text);
+        findings_[i]->setVisible(sentence_->isVisibleTo(this) && (there || i == 0));  // the first keeps the height
+    }
+    setAccessibleName(this->text());
+}
+
+void AnswerStrip::setNotes(const Notes& notes)
+{
+    notes_->setNotes(notes);
+}
+
+void AnswerStrip::clear()
+{
+    answer_.reset();
+    value_->say({});
+    value_->setToolTip({});
+    verdict_->clear();
+    showPlate({}, false);
+    ruler_->setAnswer({});
+    sentence_->say({});
+    sentence_->setToolTip({});
+    for (FindingLink* finding : findings_) {
+        finding->offer({});
+        finding->setVisible(sentence_->isVisibleTo(this) && finding == findings_[0]);
+    }
+    setAccessibleName({});
+}
+
+QString AnswerStrip::text() const
+{
+    QStringList lines{value_->text() + " " + verdict_->text(), sentence_->text()};
+    for (const FindingLink* finding : findings_)
+        if (!finding->text().isEmpty()) lines << finding->text();
+    return lines.join('\n');
+}
+
+void AnswerStrip::setPresenting(bool presenting)
+{
+    presenting_ = presenting;
+    applyFonts();
+}
+
+/// The strip is as high with an answer as without one.
+void AnswerStrip::applyFonts()
+{
+    QFont large = scaled(font(), valueSize);
+    large.setWeight(QFont::DemiBold);
+    const int presented_px = std::clamp(window()->height() / 9, presentedLeast_px, presentedValue_px);
+    if (presenting_) large.setPointSizeF(presented_px * 72.0 / logicalDpiY());
+    value_->setFont(large);
+    verdict_->setFont(scaled(font(), presenting_ ? 1.5 : 1.25));
+    const int first = std::max({QFontMetrics(large).height(), QFontMetrics(verdict_->font()).height() + 10,
+                                ruler_->minimumSizeHint().height()});
+    const int around = 12 + 2 * frameWidth();
+    whole_px_ = first + 2 * (fontMetrics().height() + 4) + around + 6;
+    setMinimumHeight(first + around);
+    setMaximumHeight(whole_px_);
+    updateGeometry();
+}
+
+QSize AnswerStrip::sizeHint() const
+{
+    return {QFrame::sizeHint().width(), whole_px_};
+}
+
+void AnswerStrip::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    const bool low = height() < whole_px_;
+    sentence_->setVisible(!low);
+    for (std::size_t i = 0; i < findings_.size(); ++i)
+        findings_[i]->setVisible(!low && (i == 0 || !findings_[i]->text().isEmpty()));
+    // Badge and value come first: the ruler needs room of its own.
+    ruler_->setVisible(width() > fontMetrics().averageCharWidth() * 90);
+    if (presenting_) applyFonts();
+}
+
+void AnswerStrip::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange) applyFonts();
+}
+
+}  // namespace lathelier

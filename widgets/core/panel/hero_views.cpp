@@ -1,0 +1,226 @@
+#include "widgets/core/panel/hero_views.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QStyle>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "widgets/core/panel/view_frame.h"
+
+namespace lathelier {
+namespace {
+
+constexpr int gap_px = 4;
+constexpr int stripFrom_chars = 105;  // narrower, and the small views become tabs
+constexpr double stripShare = 0.27;   // of the width
+constexpr int leastStrip_chars = 26;
+constexpr int mostStrip_chars = 60;
+constexpr double smallAspect = 0.78;  // height of a small view to its width, at most
+
+}  // namespace
+
+HeroViews::HeroViews(QWidget* parent) : QWidget(parent), tabs_(new QTabBar(this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    tabs_->setObjectName("viewTabs");
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    tabs_->hide();
+    connect(tabs_, &QTabBar::tabBarClicked, this, [this](int index) {
+        const std::vector<ViewFrame*> all = shown();
+        if (index >= 0 && index < static_cast<int>(all.size())) setHero(all[static_cast<std::size_t>(index)]->key());
+    });
+}
+
+void HeroViews::add(const QString& key, QWidget* view)
+{
+    auto* frame = new ViewFrame(key, view, this);
+    frames_.push_back(frame);
+    if (!hero_) hero_ = frame;
+    connect(frame, &ViewFrame::enlargeWanted, this, [this, frame] {
+        setShowsAll(false);
+        setHero(frame->key());
+    });
+    connect(frame, &ViewFrame::allWanted, this, [this] { setShowsAll(!all_); });
+    arrange();
+}
+
+ViewFrame* HeroViews::find(const QString& key) const
+{
+    const auto found =
+        std::find_if(frames_.begin(), frames_.end(), [&](const ViewFrame* frame) { return frame->key() == key; });
+    return found == frames_.end() ? nullptr : *found;
+}
+
+std::vector<ViewFrame*> HeroViews::shown() const
+{
+    std::vector<ViewFrame*> result;
+    for (ViewFrame* frame : frames_)
+        if (frame->isAvailable()) result.push_back(frame);
+    return result;
+}
+
+void HeroViews::setTitle(const QString& key, const QString& title)
+{
+    if (ViewFrame* frame = find(key)) frame->setTitle(title);
+    arrange();
+}
+
+void HeroViews::setAvailable(const QString& key, bool available)
+{
+    ViewFrame* frame = find(key);
+    if (!frame || frame->isAvailable() == available) return;
+    frame->setAvailable(available);
+    arrange();
+}
+
+QStringList HeroViews::keys() const
+{
+    QStringList result;
+    for (const ViewFrame* frame : shown()) result << frame->key();
+    return result;
+}
+
+QString HeroViews::title(const QString& key) const
+{
+    const ViewFrame* frame = find(key);
+    return frame ? frame->title() : QString();
+}
+
+QString HeroViews::hero() const
+{
+    return hero_ ? hero_->key() : QString();
+}
+
+void HeroViews::setHero(const QString& key)
+{
+    ViewFrame* frame = find(key);
+    if (!frame || !frame->isAvailable() || frame == hero_) return;
+    hero_ = frame;
+    arrange();
+    hero_->view()->setFocus();
+    emit heroChanged(key);
+}
+
+void HeroViews::setShowsAll(bool all)
+{
+    if (all == all_) return;
+    all_ = all;
+    arrange();
+}
+
+void HeroViews::setPresenting(bool presenting)
+{
+    presenting_ = presenting;
+    arrange();
+    if (presenting) setFocus();
+}
+
+void HeroViews::step(int by)
+{
+    const std::vector<ViewFrame*> all = shown();
+    if (all.empty()) return;
+    const auto now = std::find(all.begin(), all.end(), hero_);
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    const std::ptrdiff_t place = now == all.end() ? 0 : now - all.begin();
+    setHero(all[static_cast<std::size_t>(((place + by) % count + count) % count)]->key());
+}
+
+QSize HeroViews::minimumSizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 40, fontMetrics().height() * 14};
+}
+
+/// Views keep their parent: a 3-D view that changes it would lose what it holds in the graphics card.
+void HeroViews::arrange()
+{
+    std::vector<ViewFrame*> all = shown();
+    const int chars = fontMetrics().averageCharWidth();
+    if (hero_ && !hero_->isAvailable() && !all.empty()) hero_ = all.front();
+    const bool alone = presenting_ || all.size() < 2;
+    const bool narrow = !alone && width() < stripFrom_chars * chars;
+    for (ViewFrame* frame : frames_) {
+        const bool large = frame == hero_ || (all_ && !narrow && !alone);
+        frame->setSmall(!large);
+        frame->setCaptionVisible(!narrow && !alone);
+        if (!frame->isAvailable() || ((narrow || alone) && frame != hero_)) frame->hide();
+    }
+    int top = 0;
+    tabs_->setVisible(narrow);
+    if (narrow) {
+        const QSignalBlocker quiet(tabs_);
+        while (tabs_->count() > static_cast<int>(all.size())) tabs_->removeTab(tabs_->count() - 1);
+        while (tabs_->count() < static_cast<int>(all.size())) tabs_->addTab({});
+        for (int i = 0; i < tabs_->count(); ++i) {
+            tabs_->setTabText(i, all[static_cast<std::size_t>(i)]->title());
+            if (all[static_cast<std::size_t>(i)] == hero_) tabs_->setCurrentIndex(i);
+        }
+        tabs_->setGeometry(0, 0, width(), tabs_->sizeHint().height());
+        top = tabs_->height();
+    }
+    const QRect room(0, top, width(), height() - top);
+    const auto place = [](ViewFrame* frame, const QRect& where) {
+        frame->setGeometry(where);
+        frame->show();
+    };
+    if (!hero_ || room.isEmpty()) return;
+    if (narrow || alone) return place(hero_, room);
+    if (all_) {
+        const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(all.size()))));
+        const int rows = (static_cast<int>(all.size()) + columns - 1) / columns;
+        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+            const int inRow = i / columns < rows - 1 ? columns : static_cast<int>(all.size()) - columns * (rows - 1);
+            const int w = (room.width() - gap_px * (inRow - 1)) / inRow;
+            const int h = (room.height() - gap_px * (rows - 1)) / rows;
+            place(all[static_cast<std::size_t>(i)],
+                  QRect((i % columns) * (w + gap_px), room.top() + (i / columns) * (h + gap_px), w, h));
+        }
+        return;
+    }
+    const int strip =
+        std::clamp(static_cast<int>(stripShare * room.width()), leastStrip_chars * chars, mostStrip_chars * chars);
+    place(hero_, QRect(0, room.top(), room.width() - strip - gap_px, room.height()));
+    const int count = static_cast<int>(all.size()) - 1;
+    const int most = static_cast<int>(smallAspect * strip) + hero_->captionHeight();
+    const int each = std::min(most, (room.height() - gap_px * (count - 1)) / count);
+    int y = room.top();
+    for (ViewFrame* frame : all) {
+        if (frame == hero_) continue;
+        place(frame, QRect(room.width() - strip, y, strip, each));
+        y += each + gap_px;
+    }
+}
+
+void HeroViews::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+/// Keys that the view in focus has no use for arrive here.
+void HeroViews::keyPressEvent(QKeyEvent* event)
+{
+    const bool forward =
+        event->key() == Qt::Key_Right || event->key() == Qt::Key_Down || event->key() == Qt::Key_PageDown;
+    const bool back = event->key() == Qt::Key_Left || event->key() == Qt::Key_Up || event->key() == Qt::Key_PageUp;
+    const std::vector<ViewFrame*> all = shown();
+    const int number = event->key() - Qt::Key_0;
+    if (presenting_ && (forward || back))
+        step(forward ? 1 : -1);
+    else if (number >= 1 && number <= std::min(9, static_cast<int>(all.size())) && event->modifiers() == Qt::NoModifier)
+        setHero(all[static_cast<std::size_t>(number - 1)]->key());
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void HeroViews::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange) arrange();
+}
+
+}  // namespace lathelier

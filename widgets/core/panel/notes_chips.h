@@ -1,0 +1,39 @@
+// The notes of an answer as counted chips: warnings, facts. A click opens them all.
+#pragma once
+
+#include <QFrame>
+#include <QToolButton>
+#include <QWidget>
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+class WrappingLabel;
+
+/// As they are shown: warnings before facts, what concerns the answer before where the data come from; a note that
+/// several files share is said once, with all their names. Files by their names: the folders stand in the tooltips of
+/// the inputs and in the report.
+Notes arranged(const Notes& notes);
+
+class NotesChips : public QWidget {
+    Q_OBJECT
+public:
+    explicit NotesChips(QWidget* parent = nullptr);
+    void setNotes(const Notes& notes);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void open();
+
+    QToolButton* warnings_;
+    QToolButton* facts_;
+    QFrame* popup_;
+    WrappingLabel* text_;
+    Notes notes_;
+};
+
+}  // namespace lathelier

@@ -1,0 +1,305 @@
+#include "widgets/core/panel/panel_base.h"
+
+#include <QEvent>
+#include <QMenu>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/answer_strip.h"
+#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/message_line.h"
+#include "widgets/core/session.h"
+#include "widgets/core/work/progress_row.h"
+
+namespace lathelier {
+namespace {
+
+constexpr int pollInterval_ms = 33;
+constexpr int patience_ms = 150;  // an answer that comes sooner needs no dimming
+
+}  // namespace
+
+PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent)
+    : QWidget(parent), session_(session), facts_(facts), inputs_(inputs), finder_(kindsOf(inputs.roles))
+{
+    setObjectName(QString::fromStdString("panel_" + facts.id));
+    setAcceptDrops(true);
+    splitter_ = new QSplitter(Qt::Horizontal);
+    column_ = new InputColumn(inputs);
+    splitter_->addWidget(column_);
+    splitter_->addWidget(makeResultColumn());
+    splitter_->setStretchFactor(1, 1);
+    splitter_->setCollapsible(1, false);
+    const int width = fontMetrics().averageCharWidth() * 42;
+    splitter_->setSizes({width, width * 4});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(splitter_);
+
+    poll_.setInterval(pollInterval_ms);
+    connect(&poll_, &QTimer::timeout, this, &PanelBase::pollWorker);
+    connect(column_, &InputColumn::sourcesChosen, this, &PanelBase::takeSources);
+    connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
+    connect(&session_, &Session::changed, this, &PanelBase::readProject);
+    connect(&session_, &Session::filesTaken, this, &PanelBase::request);
+    connect(&session_.watch(), &SourceWatch::changed, this, &PanelBase::showAnswer);
+    connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
+        if (state == facts_.stateKey()) worker_.cancel();
+    });
+    // A virtual call: only once the panel is complete.
+    QTimer::singleShot(0, this, &PanelBase::readProject);
+}
+
+PanelBase::~PanelBase() = default;
+
+QWidget* PanelBase::makeResultColumn()
+{
+    answer_ = new AnswerStrip;
+    connect(answer_, &AnswerStrip::placeWanted, this, &PanelBase::showPlace);
+    message_ = new MessageLine;
+    stack_ = new QStackedWidget;
+    empty_ = new EmptyState;
+    viewsPage_ = new QWidget;
+    auto* viewsLayout = new QVBoxLayout(viewsPage_);
+    viewsLayout->setContentsMargins(0, 0, 0, 0);
+    shade_ = new Shade(viewsPage_);
+    stack_->addWidget(empty_);
+    stack_->addWidget(viewsPage_);
+    progress_ = new ProgressRow;
+
+    auto* column = new QWidget;
+    auto* layout = new QVBoxLayout(column);
+    layout->setSpacing(8);
+    layout->addWidget(answer_);
+    layout->addWidget(message_);
+    layout->addWidget(stack_, 1);
+    layout->addWidget(progress_);
+
+    connect(empty_, &EmptyState::openWanted, this, &PanelBase::askForFiles);
+    connect(empty_, &EmptyState::sampleWanted, this, &PanelBase::sampleWanted);
+    connect(progress_, &ProgressRow::cancelWanted, this, &PanelBase::cancel);
+    connect(progress_, &ProgressRow::reportWanted, this, &PanelBase::reportWanted);
+    connect(progress_, &ProgressRow::addToReportToggled, this, [this](bool in) {
+        session_.edit(in ? tr("Add to the report") : tr("Take out of the report"), [&](project::Project& project) {
+            std::erase(project.report, facts_.id);
+            if (in) project.report.push_back(facts_.id);
+        });
+    });
+    connect(progress_->exportMenu(), &QMenu::aboutToShow, this, &PanelBase::fillExportMenu);
+    return column;
+}
+
+void PanelBase::setViews(QWidget* views, HeroViews* heroes)
+{
+    viewsPage_->layout()->addWidget(views);
+    heroes_ = heroes;
+    if (heroes_)
+        connect(heroes_, &HeroViews::heroChanged, this, [this](const QString& key) {
+            keptHero_ = key.toStdString();
+            session_.setView(facts_.id, "hero", keptHero_);
+        });
+    shade_->raise();
+}
+
+void PanelBase::readProject()
+{
+    project::PanelState state = project::resolved(session_.project(), facts_.stateKey());
+    Values parameters = inputs_.defaults;
+    for (const auto& [name, value] : state.parameters) lathelier::set(parameters, name, value);
+    state.parameters = parameters;
+    for (auto& [role, source] : state.inputs) source.sha256.clear();
+    const auto& report = session_.project().report;
+    const Value hero = session_.view(facts_.id, "hero");
+    if (heroes_ && hero != keptHero_) {  // another project, not a change of this one
+        const QSignalBlocker quiet(heroes_);
+        const auto* key = std::get_if<std::string>(&hero);
+        heroes_->setHero(key ? QString::fromStdString(*key) : heroes_->keys().value(0));
+        keptHero_ = hero;
+    }
+    progress_->setInReport(std::find(report.begin(), report.end(), facts_.id) != report.end());
+    column_->showItems(session_.project());
+    if (asked_ && state == state_) return;
+    asked_ = true;
+    state_ = state;
+    column_->showState(state_);
+    request();
+}
+
+void PanelBase::recompute()
+{
+    session_.takeNewFiles();
+    request();
+}
+
+void PanelBase::request()
+{
+    error_.reset();
+    stopped_ = false;
+    showFacts();
+    message_->clear();
+    const bool complete = isComplete(state_);
+    if (!complete) result_.reset();  // the old picture answers nothing any more
+    if (!hasInputs()) {
+        worker_.cancel();
+    } else {
+        try {
+            worker_.request(complete ? makeJob(state_) : makeReadingJob(state_));
+        } catch (const Error& error) {  // a parameter of the project file is out of its range
+            worker_.cancel();
+            refuse(error);
+        }
+    }
+    const bool wasBusy = isBusy();
+    asking_.start();
+    poll_.start();
+    if (!wasBusy) emit busyChanged(true);
+    updateStack();
+}
+
+bool PanelBase::isLate() const
+{
+    return isBusy() && asking_.elapsed() > patience_ms;
+}
+
+void PanelBase::pollWorker()
+{
+    const Worker::State state = worker_.state();
+    progress_->showState(state);
+    if (auto outcome = worker_.take()) {
+        if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome))
+            accept(std::move(*value));
+        else if (const auto* error = std::get_if<Error>(&*outcome))
+            refuse(*error);
+        else
+            stopped_ = hasInputs();
+    } else if (state.busy) {
+        if (isLate() && !shade_->isVisibleTo(viewsPage_)) updateStack();
+        return;
+    }
+    poll_.stop();
+    progress_->showState({});
+    showFacts();
+    updateStack();
+    layOutAgain();
+    emit busyChanged(false);
+    if (isCurrent()) emit resultShown();
+}
+
+void PanelBase::showFacts()
+{
+    column_->showFacts(
+        [this](const InputRole& role, const project::Source& source) { return understood(role, source); }, error_);
+}
+
+void PanelBase::accept(std::shared_ptr<const void> result)
+{
+    if (!result) return;  // only read
+    result_ = std::move(result);
+    showValue(result_);
+    if (auto problem = problemOf(result_.get())) return refuse(*problem);
+    sayNotes(notesOf(result_.get()));
+}
+
+/// What the last result said already is not said again: the log would fill while a tolerance is dragged.
+void PanelBase::sayNotes(const Notes& notes)
+{
+    for (const Note& note : notes)
+        if (std::none_of(said_.begin(), said_.end(), [&](const Note& earlier) {
+                return earlier.code == note.code && earlier.values == note.values;
+            }))
+            emit messageRaised({note, facts_.title});
+    said_ = notes;
+}
+
+void PanelBase::refuse(const Error& error)
+{
+    error_ = error;
+    emit messageRaised({error, facts_.title});
+}
+
+void PanelBase::cancel()
+{
+    session_.stop(facts_.stateKey());
+}
+
+void PanelBase::updateStack()
+{
+    const bool complete = isComplete(state_);
+    QStringList missing;
+    for (const Text label : missingInputs(state_)) missing << screenText(label);
+    const bool begun = hasInputs() && !missing.isEmpty();
+    empty_->setInvitation(screenText(inputs_.invitation),
+                          begun ? tr("Still missing: %1").arg(missing.join(", ")) : QString());
+    stack_->setCurrentWidget(hasResult() || (complete && isBusy()) ? viewsPage_ : static_cast<QWidget*>(empty_));
+    progress_->setResultThere(isCurrent());
+    const bool onlyFacts = error_ && hasResult() && problemOf(result_.get());
+    shade_->setVisible(isBusy() ? isLate() || !hasResult() : !isCurrent() && !onlyFacts);
+    showAnswer();
+}
+
+void PanelBase::showAnswer()
+{
+    if (hasResult() && !problemOf(result_.get())) {
+        answer_->setAnswer(answerOf(result_.get()));
+        Notes notes = session_.watch().notesOf(state_);
+        for (Note& note : notesOf(result_.get())) notes.push_back(std::move(note));
+        answer_->setNotes(notes);
+    } else {
+        answer_->clear();
+        answer_->setNotes({});
+    }
+    const bool dimmed = shade_->isVisibleTo(viewsPage_);
+    answer_->setEnabled(!dimmed);
+    if (error_)
+        message_->setError(*error_);
+    else if (stopped_ && !isBusy())
+        message_->setHint(tr("Stopped. Change an input or press F5 to compute again."));
+    else
+        message_->clear();
+}
+
+std::optional<report::Document> PanelBase::reportDocument() const
+{
+    if (!hasResult() || problemOf(result_.get())) return std::nullopt;
+    report::Document document = documentOf(result_.get());
+    const Notes notes = session_.watch().notesOf(state_);
+    if (!notes.empty() && !document.sections.empty()) document.sections.front().blocks.push_back(notes);
+    return document;
+}
+
+void PanelBase::setPresenting(bool presenting)
+{
+    column_->setVisible(!presenting);
+    progress_->setVisible(!presenting);
+    answer_->setPresenting(presenting);
+    if (heroes_) heroes_->setPresenting(presenting);
+}
+
+/// What changed its size while the panel was hidden behind another tab has told nobody of it.
+void PanelBase::layOutAgain()
+{
+    QTimer::singleShot(0, this, [this] {
+        for (QLayout* layout : findChildren<QLayout*>()) layout->invalidate();
+    });
+}
+
+void PanelBase::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    layOutAgain();
+}
+
+void PanelBase::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange) return;
+    retranslate();
+    showFacts();
+    updateStack();
+}
+
+}  // namespace lathelier

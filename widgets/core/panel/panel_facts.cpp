@@ -1,0 +1,55 @@
+#include "widgets/core/panel/panel_facts.h"
+
+namespace lathelier {
+namespace {
+
+std::string keyOf(const std::string& role, std::size_t number)
+{
+    return number == 1 ? role : role + "." + std::to_string(number);
+}
+
+}  // namespace
+
+bool hasWork(const PanelFacts& facts, const project::PanelState& state)
+{
+    return facts.hasWork ? facts.hasWork(state) : !state.inputs.empty();
+}
+
+io::FileKinds kindsOf(const std::vector<InputRole>& roles)
+{
+    io::FileKinds kinds;
+    for (const InputRole& role : roles) io::unite(kinds, role.kinds);
+    return kinds;
+}
+
+std::function<std::vector<Text>(const project::PanelState&)> missingOf(const std::vector<InputRole>& roles)
+{
+    return [roles](const project::PanelState& state) {
+        std::vector<Text> labels;
+        for (const InputRole& role : roles)
+            if (role.required && state.inputs.count(role.role) == 0) labels.push_back(role.label);
+        return labels;
+    };
+}
+
+std::vector<project::Source> sourcesOf(const project::PanelState& state, const InputRole& role)
+{
+    std::vector<project::Source> sources;
+    for (std::size_t number = 1;; ++number) {
+        const auto found = state.inputs.find(keyOf(role.role, number));
+        if (found == state.inputs.end()) return sources;
+        sources.push_back(found->second);
+        if (!role.several) return sources;
+    }
+}
+
+void setSources(project::PanelState& state, const InputRole& role, const std::vector<project::Source>& sources)
+{
+    std::erase_if(state.inputs, [&](const auto& input) {
+        return input.first == role.role || input.first.starts_with(role.role + ".");
+    });
+    for (std::size_t i = 0; i < sources.size() && (i == 0 || role.several); ++i)
+        state.inputs[keyOf(role.role, i + 1)] = sources[i];
+}
+
+}  // namespace lathelier

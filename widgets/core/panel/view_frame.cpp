@@ -1,0 +1,82 @@
+#include "widgets/core/panel/view_frame.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+
+namespace lathelier {
+
+ViewFrame::ViewFrame(const QString& key, QWidget* view, QWidget* parent)
+    : QWidget(parent), key_(key), view_(view), caption_(new QLabel(this)), cover_(new QWidget(this))
+{
+    setObjectName("frame_" + key);
+    view_->setParent(this);
+    caption_->setObjectName("caption_" + key);
+    caption_->setCursor(Qt::PointingHandCursor);
+    caption_->installEventFilter(this);
+    cover_->setObjectName("cover_" + key);
+    cover_->setCursor(Qt::PointingHandCursor);
+    cover_->setFocusPolicy(Qt::NoFocus);
+    cover_->installEventFilter(this);
+    cover_->hide();
+    view_->show();
+}
+
+void ViewFrame::setTitle(const QString& title)
+{
+    caption_->setText(title);
+    caption_->setToolTip(tr("Click: enlarge. Double click: all views."));
+    cover_->setToolTip(title);
+    cover_->setAccessibleName(title);
+    view_->setAccessibleName(title);
+}
+
+void ViewFrame::setSmall(bool small)
+{
+    small_ = small;
+    QFont font = caption_->font();
+    font.setBold(!small);
+    caption_->setFont(font);
+    cover_->setVisible(small);
+    if (small) cover_->raise();
+}
+
+void ViewFrame::setCaptionVisible(bool visible)
+{
+    caption_->setVisible(visible);
+    arrange();
+}
+
+int ViewFrame::captionHeight() const
+{
+    return caption_->fontMetrics().height() + 4;
+}
+
+void ViewFrame::arrange()
+{
+    const int top = caption_->isVisibleTo(this) ? captionHeight() : 0;
+    caption_->setGeometry(4, 0, width() - 8, captionHeight());
+    const QRect room(0, top, width(), std::max(0, height() - top));
+    view_->setGeometry(room);
+    cover_->setGeometry(room);
+    if (small_) cover_->raise();
+}
+
+void ViewFrame::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+bool ViewFrame::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseButtonRelease && static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton &&
+        (watched == cover_ || small_))
+        emit enlargeWanted();
+    else if (event->type() == QEvent::MouseButtonDblClick && watched == caption_)
+        emit allWanted();
+    else
+        return QWidget::eventFilter(watched, event);
+    return true;
+}
+
+}  // namespace lathelier

@@ -34,6 +34,7 @@ void CompareViews::buildBar()
     p.deviation->setChecked(true);
     p.smooth = new QCheckBox;
     p.smooth->setObjectName("localMean");
+    p.smooth->setChecked(true);  // the form, not the scanner's noise
     row->addWidget(p.smooth);
     connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
     connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });

@@ -1,5 +1,7 @@
 #include "widgets/scene/scene_view.h"
 
+#include <QVariant>
+
 #include <vtkCamera.h>
 
 #include <QHBoxLayout>
@@ -31,6 +33,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
         return;
     }
     p.bar = new SceneBar(this);
+    p.bar->setProperty("onlyLarge", true);  // a small picture has no room for it (ViewFrame)
     p.canvas = new SceneCanvas(this);
     layout->addWidget(p.bar);
     auto* row = new QHBoxLayout;

@@ -7,6 +7,7 @@
 
 #include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/trajectory/channel_table.h"
 #include "widgets/trajectory/trajectory_charts.h"
@@ -49,6 +50,9 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
     auto* spaceLayout = new QVBoxLayout(space);
     spaceLayout->setContentsMargins(0, 4, 0, 0);
     spaceLayout->addWidget(spaceText_);
+    for (QWidget* words : {static_cast<QWidget*>(spaceText_), static_cast<QWidget*>(recordText_),
+                           static_cast<QWidget*>(probe_), static_cast<QWidget*>(motionText_)})
+        words->setProperty(ViewFrame::onlyLarge, true);
     spaceLayout->addWidget(scene_, 1);
     heroes_->add("motion", makeMotion());
     heroes_->add("axes", axes_);

@@ -106,8 +106,8 @@ private slots:
     {
         AnswerStrip strip;
         strip.setAnswer(made(15));
-        QCOMPARE(strip.findChild<QLabel*>("headline")->text(), QString("RONt(MZCI) 15.3 ± 0.2\u00A0µm"));
-        QVERIFY(strip.findChild<QLabel*>("headline")->toolTip().contains("minimum zone"));
+        QCOMPARE(strip.findChild<QLabel*>("headline")->text(), QString("15.3 ± 0.2\u00A0µm"));
+        QVERIFY(strip.findChild<QLabel*>("quantity")->toolTip().contains("minimum zone"));
         QVERIFY(strip.findChild<QLabel*>("verdict")->text().startsWith("✗"));
         QVERIFY(strip.text().contains("at 102.5\u00A0mm"));
         strip.setAnswer(made(15.2));

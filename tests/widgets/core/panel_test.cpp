@@ -106,7 +106,7 @@ private slots:
         drop({makeFile("a.txt", 21)});
         QTRY_VERIFY(panel_->isCurrent());
         QCOMPARE(panel_->shown(), QString("42"));
-        QCOMPARE(label("headline"), QString("Product 42\u00A0mm"));
+        QCOMPARE(label("headline"), QString("42\u00A0mm"));
         QVERIFY(label("notes").contains("Roll about the axis"));
         QVERIFY(find<QToolButton>("report")->isEnabled());
         QVERIFY(!find<QPushButton>("open")->isVisible());

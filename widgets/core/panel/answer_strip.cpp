@@ -190,6 +190,7 @@ void AnswerRuler::paintEvent(QPaintEvent*)
 AnswerStrip::AnswerStrip(QWidget* parent)
     : QFrame(parent),
       verdict_(new QLabel),
+      quantity_(new ElidedLabel("quantity")),
       value_(new ElidedLabel("headline")),
       ruler_(new AnswerRuler),
       notes_(new NotesChips),
@@ -203,7 +204,11 @@ AnswerStrip::AnswerStrip(QWidget* parent)
     auto* first = new QHBoxLayout;
     first->setSpacing(14);
     first->addWidget(verdict_);
-    first->addWidget(value_, 3);
+    auto* number = new QVBoxLayout;
+    number->setSpacing(0);
+    number->addWidget(quantity_);
+    number->addWidget(value_);
+    first->addLayout(number, 3);
     first->addWidget(ruler_, 2);
     first->addWidget(notes_, 0, Qt::AlignTop);
     auto* third = new QHBoxLayout;
@@ -238,13 +243,18 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
 {
     const Language language = screenLanguage();
     answer_ = answer;
-    const QString line = said(report::valueLine(answer, language));
-    value_->say(line);
-    const QString words = said(report::expansion(line.toStdString(), language));
-    value_->setToolTip(words.isEmpty() ? line : line + "\n" + words);
+    report::Answer nameless = answer;
+    nameless.value.reset();
+    const std::string name = report::valueLine(nameless, language);
+    const QString words = said(report::expansion(name, language));
+    quantity_->say(said(name));
+    quantity_->setToolTip(words.isEmpty() ? said(name) : said(name) + "\n" + words);
+    value_->say(said(report::valueText(answer, language)));
+    value_->setToolTip(said(report::valueLine(answer, language)));
     verdict_->setText(said(report::verdictText(answer, language)));
     showPlate(answer.verdict, true);
     ruler_->setAnswer(answer);
+    showRuler();
     sentence_->say(said(report::sentenceText(answer, language)));
     QString whole = sentence_->text();
     for (const report::Assumption& one : answer.assumed)
@@ -274,6 +284,8 @@ void AnswerStrip::setNotes(const Notes& notes)
 void AnswerStrip::clear()
 {
     answer_.reset();
+    quantity_->say({});
+    quantity_->setToolTip({});
     value_->say({});
     value_->setToolTip({});
     verdict_->clear();
@@ -288,9 +300,14 @@ void AnswerStrip::clear()
     setAccessibleName({});
 }
 
+void AnswerStrip::showRuler()
+{
+    ruler_->setVisible(ruler_->hasScale() && width() > fontMetrics().averageCharWidth() * 90);
+}
+
 QString AnswerStrip::text() const
 {
-    QStringList lines{value_->text() + " " + verdict_->text(), sentence_->text()};
+    QStringList lines{quantity_->text() + " " + value_->text() + " " + verdict_->text(), sentence_->text()};
     for (const FindingLink* finding : findings_)
         if (!finding->text().isEmpty()) lines << finding->text();
     return lines.join('\n');
@@ -311,8 +328,8 @@ void AnswerStrip::applyFonts()
     if (presenting_) large.setPointSizeF(presented_px * 72.0 / logicalDpiY());
     value_->setFont(large);
     verdict_->setFont(scaled(font(), presenting_ ? 1.5 : 1.25));
-    const int first = std::max({QFontMetrics(large).height(), QFontMetrics(verdict_->font()).height() + 10,
-                                ruler_->minimumSizeHint().height()});
+    const int first = std::max({QFontMetrics(large).height() + fontMetrics().height(),
+                                QFontMetrics(verdict_->font()).height() + 10, ruler_->minimumSizeHint().height()});
     const int around = 12 + 2 * frameWidth();
     whole_px_ = first + 2 * (fontMetrics().height() + 4) + around + 6;
     setMinimumHeight(first + around);
@@ -333,7 +350,7 @@ void AnswerStrip::resizeEvent(QResizeEvent* event)
     for (std::size_t i = 0; i < findings_.size(); ++i)
         findings_[i]->setVisible(!low && (i == 0 || !findings_[i]->text().isEmpty()));
     // Badge and value come first: the ruler needs room of its own.
-    ruler_->setVisible(width() > fontMetrics().averageCharWidth() * 90);
+    showRuler();
     if (presenting_) applyFonts();
 }
 

@@ -51,6 +51,7 @@ class AnswerRuler : public QWidget {
 public:
     explicit AnswerRuler(QWidget* parent = nullptr);
     void setAnswer(const std::optional<report::Answer>& answer);
+    bool hasScale() const { return ruler_.has_value(); }  ///< false: no value, or no limit to compare it with
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -83,9 +84,11 @@ protected:
 
 private:
     void applyFonts();
+    void showRuler();
     void showPlate(const std::optional<Verdict>& verdict, bool known);
 
     QLabel* verdict_;
+    ElidedLabel* quantity_;
     ElidedLabel* value_;
     AnswerRuler* ruler_;
     NotesChips* notes_;

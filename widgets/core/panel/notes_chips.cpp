@@ -8,6 +8,7 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/registration/registration_codes.h"
+#include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/message_line.h"
 
@@ -104,13 +105,15 @@ void NotesChips::refresh()
         lines << (isWarning(note) ? QStringLiteral("⚠ ") : QStringLiteral("· ")) + screenText(note);
     text_->say(lines.join('\n'));
     const auto show = [&](QToolButton* chip, std::ptrdiff_t count, const QString& symbol, const QString& name) {
-        chip->setText(symbol + " " + QString::number(count));
+        chip->setText(QString::number(count));
+        chip->setIcon(icon(symbol));
+        chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         chip->setAccessibleName(name);
         chip->setToolTip(name + "\n" + lines.join('\n'));
         chip->setVisible(count > 0);
     };
-    show(warnings_, warnings, QStringLiteral("⚠"), tr("%n warning(s)", nullptr, static_cast<int>(warnings)));
-    show(facts_, facts, QStringLiteral("ⓘ"), tr("%n note(s)", nullptr, static_cast<int>(facts)));
+    show(warnings_, warnings, "warning", tr("%n warning(s)", nullptr, static_cast<int>(warnings)));
+    show(facts_, facts, "info", tr("%n note(s)", nullptr, static_cast<int>(facts)));
 }
 
 /// Under the chips, as wide as the panel allows.

@@ -1,9 +1,15 @@
 #include "widgets/core/panel/view_frame.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QMouseEvent>
 
 namespace lathelier {
+namespace {
+
+constexpr double smallType = 0.7;  // of the application's
+
+}
 
 ViewFrame::ViewFrame(const QString& key, QWidget* view, QWidget* parent)
     : QWidget(parent), key_(key), view_(view), caption_(new QLabel(this)), cover_(new QWidget(this))
@@ -32,12 +38,30 @@ void ViewFrame::setTitle(const QString& title)
 
 void ViewFrame::setSmall(bool small)
 {
+    if (small_ == small) return;
     small_ = small;
     QFont font = caption_->font();
     font.setBold(!small);
     caption_->setFont(font);
+    setTypeSize();
+    for (QWidget* child : view_->findChildren<QWidget*>())
+        if (child->property(onlyLarge).toBool()) child->setVisible(!small);
     cover_->setVisible(small);
     if (small) cover_->raise();
+}
+
+/// By the resolve mask of the font the view still follows the application's type in all but the size.
+void ViewFrame::setTypeSize()
+{
+    QFont type;
+    if (small_.value_or(false)) type.setPointSizeF(QApplication::font().pointSizeF() * smallType);
+    view_->setFont(type);
+}
+
+void ViewFrame::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::ApplicationFontChange) setTypeSize();
 }
 
 void ViewFrame::setCaptionVisible(bool visible)
@@ -58,7 +82,7 @@ void ViewFrame::arrange()
     const QRect room(0, top, width(), std::max(0, height() - top));
     view_->setGeometry(room);
     cover_->setGeometry(room);
-    if (small_) cover_->raise();
+    if (small_.value_or(false)) cover_->raise();
 }
 
 void ViewFrame::resizeEvent(QResizeEvent* event)
@@ -70,7 +94,7 @@ void ViewFrame::resizeEvent(QResizeEvent* event)
 bool ViewFrame::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonRelease && static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton &&
-        (watched == cover_ || small_))
+        (watched == cover_ || small_.value_or(false)))
         emit enlargeWanted();
     else if (event->type() == QEvent::MouseButtonDblClick && watched == caption_)
         emit allWanted();

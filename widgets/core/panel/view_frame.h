@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QWidget>
+#include <optional>
 
 namespace lathelier {
 
@@ -17,7 +18,11 @@ public:
     void setTitle(const QString& title);
     bool isAvailable() const { return available_; }
     void setAvailable(bool available) { available_ = available; }
-    void setSmall(bool small);  ///< a small one takes no pointer but the click that enlarges it
+    /// A small one takes no pointer but the click that enlarges it, has smaller type, and leaves out the children that
+    /// have the property onlyLarge.
+    void setSmall(bool small);
+
+    static constexpr const char* onlyLarge = "onlyLarge";
     void setCaptionVisible(bool visible);
     int captionHeight() const;
 
@@ -28,16 +33,18 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void arrange();
+    void setTypeSize();
 
     QString key_;
     QWidget* view_;
     QLabel* caption_;
     QWidget* cover_;  ///< over a small view: takes the click
     bool available_ = true;
-    bool small_ = false;
+    std::optional<bool> small_;
 };
 
 }  // namespace lathelier

@@ -1,5 +1,7 @@
 #include "engine/registration/compare_report.h"
 
+#include <cmath>
+
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/registration_verification.h"
@@ -62,12 +64,29 @@ QuantityTable verdictTable(const CompareResult& result)
     QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     if (result.verdict) {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
-        table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
-        table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
+        if (asked.tolerance_mm)
+            table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
+        table.rows.push_back({LT_TEXT("Engine", "Verdict by"), name(asked.verdict_rule), {}});
+        if (asked.verdict_rule == VerdictRule::Surface)
+            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), name(asked.decision), {}});
     } else {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
+    }
+    if (const auto& worst = result.worst) {
+        table.rows.push_back({LT_TEXT("Engine", "Worst place: mean deviation"), worst->deviation_mm, mm, 4});
+        table.rows.push_back({LT_TEXT("Engine", "… its uncertainty (k = 2)"), worst->uncertainty_mm, mm, 4});
+        if (worst->z_mm) table.rows.push_back({LT_TEXT("Engine", "… along the axis at"), *worst->z_mm, mm, 2});
+        if (worst->angle_deg)
+            table.rows.push_back({LT_TEXT("Engine", "… at the angle"), *worst->angle_deg, LT_TEXT("Engine", "°"), 1});
+        table.rows.push_back({LT_TEXT("Engine", "… mean over a square of"), worst->cell_mm, mm, 2});
+    }
+    if (std::isfinite(result.scatter_mm))
+        table.rows.push_back({LT_TEXT("Engine", "Noise of the points about the surface"), result.scatter_mm, mm, 4});
+    if (result.verdict && result.within_tolerance_percent) {
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
+        if (asked.verdict_rule == VerdictRule::Points)
+            table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
     }
     if (asked.scanner_accuracy_mm) {
         table.rows.push_back({LT_TEXT("Engine", "Scanner's accuracy"), given(asked.scanner_accuracy_mm), mm});
@@ -83,15 +102,55 @@ QuantityTable verdictTable(const CompareResult& result)
     return table;
 }
 
+Value shortVerdict(const std::optional<Verdict>& verdict)
+{
+    return verdict ? Value(shortName(*verdict)) : Value();
+}
+
 Table zonesTable(const CompareResult& result)
 {
+    const bool named = !result.parameters.zones.empty();
     Table table{LT_TEXT("Engine", "Zones along the axis"),
                 {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
-                 LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
+                 LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
                 {},
-                {2, 2, 4, 4}};
-    for (const Zone& zone : result.zones)
-        table.rows.push_back({zone.z_start_mm, zone.z_end_mm, zone.mean_mm, zone.std_mm, zone.points});
+                {2, 2, 4, 4, 4, 0}};
+    if (named) {
+        table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "name"));
+        table.decimals.insert(table.decimals.begin(), 0);
+        table.columns.push_back(LT_TEXT("Engine", "lower (mm)"));
+        table.columns.push_back(LT_TEXT("Engine", "upper (mm)"));
+        table.decimals.insert(table.decimals.end(), {4, 4});
+    }
+    if (result.verdict) {
+        table.columns.push_back(LT_TEXT("Engine", "verdict"));
+        table.decimals.push_back(0);
+    }
+    for (const Zone& zone : result.zones) {
+        std::vector<Value> row{zone.z_start_mm,     zone.z_end_mm, zone.mean_mm,
+                               zone.uncertainty_mm, zone.std_mm,   zone.points};
+        if (named) {
+            row.insert(row.begin(), zone.name);
+            row.push_back(given(zone.lower_mm));
+            row.push_back(given(zone.upper_mm));
+        }
+        if (result.verdict) row.push_back(shortVerdict(zone.verdict));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table findingsTable(const CompareResult& result)
+{
+    Table table{LT_TEXT("Engine", "What differs"),
+                {LT_TEXT("Engine", "difference"), LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"),
+                 LT_TEXT("Engine", "value (mm)"), LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "limit (mm)"),
+                 LT_TEXT("Engine", "verdict")},
+                {},
+                {0, 2, 2, 4, 4, 4, 0}};
+    for (const Finding& finding : result.findings)
+        table.rows.push_back({name(finding.kind), given(finding.z_start_mm), given(finding.z_end_mm), finding.value_mm,
+                              finding.uncertainty_mm, given(finding.limit_mm), shortVerdict(finding.verdict)});
     return table;
 }
 
@@ -199,7 +258,20 @@ Headline headline(const CompareResult& result, const Language& language)
                  language));
     }
     add(text(methodName(result.method_used), language));
-    if (result.within_tolerance_percent && result.parameters.tolerance_mm)
+    const auto& worst = result.worst;
+    if (worst && result.verdict && result.parameters.verdict_rule == VerdictRule::Surface) {
+        const auto signedText = [&](double value) { return (value > 0 ? "+" : "") + fixed(value, 4, language); };
+        Values values{{"deviation", signedText(worst->deviation_mm)},
+                      {"uncertainty", fixed(worst->uncertainty_mm, 4, language)}};
+        if (worst->z_mm) values.emplace_back("place", fixed(*worst->z_mm, 1, language));
+        add(fill(text(worst->z_mm ? LT_TEXT("Engine", "worst {deviation} ± {uncertainty} mm at z = {place} mm")
+                                  : LT_TEXT("Engine", "worst {deviation} ± {uncertainty} mm"),
+                      language),
+                 values, language));
+        if (result.parameters.tolerance_mm)
+            add(fill(text(LT_TEXT("Engine", "limit ±{tolerance} mm"), language),
+                     {{"tolerance", *result.parameters.tolerance_mm}}, language));
+    } else if (result.within_tolerance_percent && result.parameters.tolerance_mm)
         add(fill(text(LT_TEXT("Engine", "{share} % within ±{tolerance} mm"), language),
                  {{"share", fixed(*result.within_tolerance_percent, 1, language)},
                   {"tolerance", *result.parameters.tolerance_mm}},
@@ -209,8 +281,9 @@ Headline headline(const CompareResult& result, const Language& language)
 
 Section compareSummary(const CompareResult& result, const Language& language)
 {
-    Section section{LT_TEXT("Engine", "Result"),
-                    {headline(result, language), statisticsTable(result), verdictTable(result)}};
+    Section section{LT_TEXT("Engine", "Result"), {headline(result, language), verdictTable(result)}};
+    if (!result.findings.empty()) section.blocks.push_back(findingsTable(result));
+    section.blocks.push_back(statisticsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

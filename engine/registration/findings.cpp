@@ -18,6 +18,7 @@ constexpr double kStandsOut = 4;        // standard uncertainties of a step, a t
 constexpr double kSmallest_mm = 0.002;  // systematic errors of the method stay below
 constexpr double kOfTolerance = 0.1;    // smaller differences are not worth a word
 constexpr double kLocal = 0.3;          // of the length of its stretch: a bump is no longer
+constexpr double kHeight = 2.5;         // coverage factor of the height of a bump, chosen among a few windows about it
 constexpr double kLeastMissing_mm = 1;  // rings without points
 constexpr double kThin = 0.02;          // of the usual points of a ring: none worth the name
 
@@ -205,7 +206,17 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
     while (kept.size() < kMostBumps && !bumps.empty()) {
         const Bump best = *std::max_element(bumps.begin(), bumps.end(),
                                             [](const Bump& a, const Bump& b) { return a.excess < b.excess; });
-        kept.push_back(best);
+        // The surest window may reach beyond the bump: the one that shows its height is no larger, and holds its
+        // middle.
+        Bump top = best;
+        const auto heightOf = [](const Bump& b) {
+            return b.beyond - kHeight * static_cast<double>(b.window->sigma_mm);
+        };
+        for (const Bump& b : bumps)
+            if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
+                b.window->size_mm <= best.window->size_mm && heightOf(b) > heightOf(top))
+                top = b;
+        kept.push_back(top);
         std::erase_if(bumps, [&](const Bump& b) {
             const auto reach = static_cast<double>(b.window->size_mm + best.window->size_mm);
             return static_cast<double>((b.window->place_mm - best.window->place_mm).norm()) < 1.5 * reach ||
@@ -222,7 +233,7 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
             finding.z_end_mm = static_cast<double>(w.z_end_mm);
         }
         finding.value_mm = judgedMean_mm(all, w);
-        finding.uncertainty_mm = 2 * static_cast<double>(w.sigma_mm);
+        finding.uncertainty_mm = kHeight * static_cast<double>(w.sigma_mm);
         if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
             judge(all, finding, all.factor * static_cast<double>(w.sigma_mm), *here, rule);
         findings.push_back(finding);

@@ -229,6 +229,22 @@ std::vector<bool> edgeCells(const std::vector<SurfaceCell>& cells, const std::ve
     return is_edge;
 }
 
+/// The cells that have points, in `level`.
+CubeLevel keepFilled(const std::vector<SurfaceCell>& cells, const CubeLevel& cubes, CellLevel& level)
+{
+    CubeLevel kept;
+    kept.size_mm = cubes.size_mm;
+    kept.table = KeyTable(cells.size() + 16);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (cells[c].points == 0) continue;
+        kept.table.add(keyOf(cubes.cube[c], cubes.side[c]), static_cast<std::uint32_t>(level.cells.size()));
+        kept.cube.push_back(cubes.cube[c]);
+        kept.side.push_back(cubes.side[c]);
+        level.cells.push_back(cells[c]);
+    }
+    return kept;
+}
+
 }  // namespace
 
 SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3f>& normals,
@@ -264,27 +280,28 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
         sums[cell].normal += used.normal[i].cast<double>();
     }
     sorted.cell_count = sums.size();
-    std::vector<std::uint8_t> counted;
-    std::vector<SurfaceCell> cells = cellMeans(sorted, counted, progress);
+    CellMeans means = cellMeans(sorted, progress);
+    std::vector<SurfaceCell>& cells = means.cells;
     all.counted.assign(points.size(), 0);
-    for (std::size_t i = 0; i < used.number.size(); ++i) all.counted[used.number[i]] = counted[i];
+    for (std::size_t i = 0; i < used.number.size(); ++i) all.counted[used.number[i]] = means.counted[i];
     for (std::size_t c = 0; c < cells.size(); ++c) {
         cells[c].place_mm = sums[c].place_mm / sums[c].points;
         cells[c].normal = sums[c].normal / sums[c].points;
     }
     const std::vector<bool> is_edge = edgeCells(cells, cubes.side, std::max(kEdge_mm, size));
 
-    CubeLevel kept;
-    kept.size_mm = size;
-    kept.table = KeyTable(cells.size() + 16);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (is_edge[c]) cells[c].points = 0;
     std::vector<CellLevel> levels(1);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (is_edge[c] || cells[c].points == 0) continue;
-        kept.table.add(keyOf(cubes.cube[c], cubes.side[c]), static_cast<std::uint32_t>(levels[0].cells.size()));
-        kept.cube.push_back(cubes.cube[c]);
-        kept.side.push_back(cubes.side[c]);
-        levels[0].cells.push_back(cells[c]);
-    }
+    CubeLevel kept = keepFilled(cells, cubes, levels[0]);
+    joinCubes(kept, levels[0], progress);
+    const std::vector<bool> stray = strayCells(levels[0], means.reach_mm);
+    for (std::size_t c = 0, number = 0; c < cells.size(); ++c)
+        if (cells[c].points > 0 && stray[number++]) cells[c].points = 0;
+    for (std::size_t i = 0; i < used.number.size(); ++i)
+        if (cells[sorted.cell[i]].points == 0) all.counted[used.number[i]] = 0;
+    levels[0] = {};
+    kept = keepFilled(cells, cubes, levels[0]);
     for (int k = 0; k < kMostLevels; ++k) {
         CellLevel& level = levels.back();
         level.size_mm = kept.size_mm;

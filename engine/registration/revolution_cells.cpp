@@ -172,6 +172,9 @@ public:
         join(level);
     }
 
+    /// Number in the level of the cell at a place; kOutside where there is none.
+    std::uint32_t number(std::size_t place) const { return number_[place]; }
+
     /// The cells of the next level by their place, and whether that is any coarser.
     bool shrink(CellLevel& level, std::vector<Grid>& next, std::vector<SurfaceCell>& cells) const
     {
@@ -254,6 +257,20 @@ private:
     std::vector<Grid> grids_;
     std::vector<std::uint32_t> number_;  ///< of the cell at each place; kOutside where there are no points
 };
+
+/// Takes the cells that hold stray points alone out, and these points out of `counted`.
+void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const CellPoints& points,
+                    std::vector<std::uint8_t>& counted)
+{
+    GridLevel level(grids, means.cells.size());
+    CellLevel cells;
+    level.fill(means.cells, cells);
+    const std::vector<bool> stray = strayCells(cells, means.reach_mm);
+    for (std::size_t place = 0; place < means.cells.size(); ++place)
+        if (level.number(place) != kOutside && stray[level.number(place)]) means.cells[place].points = 0;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+        if (counted[i] && means.cells[points.cell[i]].points == 0) counted[i] = 0;
+}
 
 /// Rings of about `height_mm` for the form along the axis.
 std::vector<SurfaceRow> ringsOf(const std::vector<Grid>& grids, const std::vector<SurfaceCell>& cells, double z_first,
@@ -400,7 +417,9 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                                                                    static_cast<double>(all.z_mm[i]) + line.zFirst_mm(),
                                                                    static_cast<double>(turns[i])));
     });
-    std::vector<SurfaceCell> cells = cellMeans(sorted, all.counted, progress);
+    CellMeans means = cellMeans(sorted, progress);
+    std::vector<SurfaceCell>& cells = means.cells;
+    all.counted = std::move(means.counted);
     for (std::size_t g = 0; g < grids.size(); ++g) {
         const Grid& grid = grids[g];
         const double lean = std::atan(all.stretches[g].slope);
@@ -423,6 +442,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
             cell.stretch = static_cast<std::int32_t>(g);
         }
     }
+    leaveOutStrays(grids, means, sorted, all.counted);
     all.rows = ringsOf(grids, cells, line.zFirst_mm(), kRing_mm);
     std::erase_if(all.rows, [&](const SurfaceRow& ring) {
         return std::any_of(result.parameters.exclude_z_mm.begin(), result.parameters.exclude_z_mm.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/core/parallel.h"
@@ -10,12 +11,15 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kStray = 6;            // robust standard deviations from the median of the cell
-constexpr double kFamily = 0.05;        // chance that any window of a perfect surface exceeds the allowance
-constexpr double kPrior = 50;           // points that the scatter of the whole surface counts for in a window's own
-constexpr std::size_t kLeastRows = 24;  // second differences that a variance is taken from
-constexpr double kToSigma = 1.4826;     // from the median of absolute values to the standard deviation
-constexpr std::size_t kGrain = 2048;    // cells of one step
+constexpr double kStray = 6;             // robust standard deviations from the median of the cell
+constexpr double kFew = 3;               // points whose median a stray one moves
+constexpr double kUsualNeighbours = 21;  // cells of a window
+constexpr double kLonely = 0.1;          // of the usual number of points in a window: these are stray points
+constexpr double kFamily = 0.05;         // chance that any window of a perfect surface exceeds the allowance
+constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
+constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
+constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
+constexpr std::size_t kGrain = 2048;     // cells of one step
 
 double medianOf(std::vector<float>& values)
 {
@@ -147,9 +151,9 @@ void SurfaceCell::add(const SurfaceCell& other)
     z_end_mm = std::max(z_end_mm, other.z_end_mm);
 }
 
-std::vector<SurfaceCell> cellMeans(const CellPoints& points, std::vector<std::uint8_t>& counted,
-                                   const Progress& progress)
+CellMeans cellMeans(const CellPoints& points, const Progress& progress)
 {
+    CellMeans result;
     const Sorted sorted = sortByCell(points);
     std::vector<double> medians(points.cell_count, 0);
     std::vector<float> spreads(points.cell_count, -1);  // median distance from the median
@@ -172,10 +176,13 @@ std::vector<SurfaceCell> cellMeans(const CellPoints& points, std::vector<std::ui
         }
     });
     std::erase_if(spreads, [](float v) { return v < 0; });
-    const double reach = kStray * robustSigma(spreads);
     const bool all_count = spreads.empty();
+    const double reach = all_count ? std::numeric_limits<double>::infinity() : kStray * robustSigma(spreads);
+    result.reach_mm = reach;
 
-    std::vector<SurfaceCell> cells(points.cell_count);
+    std::vector<SurfaceCell>& cells = result.cells;
+    std::vector<std::uint8_t>& counted = result.counted;
+    cells.resize(points.cell_count);
     counted.assign(points.cell.size(), 0);
     parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
@@ -184,7 +191,7 @@ std::vector<SurfaceCell> cellMeans(const CellPoints& points, std::vector<std::ui
             double squares = 0;
             for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k) {
                 const double off = static_cast<double>(points.deviation_mm[sorted.order[k]]) - medians[c];
-                if (!all_count && std::abs(off) > reach) continue;
+                if (std::abs(off) > reach) continue;
                 counted[sorted.order[k]] = 1;
                 cell.points += 1;
                 sum += off;
@@ -196,7 +203,35 @@ std::vector<SurfaceCell> cellMeans(const CellPoints& points, std::vector<std::ui
             cell.squares_mm2 = std::max(0.0, squares - sum * sum / cell.points);
         }
     });
-    return cells;
+    return result;
+}
+
+std::vector<bool> strayCells(const CellLevel& level, double reach_mm)
+{
+    std::vector<bool> stray(level.cells.size());
+    std::vector<float> counts;
+    for (const SurfaceCell& cell : level.cells) counts.push_back(static_cast<float>(cell.points));
+    if (counts.empty()) return stray;
+    const double usual = medianOf(counts);
+    std::vector<std::pair<double, double>> around;  // mean and number of points
+    for (std::size_t c = 0; c < level.cells.size(); ++c) {
+        const SurfaceCell& cell = level.cells[c];
+        if (cell.points > kFew) continue;
+        around.clear();
+        double all = 0;
+        for (std::uint32_t i = level.first[c]; i < level.first[c + 1]; ++i) {
+            const SurfaceCell& other = level.cells[level.neighbours[i]];
+            around.emplace_back(other.mean_mm, other.points);
+            all += other.points;
+        }
+        std::sort(around.begin(), around.end());
+        double half = 0;
+        std::size_t middle = 0;
+        while (middle + 1 < around.size() && (half += around[middle].second) < all / 2) ++middle;
+        const bool lonely = all < kLonely * kUsualNeighbours * usual;
+        stray[c] = lonely || std::abs(cell.mean_mm - around[middle].first) > reach_mm;
+    }
+    return stray;
 }
 
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)

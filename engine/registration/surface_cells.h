@@ -41,8 +41,7 @@ struct CellLevel {
     std::array<std::vector<std::array<std::uint32_t, 3>>, 3> rows;
 };
 
-/// Deviations of the points that fall into one cell: their mean without stray points, which are taken out of `counted`.
-/// Stray: further than `reach` from the median. `of` are numbers of points.
+/// Which cell each point falls into.
 struct CellPoints {
     std::span<const float> deviation_mm;  ///< of all points
     std::vector<std::uint32_t> cell;      ///< of each point; kOutside where it belongs to none
@@ -50,10 +49,18 @@ struct CellPoints {
     static constexpr std::uint32_t kOutside = 0xffffffff;
 };
 
-/// Mean deviation, number of points and sum of squares of each cell; `counted` gets 1 for the points that count. Points
-/// further from the median of their cell than 6 robust standard deviations of the surface are stray and do not.
-std::vector<SurfaceCell> cellMeans(const CellPoints& points, std::vector<std::uint8_t>& counted,
-                                   const Progress& progress);
+/// Cells without the points that are stray: further from the median of their cell than 6 robust standard deviations of
+/// the surface.
+struct CellMeans {
+    std::vector<SurfaceCell> cells;  ///< number of points, mean deviation, sum of squares; the rest is for the caller
+    std::vector<std::uint8_t> counted;  ///< of each point: 1 where it counts
+    double reach_mm = 0;                ///< what is further from the local median is stray
+};
+CellMeans cellMeans(const CellPoints& points, const Progress& progress);
+
+/// Cells of stray points alone: of three points or fewer and out of reach of what lies around them, or with next to
+/// nothing around them. `level` has its neighbours.
+std::vector<bool> strayCells(const CellLevel& level, double reach_mm);
 
 /// Scatter about the local means, how alike neighbours are, and the windows of all levels with their uncertainty from
 /// noise, reference and registration. Everything else of `result` has to be there.

@@ -20,13 +20,22 @@ std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
     return static_cast<std::size_t>(after - 1 - zones.begin());
 }
 
+/// Coverage factor of the worst of many: 2 where it stands out by far, so that no other could have been chosen; the
+/// whole allowance where it may be what noise makes of so many.
+double chosenFactor(const SurfaceWindows& all, const SurfaceWindow& window)
+{
+    const double out = std::abs(static_cast<double>(window.mean_mm)) / static_cast<double>(window.sigma_mm);
+    const double clear = std::clamp((out - 1.2 * all.factor) / (0.8 * all.factor), 0.0, 1.0);
+    return std::isfinite(out) ? all.factor + clear * (2 - all.factor) : 2;
+}
+
 WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window)
 {
     WorstPlace worst;
     worst.point_mm = window.place_mm.cast<double>();
     worst.deviation_mm =
         all.has_sign ? static_cast<double>(window.mean_mm) : std::abs(static_cast<double>(window.mean_mm));
-    worst.uncertainty_mm = 2 * static_cast<double>(window.sigma_mm);
+    worst.uncertainty_mm = chosenFactor(all, window) * static_cast<double>(window.sigma_mm);
     worst.cell_mm = static_cast<double>(window.size_mm);
     if (all.axis_T_reference) {
         const Eigen::Vector3d place = *all.axis_T_reference * worst.point_mm;

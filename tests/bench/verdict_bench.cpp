@@ -166,7 +166,8 @@ std::vector<Case> cases()
                                    judgeBoth(result, 0.08, simple, guarded);
                                    for (const Finding& f : result.findings)
                                        if (f.kind == Finding::Kind::Bump) {
-                                           if (bump && (f.point_mm - scans.bump_mm).norm() < 3)
+                                           if (bump &&
+                                               std::abs((*f.z_start_mm + *f.z_end_mm) / 2 - scans.bump_z_mm) < 3)
                                                simple.state(f.value_mm, f.uncertainty_mm, 0.12);
                                            else
                                                ++simple.wrong;

@@ -28,7 +28,7 @@ struct ShaftScans {
     Scan copy;
     Eigen::Isometry3d reference_T_part;
     Eigen::Isometry3d copy_T_part;
-    Eigen::Vector3d bump_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame, up to the roll
+    double bump_z_mm = 0;  ///< along the part's axis from its free end
 };
 
 /// Noise along the radius, in the order of the scan: a moving average over neighbours of a row.
@@ -67,7 +67,7 @@ inline ShaftScans shaftTwice(std::uint64_t seed, const ShaftOptions& options = {
     b.frame_T_scan = Eigen::Translation3d(draw(13) * 9, draw(14) * 9, draw(15) * 9) *
                      Eigen::AngleAxisd(draw(16) * 0.1745, Eigen::Vector3d(draw(17), draw(18), draw(19)).normalized());
     ShaftScans scans{scanShaft(options.reference, a), scanShaft(options.copy, b), a.frame_T_scan * a.scan_T_part,
-                     b.frame_T_scan * b.scan_T_part, Eigen::Vector3d::Zero()};
+                     b.frame_T_scan * b.scan_T_part, 0};
     if (options.alike_mm > 0) {
         const int span =
             std::max(2, static_cast<int>(std::lround(options.alike_mm / (16 * options.step_deg * 0.01745))));
@@ -94,7 +94,7 @@ inline void addBump(ShaftScans& scans, std::uint64_t seed, double height_mm, dou
         const Eigen::Vector3d radial = Eigen::Vector3d(here.x(), here.y(), 0).normalized();
         p += height_mm * (scans.copy_T_part.linear() * radial);
     }
-    scans.bump_mm = scans.reference_T_part * middle;
+    scans.bump_z_mm = z;
 }
 
 struct BoxScans {

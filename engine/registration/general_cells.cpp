@@ -295,9 +295,17 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
     std::vector<CellLevel> levels(1);
     CubeLevel kept = keepFilled(cells, cubes, levels[0]);
     joinCubes(kept, levels[0], progress);
-    const std::vector<bool> stray = strayCells(levels[0], means.reach_mm);
-    for (std::size_t c = 0, number = 0; c < cells.size(); ++c)
-        if (cells[c].points > 0 && stray[number++]) cells[c].points = 0;
+    const StrayCells strays(levels[0].cells, means.reach_mm);
+    std::vector<const SurfaceCell*> around;
+    for (std::size_t c = 0, number = 0; c < cells.size(); ++c) {
+        if (cells[c].points == 0) continue;
+        const std::size_t here = number++;
+        if (!strays.isInQuestion(cells[c])) continue;
+        around.clear();
+        for (std::uint32_t k = levels[0].first[here]; k < levels[0].first[here + 1]; ++k)
+            around.push_back(&levels[0].cells[levels[0].neighbours[k]]);
+        if (strays.isStray(cells[c], around)) cells[c].points = 0;
+    }
     for (std::size_t i = 0; i < used.number.size(); ++i)
         if (cells[sorted.cell[i]].points == 0) all.counted[used.number[i]] = 0;
     levels[0] = {};

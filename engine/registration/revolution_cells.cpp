@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kEdge_mm = 0.5;       // the scanner's spot smears what lies nearer to an edge
 constexpr double kPointsPerCell = 6;   // on average
 constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few of them
-constexpr double kManyCells = 60000;
+constexpr double kManyCells = 30000;
 constexpr double kMostCells = 400000;
 constexpr double kCoarse_mm = 3;  // cells that tell how much of the surface has points
 constexpr std::size_t kFine = 8;  // places of the table of stretches in one bin of the profile
@@ -87,6 +87,7 @@ private:
         const double rise = profile.radius_mm[run.last - 1] - profile.radius_mm[run.first];
         grids_.push_back(grid);
         stretches_.push_back({start - line_.zFirst_mm(), end - line_.zFirst_mm(), is_bore,
+                              (profile.radius_mm[run.last - 1] + profile.radius_mm[run.first]) / 2,
                               rise / (static_cast<double>(run.last - 1 - run.first) * profile.step_mm),
                               std::sqrt(variance / known), profile.step_mm});
     }
@@ -156,6 +157,27 @@ std::size_t cellOf(const Grid& grid, double z, double turn)
     return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
 }
 
+/// Calls use(place, is one of the nearest 9) for the cells of the window about a cell, once round at most.
+template <class Use>
+void forWindow(const Grid& grid, std::size_t row, std::size_t column, Use use)
+{
+    const auto rows = static_cast<std::ptrdiff_t>(grid.rows);
+    const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
+    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-2, -((columns - 1) / 2));
+    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(2, columns / 2);
+    for (std::ptrdiff_t r = -2; r <= 2; ++r) {
+        const std::ptrdiff_t y = static_cast<std::ptrdiff_t>(row) + r;
+        if (y < 0 || y >= rows) continue;
+        for (std::ptrdiff_t c = left; c <= right; ++c) {
+            if (r * r + c * c > 5) continue;
+            std::ptrdiff_t x = static_cast<std::ptrdiff_t>(column) + c;
+            if (x < 0) x += columns;
+            if (x >= columns) x -= columns;
+            use(grid.first + static_cast<std::size_t>(y * columns + x), r * r <= 1 && c * c <= 1);
+        }
+    }
+}
+
 /// The cells of one level by their place in the grids, and the level made of those that have points.
 class GridLevel {
 public:
@@ -171,9 +193,6 @@ public:
         }
         join(level);
     }
-
-    /// Number in the level of the cell at a place; kOutside where there is none.
-    std::uint32_t number(std::size_t place) const { return number_[place]; }
 
     /// The cells of the next level by their place, and whether that is any coarser.
     bool shrink(CellLevel& level, std::vector<Grid>& next, std::vector<SurfaceCell>& cells) const
@@ -217,40 +236,32 @@ private:
                 }
     }
 
-    std::uint32_t at(const Grid& grid, std::size_t row, std::ptrdiff_t row_offset, std::size_t column,
-                     std::ptrdiff_t column_offset) const
-    {
-        const std::ptrdiff_t r = static_cast<std::ptrdiff_t>(row) + row_offset;
-        if (r < 0 || r >= static_cast<std::ptrdiff_t>(grid.rows)) return kOutside;
-        const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
-        const std::ptrdiff_t c = (static_cast<std::ptrdiff_t>(column) + column_offset + columns) % columns;
-        return number_[grid.first + static_cast<std::size_t>(r * columns + c)];
-    }
-
     void join(CellLevel& level) const
     {
         level.first.push_back(0);
+        level.neighbours.reserve(level.cells.size() * 21);
+        std::vector<std::uint32_t> far;
         forEach([&](std::size_t g, std::size_t row, std::size_t column, std::uint32_t cell) {
             const Grid& grid = grids_[g];
-            const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
             const std::size_t begin = level.neighbours.size();
-            const auto take = [&](std::ptrdiff_t r, std::ptrdiff_t c) {
-                if (2 * c > columns || 2 * c <= -columns) return;  // once round
-                const std::uint32_t found = at(grid, row, r, column, c);
-                if (found != kOutside) level.neighbours.push_back(found);
-            };
-            for (std::ptrdiff_t r = -1; r <= 1; ++r)
-                for (std::ptrdiff_t c = -1; c <= 1; ++c) take(r, c);
+            far.clear();
+            forWindow(grid, row, column, [&](std::size_t place, bool is_near) {
+                const std::uint32_t found = number_[place];
+                if (found != kOutside) (is_near ? level.neighbours : far).push_back(found);
+            });
             level.near.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
-            for (std::ptrdiff_t r = -2; r <= 2; ++r)
-                for (std::ptrdiff_t c = -2; c <= 2; ++c)
-                    if (std::max(std::abs(r), std::abs(c)) == 2 && r * r + c * c <= 5) take(r, c);
+            level.neighbours.insert(level.neighbours.end(), far.begin(), far.end());
             level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
-            const auto inRow = [&](std::size_t direction, std::uint32_t a, std::uint32_t b) {
+            const auto inRow = [&](std::size_t direction, std::size_t before, std::size_t after) {
+                const std::uint32_t a = number_[before];
+                const std::uint32_t b = number_[after];
                 if (a != kOutside && b != kOutside) level.rows[direction].push_back({a, cell, b});
             };
-            inRow(0, at(grid, row, -1, column, 0), at(grid, row, 1, column, 0));
-            if (grid.columns >= 12) inRow(1, at(grid, row, 0, column, -1), at(grid, row, 0, column, 1));
+            const std::size_t place = grid.first + row * grid.columns + column;
+            if (row > 0 && row + 1 < grid.rows) inRow(0, place - grid.columns, place + grid.columns);
+            if (grid.columns >= 12)
+                inRow(1, column > 0 ? place - 1 : place + grid.columns - 1,
+                      column + 1 < grid.columns ? place + 1 : place + 1 - grid.columns);
         });
     }
 
@@ -262,12 +273,20 @@ private:
 void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const CellPoints& points,
                     std::vector<std::uint8_t>& counted)
 {
-    GridLevel level(grids, means.cells.size());
-    CellLevel cells;
-    level.fill(means.cells, cells);
-    const std::vector<bool> stray = strayCells(cells, means.reach_mm);
-    for (std::size_t place = 0; place < means.cells.size(); ++place)
-        if (level.number(place) != kOutside && stray[level.number(place)]) means.cells[place].points = 0;
+    const StrayCells strays(means.cells, means.reach_mm);
+    std::vector<std::size_t> out;
+    std::vector<const SurfaceCell*> around;
+    for (const Grid& grid : grids)
+        for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
+            const SurfaceCell& cell = means.cells[grid.first + k];
+            if (!strays.isInQuestion(cell)) continue;
+            around.clear();
+            forWindow(grid, k / grid.columns, k % grid.columns, [&](std::size_t place, bool) {
+                if (means.cells[place].points > 0) around.push_back(&means.cells[place]);
+            });
+            if (strays.isStray(cell, around)) out.push_back(grid.first + k);
+        }
+    for (const std::size_t place : out) means.cells[place].points = 0;
     for (std::size_t i = 0; i < counted.size(); ++i)
         if (counted[i] && means.cells[points.cell[i]].points == 0) counted[i] = 0;
 }

@@ -12,6 +12,7 @@ namespace lathelier::registration {
 namespace {
 
 constexpr double kStray = 6;             // robust standard deviations from the median of the cell
+constexpr std::size_t kOfSpreads = 4;    // one cell in so many tells the scatter of the points
 constexpr double kFew = 3;               // points whose median a stray one moves
 constexpr double kUsualNeighbours = 21;  // cells of a window
 constexpr double kLonely = 0.1;          // of the usual number of points in a window: these are stray points
@@ -168,7 +169,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
             valuesOf(c, values);
             if (values.empty()) continue;
             medians[c] = medianOf(values);
-            if (values.size() < 4) continue;
+            if (values.size() < 4 || c % kOfSpreads != 0) continue;
             for (float& v : values) v = std::abs(v - static_cast<float>(medians[c]));
             // The median of a few distances is too small; this is the mean correction for normal values.
             const auto n = static_cast<double>(values.size());
@@ -206,32 +207,30 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
     return result;
 }
 
-std::vector<bool> strayCells(const CellLevel& level, double reach_mm)
+StrayCells::StrayCells(const std::vector<SurfaceCell>& cells, double reach_mm) : reach_mm_(reach_mm), usual_(0)
 {
-    std::vector<bool> stray(level.cells.size());
     std::vector<float> counts;
-    for (const SurfaceCell& cell : level.cells) counts.push_back(static_cast<float>(cell.points));
-    if (counts.empty()) return stray;
-    const double usual = medianOf(counts);
-    std::vector<std::pair<double, double>> around;  // mean and number of points
-    for (std::size_t c = 0; c < level.cells.size(); ++c) {
-        const SurfaceCell& cell = level.cells[c];
-        if (cell.points > kFew) continue;
-        around.clear();
-        double all = 0;
-        for (std::uint32_t i = level.first[c]; i < level.first[c + 1]; ++i) {
-            const SurfaceCell& other = level.cells[level.neighbours[i]];
-            around.emplace_back(other.mean_mm, other.points);
-            all += other.points;
-        }
-        std::sort(around.begin(), around.end());
-        double half = 0;
-        std::size_t middle = 0;
-        while (middle + 1 < around.size() && (half += around[middle].second) < all / 2) ++middle;
-        const bool lonely = all < kLonely * kUsualNeighbours * usual;
-        stray[c] = lonely || std::abs(cell.mean_mm - around[middle].first) > reach_mm;
-    }
-    return stray;
+    for (const SurfaceCell& cell : cells)
+        if (cell.points > 0) counts.push_back(static_cast<float>(cell.points));
+    if (!counts.empty()) usual_ = medianOf(counts);
+}
+
+bool StrayCells::isInQuestion(const SurfaceCell& cell) const
+{
+    return cell.points > 0 && cell.points <= kFew;
+}
+
+bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*>& around) const
+{
+    double all = 0;
+    for (const SurfaceCell* other : around) all += other->points;
+    if (all < kLonely * kUsualNeighbours * usual_) return true;
+    std::sort(around.begin(), around.end(),
+              [](const SurfaceCell* a, const SurfaceCell* b) { return a->mean_mm < b->mean_mm; });
+    double half = 0;
+    std::size_t middle = 0;
+    while (middle + 1 < around.size() && (half += around[middle]->points) < all / 2) ++middle;
+    return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
 }
 
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)

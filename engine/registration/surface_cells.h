@@ -58,9 +58,21 @@ struct CellMeans {
 };
 CellMeans cellMeans(const CellPoints& points, const Progress& progress);
 
-/// Cells of stray points alone: of three points or fewer and out of reach of what lies around them, or with next to
-/// nothing around them. `level` has its neighbours.
-std::vector<bool> strayCells(const CellLevel& level, double reach_mm);
+/// Finds cells of stray points alone: of three points or fewer and out of reach of what lies around them, or with next
+/// to nothing around them.
+class StrayCells {
+public:
+    StrayCells(const std::vector<SurfaceCell>& cells, double reach_mm);
+
+    /// So few points that the cells around them have to say whether they are stray.
+    bool isInQuestion(const SurfaceCell& cell) const;
+    /// `around`: the cells of the window about it, itself included. Their order is changed.
+    bool isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*>& around) const;
+
+private:
+    double reach_mm_;
+    double usual_;  ///< number of points of a cell
+};
 
 /// Scatter about the local means, how alike neighbours are, and the windows of all levels with their uncertainty from
 /// noise, reference and registration. Everything else of `result` has to be there.

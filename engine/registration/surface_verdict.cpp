@@ -38,10 +38,21 @@ WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window)
     worst.uncertainty_mm = chosenFactor(all, window) * static_cast<double>(window.sigma_mm);
     worst.cell_mm = static_cast<double>(window.size_mm);
     if (all.axis_T_reference) {
-        const Eigen::Vector3d place = *all.axis_T_reference * worst.point_mm;
+        // The mean of places all round lies near the axis: the point is that of the surface in its direction.
+        Eigen::Vector3d place = *all.axis_T_reference * worst.point_mm;
         worst.z_mm = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
         const double angle = std::atan2(place.y(), place.x()) * 180 / std::numbers::pi;
         worst.angle_deg = angle < 0 ? angle + 360 : angle;
+        if (window.stretch >= 0) {
+            const MeridianStretch& stretch = all.stretches[static_cast<std::size_t>(window.stretch)];
+            const double radius =
+                stretch.radius_mm + stretch.slope * (*worst.z_mm - (stretch.start_mm + stretch.end_mm) / 2);
+            const double from_axis = place.head<2>().norm();
+            place.head<2>() =
+                from_axis > 0 ? Eigen::Vector2d(place.head<2>() * (radius / from_axis)) : Eigen::Vector2d(radius, 0);
+            place.z() = *worst.z_mm;
+            worst.point_mm = all.axis_T_reference->inverse() * place;
+        }
     }
     return worst;
 }

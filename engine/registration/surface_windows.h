@@ -35,6 +35,7 @@ struct MeridianStretch {
     double start_mm = 0;            ///< along the axis, from the reference's first data
     double end_mm = 0;              ///< likewise
     bool is_bore = false;           ///< of the inside
+    double radius_mm = 0;           ///< of the reference at the middle
     double slope = 0;               ///< dR/dz
     double reference_sigma_mm = 0;  ///< standard uncertainty of the reference's radius in one of its bins
     double reference_step_mm = 1;   ///< width of such a bin along the axis

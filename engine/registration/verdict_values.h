@@ -37,10 +37,10 @@ struct Zone {
     double std_mm = 0;        ///< standard deviation about that mean, over n - 1; NaN for one point
     std::int64_t points = 0;  ///< number of points in the zone that count
     double uncertainty_mm = std::numeric_limits<double>::quiet_NaN();  ///< of the mean, k = 2
-    std::string name;                                                  ///< as given; empty for an automatic zone
-    std::optional<double> lower_mm;                                    ///< limit, where limits were given
-    std::optional<double> upper_mm;                                    ///< likewise
-    std::optional<Verdict> verdict;  ///< of all local means in it; none without limits or tolerance
+    std::string name = {};                                             ///< as given; empty for an automatic zone
+    std::optional<double> lower_mm = {};                               ///< limit, where limits were given
+    std::optional<double> upper_mm = {};                               ///< likewise
+    std::optional<Verdict> verdict = {};  ///< of all local means in it; none without limits or tolerance
 };
 
 /// Where the deviation is most surely out of the limits, or nearest to them; without limits most surely not zero.

@@ -203,6 +203,24 @@ std::vector<Case> cases()
                                        guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
+    for (const double sigma : {0.02, 0.05, 0.1})
+        for (const std::size_t count : {100000U, 300000U})
+            for (const bool mesh : {false, true}) {
+                std::snprintf(name, sizeof name, "same bracket, %s, sigma %.2f, %zuk points, +-0.03",
+                              mesh ? "to mesh" : "to cloud", sigma, count / 1000);
+                all.push_back(
+                    {name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                         const Eigen::Isometry3d pose(
+                             Eigen::Translation3d(4, 5, -6) *
+                             Eigen::AngleAxisd(0.3,
+                                               Eigen::Vector3d(1, 0.2 * static_cast<double>(seed), 0.3).normalized()));
+                         const Scan reference =
+                             mesh ? bracketMesh() : scanBracket(count, sigma, Eigen::Isometry3d::Identity(), 2 * seed);
+                         CompareResult result = compare(reference, scanBracket(count, sigma, pose, 2 * seed + 1));
+                         judgeBoth(result, 0.03, simple, guarded);
+                         if (result.worst) guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                     }});
+            }
     for (const int sides : {24, 36, 72, 400}) {
         std::snprintf(name, sizeof name, "shaft to mesh of %d sides, sigma 0.05, 100k points, +-0.03", sides);
         all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {

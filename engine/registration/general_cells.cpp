@@ -101,11 +101,12 @@ Points pointsOf(const std::vector<Eigen::Vector3d>& points, const std::vector<Ei
     Points used;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         if (!result.used[i] || normals[i].squaredNorm() == 0) continue;
-        used.place_mm.push_back(points[i]);
+        // On the reference's surface, so that noise puts no point into another cell.
+        used.place_mm.emplace_back(points[i] - static_cast<double>(result.deviation_mm[i]) * normals[i].cast<double>());
         used.normal.push_back(normals[i]);
         used.deviation_mm.push_back(result.deviation_mm[i]);
         used.number.push_back(i);
-        used.middle_mm += points[i];
+        used.middle_mm += used.place_mm.back();
         // Without inside and outside: of either sense the one that is positive along its largest coordinate.
         if (result.has_sign || sideOf(normals[i]) % 2 == 0) continue;
         used.normal.back() = -normals[i];

@@ -20,6 +20,7 @@ constexpr double kFamily = 0.05;         // chance that any window of a perfect 
 constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
 constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
 constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
+constexpr double kCoincident_mm = 1e-9;  // smaller deviations are rounding
 constexpr std::size_t kGrain = 2048;     // cells of one step
 
 double medianOf(std::vector<float>& values)
@@ -244,6 +245,13 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
         degrees += cell.points - 1;
     }
     result.scatter_mm = degrees > 0 ? std::sqrt(squares / degrees) : 0;
+    const auto isZero = [](const SurfaceCell& cell) { return std::abs(cell.mean_mm) < kCoincident_mm; };
+    if (result.scatter_mm < kCoincident_mm &&
+        std::all_of(levels.front().cells.begin(), levels.front().cells.end(), isZero)) {
+        // The same data twice: nothing about their pose is uncertain.
+        result.axial_sigma_mm = result.radial_sigma_mm = result.tilt_sigma = 0;
+        for (MeridianStretch& stretch : result.stretches) stretch.reference_sigma_mm = 0;
+    }
     const std::vector<double> alike = alikeOf(levels, result.scatter_mm);
     result.alike.clear();
     for (std::size_t k = 0; k < levels.size(); ++k) result.alike.emplace_back(levels[k].size_mm, alike[k]);

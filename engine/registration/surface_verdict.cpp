@@ -165,8 +165,14 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     SurfaceVerdict result;
     result.zones.resize(zones.size());
     const bool any = limits.any();
-    double worst_excess = -std::numeric_limits<double>::infinity();
-    const SurfaceWindow* worst = nullptr;
+    // Windows that are small and noisy count only where they fail: else the worst is that of the sure ones.
+    struct Worst {
+        double excess = -std::numeric_limits<double>::infinity();
+        const SurfaceWindow* window = nullptr;
+    };
+    Worst failing;
+    Worst sure;
+    Worst judged;
     for (const SurfaceWindow& window : all.windows) {
         const auto start = static_cast<double>(window.z_start_mm);
         const auto end = static_cast<double>(window.z_end_mm);
@@ -174,16 +180,20 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
         const auto here = any ? limits.between(start, end) : DeviationLimits{};
         if (!here || (any && 2 * sigma > here->half_mm())) continue;
         const double excess = excess_mm(all, judgedMean_mm(all, window), all.factor * sigma, *here);
-        if (excess > worst_excess) {
-            worst_excess = excess;
-            worst = &window;
-        }
+        const auto take = [&](Worst& worst) {
+            if (excess > worst.excess) worst = {excess, &window};
+        };
+        take(judged);
+        const double enough = any ? kSure * here->half_mm() : kSure * all.scatter_mm;
+        if (all.factor * sigma <= enough) take(sure);
+        if (excess > 0) take(failing);
         if (!any || excess <= 0) continue;
         result.all.fails = true;
         const std::size_t zone = zoneOf(zones, start, end);
         if (zone < zones.size()) result.zones[zone].fails = true;
     }
-    if (worst) result.worst = placeOf(all, *worst);
+    for (const Worst* worst : {&failing, &sure, &judged})
+        if (worst->window && !result.worst) result.worst = placeOf(all, *worst->window);
     if (!any) return result;
 
     for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest;

@@ -11,6 +11,7 @@
 #include "engine/registration/facet_sagitta.h"
 #include "engine/registration/general.h"
 #include "engine/registration/general_cells.h"
+#include "engine/registration/meridian_runs.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution_cells.h"

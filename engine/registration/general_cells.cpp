@@ -11,7 +11,6 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
-#include "engine/registration/revolution_cells.h"
 #include "engine/registration/surface_cells.h"
 
 namespace lathelier::registration {

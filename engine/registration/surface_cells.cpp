@@ -11,6 +11,10 @@
 namespace lathelier::registration {
 namespace {
 
+constexpr double kPointsPerCell = 6;   // on average
+constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few of them
+constexpr double kManyCells = 30000;
+constexpr double kMostCells = 400000;
 constexpr double kStray = 6;             // robust standard deviations from the median of the cell
 constexpr std::size_t kOfSpreads = 4;    // one cell in so many tells the scatter of the points
 constexpr double kFew = 3;               // points whose median a stray one moves
@@ -151,6 +155,12 @@ void SurfaceCell::add(const SurfaceCell& other)
     smallest += other.smallest;
     z_start_mm = std::min(z_start_mm, other.z_start_mm);
     z_end_mm = std::max(z_end_mm, other.z_end_mm);
+}
+
+double cellSize_mm(double points, double area_mm2)
+{
+    const double worth = std::max(std::min(area_mm2 / kManyCells, kFineCell_mm2), area_mm2 / kMostCells);
+    return std::sqrt(std::max(kPointsPerCell * area_mm2 / std::max(points, 1.0), worth));
 }
 
 CellMeans cellMeans(const CellPoints& points, const Progress& progress)

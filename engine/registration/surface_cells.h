@@ -27,6 +27,10 @@ struct SurfaceCell {
     void add(const SurfaceCell& other);
 };
 
+/// How large the smallest cells are to be for so many points on so much surface: half a dozen points each, and no
+/// larger than the data ask for, but not more cells than are worth their time.
+double cellSize_mm(double points, double area_mm2);
+
 /// Cells of one size.
 struct CellLevel {
     double size_mm = 0;                     ///< side of a cell

@@ -23,7 +23,7 @@ constexpr int patience_ms = 150;  // an answer that comes sooner needs no dimmin
 }  // namespace
 
 PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent)
-    : QWidget(parent), session_(session), facts_(facts), inputs_(inputs)
+    : QWidget(parent), session_(session), facts_(facts), inputs_(inputs), finder_(kindsOf(inputs.roles))
 {
     setObjectName(QString::fromStdString("panel_" + facts.id));
     setAcceptDrops(true);

@@ -121,6 +121,8 @@ void judgeSurface(CompareResult& result, const LimitsAlong& limits)
     std::optional<Verdict> verdict = found.all.verdict();
     for (const Finding& finding : result.findings)
         if (verdict && finding.verdict == Verdict::Fail) verdict = Verdict::Fail;
+    // A mesh whose corners all lie at edges has no local means; where every point is within, so is the surface.
+    if (!verdict && result.within_tolerance_percent == 100.0) verdict = Verdict::Pass;
     if (!verdict) {
         result.notes.push_back({notes::nothingToJudge, {}});
         verdict = Verdict::Undecided;

@@ -784,10 +784,6 @@
         <translation>Zgodność od</translation>
     </message>
     <message>
-        <source>Share of points that must lie within the tolerance.</source>
-        <translation>Udział punktów, które muszą leżeć w tolerancji.</translation>
-    </message>
-    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -2920,10 +2916,6 @@
         <translation>✓ w tolerancji</translation>
     </message>
     <message>
-        <source>✗ above</source>
-        <translation>✗ powyżej</translation>
-    </message>
-    <message>
         <source>? undecided</source>
         <translation>? nierozstrzygnięte</translation>
     </message>
@@ -3803,6 +3795,222 @@
         <source>Barrel {size} µm on radius</source>
         <translation>Baryłkowość {size} µm na promieniu</translation>
     </message>
+    <message>
+        <source>✗ out</source>
+        <translation>✗ poza</translation>
+    </message>
+    <message>
+        <source>What the zone is called.</source>
+        <translation>Nazwa strefy.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Along the axis, from the reference&apos;s first data.</source>
+        <translation>Wzdłuż osi, od początku danych oryginału.</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Dolna granica</translation>
+    </message>
+    <message>
+        <source>Smallest deviation allowed; without both limits the zone is left out.</source>
+        <translation>Najmniejsza dopuszczalna odchyłka; strefa bez obu granic jest pomijana.</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Górna granica</translation>
+    </message>
+    <message>
+        <source>Largest deviation allowed; without both limits the zone is left out.</source>
+        <translation>Największa dopuszczalna odchyłka; strefa bez obu granic jest pomijana.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Powierzchnia</translation>
+    </message>
+    <message>
+        <source>Verdict by</source>
+        <translation>Ocena według</translation>
+    </message>
+    <message>
+        <source>Surface: local means against the tolerance. Points: the share of points within.</source>
+        <translation>Powierzchnia: lokalne średnie wobec tolerancji. Punkty: udział punktów w tolerancji.</translation>
+    </message>
+    <message>
+        <source>Guarded (ISO 14253-1)</source>
+        <translation>Z zapasem (ISO 14253-1)</translation>
+    </message>
+    <message>
+        <source>Guarded: only what is sure passes or fails. Rule surface.</source>
+        <translation>Z zapasem: rozstrzyga tylko to, co pewne. Dla reguły powierzchni.</translation>
+    </message>
+    <message>
+        <source>Rule points: share of points that must lie within the tolerance.</source>
+        <translation>Reguła punktów: udział punktów, które muszą leżeć w tolerancji.</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Strefy</translation>
+    </message>
+    <message>
+        <source>Limits of their own along the axis, counted from the reference&apos;s first data.</source>
+        <translation>Własne granice wzdłuż osi, liczone od początku danych oryginału.</translation>
+    </message>
+    <message>
+        <source>Worst place: mean deviation</source>
+        <translation>Najgorsze miejsce: średnia odchyłka</translation>
+    </message>
+    <message>
+        <source>… its uncertainty (k = 2)</source>
+        <translation>… jej niepewność (k = 2)</translation>
+    </message>
+    <message>
+        <source>… along the axis at</source>
+        <translation>… położenie wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>… at the angle</source>
+        <translation>… pod kątem</translation>
+    </message>
+    <message>
+        <source>… mean over a square of</source>
+        <translation>… średnia z kwadratu o boku</translation>
+    </message>
+    <message>
+        <source>Noise of the points about the surface</source>
+        <translation>Szum punktów wokół powierzchni</translation>
+    </message>
+    <message>
+        <source>U (mm)</source>
+        <translation>U (mm)</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nazwa</translation>
+    </message>
+    <message>
+        <source>lower (mm)</source>
+        <translation>dolna (mm)</translation>
+    </message>
+    <message>
+        <source>upper (mm)</source>
+        <translation>górna (mm)</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Co się różni</translation>
+    </message>
+    <message>
+        <source>value (mm)</source>
+        <translation>wartość (mm)</translation>
+    </message>
+    <message>
+        <source>limit (mm)</source>
+        <translation>granica (mm)</translation>
+    </message>
+    <message>
+        <source>Step {value} ± {uncertainty} mm · z {from}-{to} mm</source>
+        <translation>Skok {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Taper {value} ± {uncertainty} mm · z {from}-{to} mm</source>
+        <translation>Stożek {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Saddle {value} ± {uncertainty} mm · z {from}-{to} mm</source>
+        <translation>Siodłowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Barrel {value} ± {uncertainty} mm · z {from}-{to} mm</source>
+        <translation>Baryłkowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value} ± {uncertainty} mm · z {from}-{to} mm</source>
+        <translation>Wypukłość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value} ± {uncertainty} mm at X {x} Y {y} Z {z}</source>
+        <translation>Wypukłość {value} ± {uncertainty} mm w X {x} Y {y} Z {z}</translation>
+    </message>
+    <message>
+        <source>No data of the copy · z {from}-{to} mm</source>
+        <translation>Brak danych kopii · z {from}-{to} mm</translation>
+    </message>
+    <message>
+        <source>Worst local deviation</source>
+        <translation>Największa odchyłka lokalna</translation>
+    </message>
+    <message>
+        <source>RMS {rms} mm · mean {mean} mm · noise of the scans {scatter} mm · {method}</source>
+        <translation>RMS {rms} mm · średnio {mean} mm · szum skanów {scatter} mm · {method}</translation>
+    </message>
+    <message>
+        <source>The scan does not decide on ±{limit_mm} mm everywhere: means over {cell_mm} mm are uncertain by {uncertainty_mm} mm. {times} times as many points would, or limits of ±{uncertainty_mm} mm.</source>
+        <translation>Skan nie wszędzie pozwala rozstrzygnąć o ±{limit_mm} mm: niepewność średnich z {cell_mm} mm wynosi {uncertainty_mm} mm. Wystarczyłoby {times} razy więcej punktów albo granice ±{uncertainty_mm} mm.</translation>
+    </message>
+    <message>
+        <source>No part of the surface is smooth and dense enough for local means: the verdict is open.</source>
+        <translation>Żaden fragment powierzchni nie jest dość gładki i gęsty dla lokalnych średnich: ocena pozostaje otwarta.</translation>
+    </message>
+    <message>
+        <source>points: the share within the limits</source>
+        <translation>punkty: udział w granicach</translation>
+    </message>
+    <message>
+        <source>surface: local means against the limits</source>
+        <translation>powierzchnia: lokalne średnie wobec granic</translation>
+    </message>
+    <message>
+        <source>off by a constant</source>
+        <translation>przesunięcie o stałą</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>stożkowość</translation>
+    </message>
+    <message>
+        <source>barrel or hollow</source>
+        <translation>baryłkowość lub siodłowość</translation>
+    </message>
+    <message>
+        <source>bump or dent</source>
+        <translation>garb lub wgniecenie</translation>
+    </message>
+    <message>
+        <source>no points of the copy</source>
+        <translation>brak punktów kopii</translation>
+    </message>
+    <message>
+        <source>an end beyond the zone&apos;s start</source>
+        <translation>koniec za początkiem strefy</translation>
+    </message>
+    <message>
+        <source>both limits, or null for both (the zone is left out)</source>
+        <translation>obie granice albo obie null (strefa jest pomijana)</translation>
+    </message>
+    <message>
+        <source>a lower limit not above the upper one</source>
+        <translation>dolna granica nie większa niż górna</translation>
+    </message>
+    <message>
+        <source>a zone that overlaps no other</source>
+        <translation>strefa niezachodząca na inną</translation>
+    </message>
+    <message>
+        <source>an object with name, z_start_mm, z_end_mm, lower_mm, upper_mm</source>
+        <translation>obiekt z name, z_start_mm, z_end_mm, lower_mm, upper_mm</translation>
+    </message>
+    <message>
+        <source>Limits of their own along the axis, from FILE.json.</source>
+        <translation>Własne granice wzdłuż osi, z pliku FILE.json.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -3861,6 +4069,13 @@
     <message>
         <source>not given</source>
         <translation>nie podano</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::FindingLink</name>
+    <message>
+        <source>no finding</source>
+        <translation>bez wskazań</translation>
     </message>
 </context>
 <context>
@@ -4723,24 +4938,24 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Punkty</translation>
     </message>
     <message>
-        <source>Mean is</source>
-        <translation>Średnia jest</translation>
-    </message>
-    <message>
         <source>Standard deviation of the single points in the zone</source>
         <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
     </message>
     <message>
-        <source>▲ above</source>
-        <translation>▲ powyżej</translation>
+        <source>U (mm)</source>
+        <translation>U (mm)</translation>
     </message>
     <message>
-        <source>▼ below</source>
-        <translation>▼ poniżej</translation>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
     </message>
     <message>
-        <source>✓ within</source>
-        <translation>✓ w tolerancji</translation>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the mean (k = 2)</source>
+        <translation>Niepewność rozszerzona średniej (k = 2)</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,7 @@ Text shortName(Verdict verdict)
 {
     switch (verdict) {
         case Verdict::Pass: return LT_TEXT("Engine", "✓ within");
-        case Verdict::Fail: return LT_TEXT("Engine", "✗ above");
+        case Verdict::Fail: return LT_TEXT("Engine", "✗ out");
         case Verdict::Undecided: return LT_TEXT("Engine", "? undecided");
     }
     return {};

@@ -16,7 +16,11 @@
 #include "engine/registration/surface/facet_sagitta.h"
 #include "engine/registration/surface/surface_deviation.h"
 #include "engine/registration/surface/surface_samples.h"
-#include "engine/registration/verdict.h"
+#include "engine/registration/verdict/general_cells.h"
+#include "engine/registration/verdict/meridian_runs.h"
+#include "engine/registration/verdict/revolution_cells.h"
+#include "engine/registration/verdict/verdict.h"
+#include "engine/registration/verdict/zone_limits.h"
 
 namespace lathelier::registration {
 namespace {
@@ -188,10 +192,11 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Is
     return result;
 }
 
-/// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud.
+/// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud; of the
+/// last two also the direction in which it was measured.
 void measure(const Scan& reference, const GeneralReference* prepared, const Plan& plan, const MeridianLine* line,
              const std::vector<Vector3d>& moved_copy, double max_distance_mm, CompareResult& result,
-             const Progress& progress)
+             std::vector<Eigen::Vector3f>& direction, const Progress& progress)
 {
     const auto toMeridian = [&] {
         return meridianDeviation(plan.reference, *line, moved_copy, max_distance_mm, progress);
@@ -205,6 +210,7 @@ void measure(const Scan& reference, const GeneralReference* prepared, const Plan
     result.notes.insert(result.notes.end(), surface.notes.begin(), surface.notes.end());
     result.has_sign = surface.has_sign;
     result.deviation_mm = std::move(surface.deviation_mm);
+    direction = std::move(surface.direction);
     if (surface.has_sign || !line) return;
     // Facets of contradicting senses: the distance to them stands, the meridian tells the side.
     const std::vector<float> sides = toMeridian();
@@ -222,6 +228,19 @@ void noteCoarseFacets(const Scan& scan, const char* role, const RevolutionFit& f
     const double sagitta = facetSagitta_mm(scan, fit.axis_T_scan, progress);
     if (sagitta > kCoarse * size_mm)
         notes.push_back({notes::facetsCoarse, {{"role", std::string(role)}, {"sagitta_mm", sagitta}}});
+}
+
+/// Without an axis nothing can be said along it.
+void refuseAlongAxis(const CompareParameters& asked)
+{
+    const auto refuse = [](const char* parameter, Value found) {
+        throw Error(errors::valueNotUnderstood,
+                    {{"parameter", std::string(parameter)},
+                     {"found", std::move(found)},
+                     {"expected", LT_TEXT("Engine", "a body of revolution, which has an axis")}});
+    };
+    if (!asked.exclude_z_mm.empty()) refuse("exclude_z_mm", asked.exclude_z_mm);
+    if (!asked.zones.empty()) refuse("zones", asked.zones.front().name);
 }
 
 std::vector<float> finiteOf(const std::vector<float>& values)
@@ -268,6 +287,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
                       const Progress& progress, CompareDetail detail)
 {
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
+    checkZones(parameters.zones);
     const SurfacePoints reference_surface = surfaceOf(reference_scan, "reference", progress);
     const SurfacePoints copy_surface = surfaceOf(copy_scan, "copy", progress);
     const std::vector<Vector3d>& reference_points = *reference_surface.points;
@@ -299,11 +319,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     }
     result.notes.insert(result.notes.end(), result.alignment.notes.begin(), result.alignment.notes.end());
     const std::size_t notes_before = result.notes.size();
-    if (!plan.reference_turned && !parameters.exclude_z_mm.empty())
-        throw Error(errors::valueNotUnderstood,
-                    {{"parameter", std::string("exclude_z_mm")},
-                     {"found", parameters.exclude_z_mm},
-                     {"expected", LT_TEXT("Engine", "a body of revolution, which has an axis")}});
+    if (!plan.reference_turned) refuseAlongAxis(parameters);
 
     const Progress measuring = progress.part(0.5, 0.75, LT_TEXT("Engine", "Deviations"));
     const std::vector<Vector3d> moved_copy = moved(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
@@ -314,9 +330,10 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
                                 ? std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm)
                                 : prepared->surface->scatter_mm();
     double reach_mm = parameters.max_distance_mm.value_or(defaultReach_mm(size_mm, noise_mm));
+    std::vector<Eigen::Vector3f> direction;
     const auto remeasure = [&](const Progress& own) {
         measure(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy, reach_mm,
-                result, own);
+                result, direction, own);
     };
     remeasure(measuring.part(0, 0.8));
     // The scatter of a part of any shape is known only now, and what was out of reach adds to it.
@@ -327,6 +344,9 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
         remeasure(measuring.part(0.8, 1));
     }
+    const double facets_mm = line && reference_scan.isMesh()
+                                 ? largestSagitta_mm(reference_scan, plan.reference.fit.axis_T_scan, measuring)
+                                 : 0;
     if (plan.reference_turned)
         noteCoarseFacets(reference_scan, "reference", plan.reference.fit, size_mm, result.notes, measuring);
     if (plan.method == CompareMethod::Revolution)
@@ -338,6 +358,10 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         left_out.far += result.used[i] ? 0 : 1;
     }
     if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
+    SurfaceWindows windows = line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
+                                  : generalWindows(moved_copy, direction, result, measuring);
+    if (line && detail == CompareDetail::Full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
+    result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
     summariseDeviations(result, left_out, reach_mm, detail, measuring);
     if (detail == CompareDetail::Summary) {
         progress.report(1);

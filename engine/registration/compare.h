@@ -14,6 +14,8 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 #include "engine/registration/alignment.h"
+#include "engine/registration/verdict/surface_windows.h"
+#include "engine/registration/verdict/verdict_values.h"
 
 namespace lathelier::registration {
 
@@ -22,14 +24,17 @@ enum class Symmetry { Auto, Revolution, None };
 enum class InitialPose { Auto, Identity };
 
 struct CompareParameters {
-    CompareMethod method = CompareMethod::Auto;  ///< how the copy is aligned
-    Symmetry symmetry = Symmetry::Auto;          ///< whether the parts may be taken as bodies of revolution
-    InitialPose initial = InitialPose::Auto;     ///< Identity: the search stays near the poses as scanned
-    std::optional<double> tolerance_mm;          ///< band ±T; without it there is no verdict
-    double pass_percent = 95;                    ///< pass when at least this share is within the band
-    std::optional<double> scanner_accuracy_mm;   ///< one standard deviation of the scanner
-    std::optional<double> max_distance_mm;       ///< points further away are left out; default: default_reach.h
-    std::vector<Interval> exclude_z_mm;          ///< clamping areas, along the reference's axis from its first data
+    CompareMethod method = CompareMethod::Auto;       ///< how the copy is aligned
+    Symmetry symmetry = Symmetry::Auto;               ///< whether the parts may be taken as bodies of revolution
+    InitialPose initial = InitialPose::Auto;          ///< Identity: the search stays near the poses as scanned
+    std::optional<double> tolerance_mm;               ///< band ±T; without it and without zones there is no verdict
+    VerdictRule verdict_rule = VerdictRule::Surface;  ///< what is held against the limits
+    DecisionRule decision = DecisionRule::Simple;     ///< rule surface: what may pass (ISO 14253-1)
+    double pass_percent = 95;                   ///< rule points: pass when at least this share is within the limits
+    std::vector<ZoneLimits> zones;              ///< limits of their own along the axis
+    std::optional<double> scanner_accuracy_mm;  ///< one standard deviation of the scanner
+    std::optional<double> max_distance_mm;      ///< points further away are left out; default: default_reach.h
+    std::vector<Interval> exclude_z_mm;         ///< clamping areas, along the reference's axis from its first data
 };
 
 const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*);
@@ -54,15 +59,6 @@ struct DeviationStatistics {
 struct Histogram {
     std::vector<double> edges_mm;      ///< one more than counts
     std::vector<std::int64_t> counts;  ///< number of points in each bin
-};
-
-/// Mean deviation between two places along the axis.
-struct Zone {
-    double z_start_mm = 0;    ///< along the axis from the reference's first data
-    double z_end_mm = 0;      ///< likewise
-    double mean_mm = 0;       ///< of the deviations in the zone
-    double std_mm = 0;        ///< standard deviation about that mean, over n - 1; NaN for one point
-    std::int64_t points = 0;  ///< number of points in the zone that count
 };
 
 /// The reference's meridian and the copy's mean deviation along it, for the plot with magnified error.
@@ -95,26 +91,31 @@ struct CompareResult {
     /// The frame in which zones, meridian and map are given: its z is their z (0 at the first data), its x axis lies at
     /// angle 0. Body of revolution only.
     std::optional<Eigen::Isometry3d> axis_T_reference;
-    std::vector<Zone> zones;                                                   ///< body of revolution only
-    std::optional<Meridian> meridian;                                          ///< body of revolution only
-    std::optional<UnrolledMap> unrolled;                                       ///< body of revolution only
+    std::vector<Zone> zones;              ///< those given, else automatic ones; body of revolution only
+    std::optional<Meridian> meridian;     ///< body of revolution only
+    std::optional<UnrolledMap> unrolled;  ///< body of revolution only
     double cloud_to_cloud_rmse_mm = std::numeric_limits<double>::quiet_NaN();  ///< the paper's figure
     double cloud_to_cloud_rmse_error_mm =
         std::numeric_limits<double>::quiet_NaN();  ///< its standard error: a large cloud is sampled; 0: all points
     double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();  ///< what that figure is for identical parts
+    std::shared_ptr<const SurfaceWindows> windows;                        ///< local means: what judge() reads
+    double scatter_mm = std::numeric_limits<double>::quiet_NaN();         ///< noise of the points about the local means
     std::optional<double> within_tolerance_percent;    ///< of the points that count; with a tolerance
-    std::optional<Verdict> verdict;                    ///< Pass or Fail; with a tolerance
+    std::optional<Verdict> verdict;                    ///< with a tolerance, or zones that have limits
+    std::optional<WorstPlace> worst;                   ///< none where nothing is judged
+    std::vector<Finding> findings;                     ///< what differs, the largest first
     std::optional<bool> distinguishable_from_scanner;  ///< rmse_mm > 1.1 × scanner_accuracy_mm, when given
     Notes notes;                                       ///< those of the alignment included
 };
 
-/// Summary: only what the verdict needs; histogram, zones, meridian, map and the figures from cloud to cloud stay as in
-/// a fresh result. What is filled is the same as with Full.
+/// Summary: only what the verdict needs; histogram, automatic zones, meridian, map and the figures from cloud to cloud
+/// stay as in a fresh result. What is filled is the same as with Full.
 enum class CompareDetail { Full, Summary };
 
 /// Compares `copy` with `reference`; either may be a cloud or a mesh. The same bits for any number of threads.
 /// Errors: tooFewPoints, pointsDegenerate, partsDoNotMatch (with overlap_percent), notConverged,
-/// notABodyOfRevolution with `reason` and coverageTooSmall (when asked for method revolution). Throws Cancelled.
+/// notABodyOfRevolution with `reason` and coverageTooSmall (when asked for method revolution), valueNotUnderstood for
+/// zones that overlap or have no axis. Throws Cancelled.
 /// Where one of the two scans is at fault, the error names its `role`.
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
                       const Progress& progress = {}, CompareDetail detail = CompareDetail::Full);

@@ -16,6 +16,11 @@ const char* keyOf(CompareMethod method)
     return "";
 }
 
+Json verdictJson(const std::optional<Verdict>& verdict)
+{
+    return verdict ? Json(key(*verdict)) : Json(nullptr);
+}
+
 }  // namespace
 
 Json toJson(const CompareResult& result)
@@ -46,7 +51,27 @@ Json toJson(const CompareResult& result)
     json["p2_5_mm"] = withSign(s.p2_5_mm);
     json["p97_5_mm"] = withSign(s.p97_5_mm);
     json["within_tolerance_percent"] = number(result.within_tolerance_percent);
-    json["verdict"] = result.verdict ? Json(key(*result.verdict)) : Json(nullptr);
+    json["scatter_mm"] = number(result.scatter_mm);
+    json["verdict_rule"] = key(result.parameters.verdict_rule);
+    json["decision_rule"] = key(result.parameters.decision);
+    json["verdict"] = verdictJson(result.verdict);
+    json["worst"] = nullptr;
+    if (const auto& worst = result.worst)
+        json["worst"] = {{"z_mm", number(worst->z_mm)},
+                         {"point_mm", numbers(worst->point_mm)},
+                         {"angle_deg", number(worst->angle_deg)},
+                         {"deviation_mm", number(worst->deviation_mm)},
+                         {"uncertainty_mm", number(worst->uncertainty_mm)},
+                         {"cell_mm", number(worst->cell_mm)}};
+    json["findings"] = Json::array();
+    for (const Finding& finding : result.findings)
+        json["findings"].push_back({{"kind", key(finding.kind)},
+                                    {"z_start_mm", number(finding.z_start_mm)},
+                                    {"z_end_mm", number(finding.z_end_mm)},
+                                    {"value_mm", number(finding.value_mm)},
+                                    {"uncertainty_mm", number(finding.uncertainty_mm)},
+                                    {"limit_mm", number(finding.limit_mm)},
+                                    {"verdict", verdictJson(finding.verdict)}});
     json["distinguishable_from_scanner"] =
         result.distinguishable_from_scanner ? Json(*result.distinguishable_from_scanner) : Json(nullptr);
     json["cloud_to_cloud_rmse_mm"] = number(result.cloud_to_cloud_rmse_mm);
@@ -56,12 +81,19 @@ Json toJson(const CompareResult& result)
     if (const auto& axis = alignment.reference_axis)
         json["axis"] = {{"point_mm", numbers(axis->point_mm)}, {"direction", numbers(axis->direction)}};
     json["zones"] = Json::array();
-    for (const Zone& zone : result.zones)
-        json["zones"].push_back({{"z_start_mm", number(zone.z_start_mm)},
-                                 {"z_end_mm", number(zone.z_end_mm)},
-                                 {"mean_mm", number(zone.mean_mm)},
-                                 {"std_mm", number(zone.std_mm)},
-                                 {"points", zone.points}});
+    for (const Zone& zone : result.zones) {
+        Json one{{"name", zone.name.empty() ? Json(nullptr) : Json(zone.name)},
+                 {"z_start_mm", number(zone.z_start_mm)},
+                 {"z_end_mm", number(zone.z_end_mm)},
+                 {"mean_mm", number(zone.mean_mm)},
+                 {"std_mm", number(zone.std_mm)},
+                 {"points", zone.points},
+                 {"uncertainty_mm", number(zone.uncertainty_mm)},
+                 {"verdict", verdictJson(zone.verdict)}};
+        if (zone.lower_mm) one["lower_mm"] = number(zone.lower_mm);
+        if (zone.upper_mm) one["upper_mm"] = number(zone.upper_mm);
+        json["zones"].push_back(std::move(one));
+    }
     json["free_motions"] = Json::array();
     for (const FreeMotion& motion : alignment.free_motions)
         json["free_motions"].push_back(

@@ -2,6 +2,32 @@
 
 namespace lathelier::registration {
 
+const std::vector<Field<ZoneLimits>>& fieldsOf(const ZoneLimits*)
+{
+    using P = ZoneLimits;
+    constexpr Range along{-100000, 100000};
+    constexpr Range limit{-1000, 1000};
+    static const std::vector<Field<P>> all{
+        field("name", &P::name,
+              Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "What the zone is called."), {}, false, true}),
+        field("z_start_mm", &P::z_start_mm, along,
+              Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "Along the axis, from the reference's first data."),
+                    LT_TEXT("Engine", "mm"), false, true}),
+        field("z_end_mm", &P::z_end_mm, along,
+              Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "Along the axis, from the reference's first data."),
+                    LT_TEXT("Engine", "mm"), false, true}),
+        field("lower_mm", &P::lower_mm, limit,
+              Label{LT_TEXT("Engine", "Lower limit"),
+                    LT_TEXT("Engine", "Smallest deviation allowed; without both limits the zone is left out."),
+                    LT_TEXT("Engine", "mm"), false, true}),
+        field("upper_mm", &P::upper_mm, limit,
+              Label{LT_TEXT("Engine", "Upper limit"),
+                    LT_TEXT("Engine", "Largest deviation allowed; without both limits the zone is left out."),
+                    LT_TEXT("Engine", "mm"), false, true}),
+    };
+    return all;
+}
+
 const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
 {
     using P = CompareParameters;
@@ -30,9 +56,26 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
         field("tolerance_mm", &P::tolerance_mm, Range{1e-6, 1000},
               Label{LT_TEXT("Engine", "Tolerance ±"), LT_TEXT("Engine", "Largest deviation allowed to either side."),
                     LT_TEXT("Engine", "mm")}),
+        field(
+            "verdict_rule", &P::verdict_rule,
+            {{"surface", LT_TEXT("Engine", "Surface")}, {"points", LT_TEXT("Engine", "Points")}},
+            Label{LT_TEXT("Engine", "Verdict by"),
+                  LT_TEXT("Engine", "Surface: local means against the tolerance. Points: the share of points within."),
+                  {},
+                  true}),
+        field("decision", &P::decision,
+              {{"simple", LT_TEXT("Engine", "Simple")}, {"guarded", LT_TEXT("Engine", "Guarded (ISO 14253-1)")}},
+              Label{LT_TEXT("Engine", "Decision rule"),
+                    LT_TEXT("Engine", "Guarded: only what is sure passes or fails. Rule surface.")}),
         field("pass_percent", &P::pass_percent, Range{0, 100},
               Label{LT_TEXT("Engine", "Pass from"),
-                    LT_TEXT("Engine", "Share of points that must lie within the tolerance."), LT_TEXT("Engine", "%")}),
+                    LT_TEXT("Engine", "Rule points: share of points that must lie within the tolerance."),
+                    LT_TEXT("Engine", "%"), true}),
+        rows("zones", &P::zones, Range{0, 1000},
+             Label{LT_TEXT("Engine", "Zones"),
+                   LT_TEXT("Engine", "Limits of their own along the axis, counted from the reference's first data."),
+                   {},
+                   true}),
         field("scanner_accuracy_mm", &P::scanner_accuracy_mm, Range{0, 100},
               Label{LT_TEXT("Engine", "Scanner accuracy"), LT_TEXT("Engine", "One standard deviation of the scanner."),
                     LT_TEXT("Engine", "mm")}),

@@ -1,5 +1,7 @@
 #include "engine/registration/compare_report.h"
 
+#include <cmath>
+
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/registration_verification.h"
@@ -63,12 +65,29 @@ report::QuantityTable verdictTable(const CompareResult& result)
     report::QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     if (result.verdict) {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
-        table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
-        table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
+        if (asked.tolerance_mm)
+            table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
+        table.rows.push_back({LT_TEXT("Engine", "Verdict by"), name(asked.verdict_rule), {}});
+        if (asked.verdict_rule == VerdictRule::Surface)
+            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), name(asked.decision), {}});
     } else {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
+    }
+    if (const auto& worst = result.worst) {
+        table.rows.push_back({LT_TEXT("Engine", "Worst place: mean deviation"), worst->deviation_mm, mm, 4});
+        table.rows.push_back({LT_TEXT("Engine", "… its uncertainty (k = 2)"), worst->uncertainty_mm, mm, 4});
+        if (worst->z_mm) table.rows.push_back({LT_TEXT("Engine", "… along the axis at"), *worst->z_mm, mm, 2});
+        if (worst->angle_deg)
+            table.rows.push_back({LT_TEXT("Engine", "… at the angle"), *worst->angle_deg, LT_TEXT("Engine", "°"), 1});
+        table.rows.push_back({LT_TEXT("Engine", "… mean over a square of"), worst->cell_mm, mm, 2});
+    }
+    if (std::isfinite(result.scatter_mm))
+        table.rows.push_back({LT_TEXT("Engine", "Noise of the points about the surface"), result.scatter_mm, mm, 4});
+    if (result.verdict && result.within_tolerance_percent) {
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
+        if (asked.verdict_rule == VerdictRule::Points)
+            table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
     }
     if (asked.scanner_accuracy_mm) {
         table.rows.push_back({LT_TEXT("Engine", "Scanner's accuracy"), given(asked.scanner_accuracy_mm), mm});
@@ -84,15 +103,55 @@ report::QuantityTable verdictTable(const CompareResult& result)
     return table;
 }
 
+Value shortVerdict(const std::optional<Verdict>& verdict)
+{
+    return verdict ? Value(shortName(*verdict)) : Value();
+}
+
 report::Table zonesTable(const CompareResult& result)
 {
+    const bool named = !result.parameters.zones.empty();
     report::Table table{LT_TEXT("Engine", "Zones along the axis"),
                         {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
-                         LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
+                         LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
                         {},
-                        {2, 2, 4, 4}};
-    for (const Zone& zone : result.zones)
-        table.rows.push_back({zone.z_start_mm, zone.z_end_mm, zone.mean_mm, zone.std_mm, zone.points});
+                        {2, 2, 4, 4, 4, 0}};
+    if (named) {
+        table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "name"));
+        table.decimals.insert(table.decimals.begin(), 0);
+        table.columns.push_back(LT_TEXT("Engine", "lower (mm)"));
+        table.columns.push_back(LT_TEXT("Engine", "upper (mm)"));
+        table.decimals.insert(table.decimals.end(), {4, 4});
+    }
+    if (result.verdict) {
+        table.columns.push_back(LT_TEXT("Engine", "verdict"));
+        table.decimals.push_back(0);
+    }
+    for (const Zone& zone : result.zones) {
+        std::vector<Value> row{zone.z_start_mm,     zone.z_end_mm, zone.mean_mm,
+                               zone.uncertainty_mm, zone.std_mm,   zone.points};
+        if (named) {
+            row.insert(row.begin(), zone.name);
+            row.push_back(given(zone.lower_mm));
+            row.push_back(given(zone.upper_mm));
+        }
+        if (result.verdict) row.push_back(shortVerdict(zone.verdict));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+report::Table findingsTable(const CompareResult& result)
+{
+    report::Table table{LT_TEXT("Engine", "What differs"),
+                        {LT_TEXT("Engine", "difference"), LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"),
+                         LT_TEXT("Engine", "value (mm)"), LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "limit (mm)"),
+                         LT_TEXT("Engine", "verdict")},
+                        {},
+                        {0, 2, 2, 4, 4, 4, 0}};
+    for (const Finding& finding : result.findings)
+        table.rows.push_back({name(finding.kind), given(finding.z_start_mm), given(finding.z_end_mm), finding.value_mm,
+                              finding.uncertainty_mm, given(finding.limit_mm), shortVerdict(finding.verdict)});
     return table;
 }
 
@@ -190,33 +249,110 @@ report::Section certaintySection(const CompareResult& result)
 
 }  // namespace
 
+namespace {
+
+Text patternOf(const Finding& finding)
+{
+    switch (finding.kind) {
+        case Finding::Kind::Step: return LT_TEXT("Engine", "Step {value} ± {uncertainty} mm · z {from}-{to} mm");
+        case Finding::Kind::Taper: return LT_TEXT("Engine", "Taper {value} ± {uncertainty} mm · z {from}-{to} mm");
+        case Finding::Kind::Barrel:
+            return finding.value_mm < 0 ? LT_TEXT("Engine", "Saddle {value} ± {uncertainty} mm · z {from}-{to} mm")
+                                        : LT_TEXT("Engine", "Barrel {value} ± {uncertainty} mm · z {from}-{to} mm");
+        case Finding::Kind::Bump:
+            return finding.z_start_mm ? LT_TEXT("Engine", "Bump {value} ± {uncertainty} mm · z {from}-{to} mm")
+                                      : LT_TEXT("Engine", "Bump {value} ± {uncertainty} mm at X {x} Y {y} Z {z}");
+        case Finding::Kind::Missing: return LT_TEXT("Engine", "No data of the copy · z {from}-{to} mm");
+    }
+    return {};
+}
+
+report::Finding findingOf(const Finding& finding, const Language& language)
+{
+    report::Finding said;
+    said.pattern = patternOf(finding);
+    const std::string plus = finding.value_mm > 0 ? "+" : "";
+    said.values = {{"value", plus + fixed(finding.value_mm, 3, language)},
+                   {"uncertainty", fixed(finding.uncertainty_mm, 3, language)},
+                   {"x", fixed(finding.point_mm.x(), 1, language)},
+                   {"y", fixed(finding.point_mm.y(), 1, language)},
+                   {"z", fixed(finding.point_mm.z(), 1, language)}};
+    if (finding.z_start_mm && finding.z_end_mm) {
+        said.values.emplace_back("from", fixed(*finding.z_start_mm, 1, language));
+        said.values.emplace_back("to", fixed(*finding.z_end_mm, 1, language));
+        said.place.z_mm = Interval{*finding.z_start_mm, *finding.z_end_mm};
+    }
+    said.verdict = finding.verdict;
+    return said;
+}
+
+/// The limits where the worst place lies.
+void addLimits(const CompareResult& result, report::Answer& answer)
+{
+    if (result.parameters.tolerance_mm) {
+        answer.lower_limit = -*result.parameters.tolerance_mm;
+        answer.upper_limit = *result.parameters.tolerance_mm;
+    }
+    if (!result.worst->z_mm) return;
+    for (const ZoneLimits& zone : result.parameters.zones)
+        if (*result.worst->z_mm >= zone.z_start_mm && *result.worst->z_mm <= zone.z_end_mm) {
+            answer.lower_limit = zone.lower_mm;
+            answer.upper_limit = zone.upper_mm;
+            if (!zone.name.empty()) answer.subject += ", " + zone.name;
+        }
+}
+
+}  // namespace
+
 report::Answer answer(const CompareResult& result, const Language& language)
 {
     const DeviationStatistics& s = result.statistics;
+    const bool by_surface = result.worst && result.parameters.verdict_rule == VerdictRule::Surface;
     report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "RMS deviation");
-    answer.value = s.rmse_mm;
     answer.unit = mm;
-    answer.decimals = 4;
     answer.verdict = result.verdict;
-    answer.sentence =
-        !result.has_sign ? LT_TEXT("Engine", "{method}")
-        : result.within_tolerance_percent
-            ? LT_TEXT("Engine", "mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm")
-            : LT_TEXT("Engine", "mean {mean} mm · {method}");
+    if (by_surface) {
+        const WorstPlace& worst = *result.worst;
+        answer.quantity = LT_TEXT("Engine", "Worst local deviation");
+        answer.value = worst.deviation_mm;
+        answer.expanded_uncertainty = worst.uncertainty_mm;
+        answer.is_signed = result.has_sign;
+        answer.decimals = 3;
+        if (worst.z_mm) answer.subject = "z\u00A0" + fixed(*worst.z_mm, 1, language) + "\u00A0mm";
+        if (worst.z_mm && worst.angle_deg) answer.subject += ", " + fixed(*worst.angle_deg, 0, language) + "°";
+        addLimits(result, answer);
+    } else {
+        answer.quantity = LT_TEXT("Engine", "RMS deviation");
+        answer.value = s.rmse_mm;
+        answer.decimals = 4;
+    }
     const std::string plus = s.mean_mm > 0 ? "+" : "";
-    answer.values = {{"mean", plus + fixed(s.mean_mm, 4, language)}, {"method", methodName(result.method_used)}};
-    if (result.within_tolerance_percent && result.parameters.tolerance_mm) {
+    answer.values = {{"mean", plus + fixed(s.mean_mm, 4, language)},
+                     {"rms", fixed(s.rmse_mm, 4, language)},
+                     {"scatter", fixed(result.scatter_mm, 4, language)},
+                     {"method", methodName(result.method_used)}};
+    if (!result.has_sign)
+        answer.sentence = LT_TEXT("Engine", "{method}");
+    else if (by_surface)
+        answer.sentence =
+            LT_TEXT("Engine", "RMS {rms} mm · mean {mean} mm · noise of the scans {scatter} mm · {method}");
+    else if (result.within_tolerance_percent && result.parameters.tolerance_mm) {
+        answer.sentence =
+            LT_TEXT("Engine", "mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm");
         answer.values.emplace_back("share", fixed(*result.within_tolerance_percent, 1, language));
         answer.values.emplace_back("tolerance", *result.parameters.tolerance_mm);
-    }
+    } else
+        answer.sentence = LT_TEXT("Engine", "mean {mean} mm · {method}");
+    for (const Finding& finding : result.findings)
+        if (answer.findings.size() < 3) answer.findings.push_back(findingOf(finding, language));
     return answer;
 }
 
 report::Section compareSummary(const CompareResult& result, const Language& language)
 {
-    report::Section section{LT_TEXT("Engine", "Result"),
-                            {answer(result, language), statisticsTable(result), verdictTable(result)}};
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language), verdictTable(result)}};
+    if (!result.findings.empty()) section.blocks.push_back(findingsTable(result));
+    section.blocks.push_back(statisticsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

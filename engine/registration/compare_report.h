@@ -8,15 +8,16 @@
 
 namespace lathelier::registration {
 
-/// "RMS 0.0557 mm · mean +0.0041 mm · body of revolution · 97.3 % within ±0.1 mm ✓": the same on the command line, in
-/// the panel and in the report.
+/// The worst place with its uncertainty against the limit and what differs most, by the rule of the surface; else the
+/// RMS deviation: the same on the command line, in the panel and in the report.
 report::Answer answer(const CompareResult& result, const Language& language = {});
 
-/// Answer, statistics, verdict and notes: the first section of the report, and what the command line prints.
+/// Answer, verdict with the worst place, what differs, statistics and notes: the first section of the report, and what
+/// the command line prints.
 report::Section compareSummary(const CompareResult& result, const Language& language = {});
 
-/// Everything the result holds, the most wanted first: headline, statistics and verdict, notes; where (pictures,
-/// unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters.
+/// Everything the result holds, the most wanted first: answer, verdict, what differs, statistics, notes; where
+/// (pictures, unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters.
 report::Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs,
                                const Language& language = {}, std::vector<report::Picture> pictures = {});
 

@@ -74,6 +74,16 @@ inline constexpr NoteCode notDistinguishable{
     "not_distinguishable", Severity::Warning,
     LT_TEXT("Engine", "The difference cannot be told from the scanner's accuracy of {scanner_accuracy_mm} mm.")};
 
+inline constexpr NoteCode scanTooPoor{
+    "scan_too_poor", Severity::Warning,
+    LT_TEXT("Engine",
+            "The scan does not decide on ±{limit_mm} mm everywhere: means over {cell_mm} mm are uncertain by "
+            "{uncertainty_mm} mm. {times} times as many points would, or limits of ±{uncertainty_mm} mm.")};
+
+inline constexpr NoteCode nothingToJudge{
+    "nothing_to_judge", Severity::Warning,
+    LT_TEXT("Engine", "No part of the surface is smooth and dense enough for local means: the verdict is open.")};
+
 inline constexpr NoteCode coverageBelowHalf{
     "coverage_below_half", Severity::Warning,
     LT_TEXT("Engine",

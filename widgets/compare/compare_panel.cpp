@@ -117,6 +117,11 @@ report::Answer ComparePanel::answer(const ComparePicture& picture) const
     return registration::answer(*picture.result, screenLanguage());
 }
 
+void ComparePanel::showPlace(const report::Place& place)
+{
+    if (place.z_mm) views_->markAlong((place.z_mm->from + place.z_mm->to) / 2, place.angle_deg);
+}
+
 Notes ComparePanel::notes(const ComparePicture& picture) const
 {
     return picture.notes;

@@ -28,6 +28,7 @@ protected:
     Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
     report::Answer answer(const ComparePicture& picture) const override;
+    void showPlace(const report::Place& place) override;
     Notes notes(const ComparePicture& picture) const override;
     report::Document document(const ComparePicture& picture) const override;
     std::vector<PanelExport> exports() const override;

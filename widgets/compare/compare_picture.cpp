@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
-#include "engine/registration/verdict.h"
+#include "engine/registration/verdict/verdict.h"
 
 namespace lathelier::compare_panel {
 namespace {

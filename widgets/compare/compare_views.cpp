@@ -99,6 +99,11 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
 
 CompareViews::~CompareViews() = default;
 
+void CompareViews::markAlong(double z_mm, std::optional<double> angle_deg)
+{
+    if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z_mm, angle_deg.value_or(90)));
+}
+
 HeroViews* CompareViews::heroes() const
 {
     return parts_->heroes;

@@ -37,6 +37,9 @@ public:
 
     HeroViews* heroes() const;
 
+    /// Marks a place along the axis, at the angle (90° when there is none).
+    void markAlong(double z_mm, std::optional<double> angle_deg);
+
     void retranslate();
 
 signals:

@@ -42,46 +42,6 @@ bool isOnBore(const RevolutionFit& fit, std::size_t bin, double r)
     return !std::isnan(bore) && !(r > (bore + fit.profile.radius_mm[bin]) / 2);
 }
 
-/// Limits of zones in z of the profile: between shoulders, gaps and kinks, without the bins next to them.
-std::vector<Interval> findZones(const TurnedPart& part, const MeridianLine& line)
-{
-    const RadiusProfile& p = part.fit.profile;
-    constexpr std::size_t kMargin = 2;  // bins: the spot smears what lies nearer to an edge
-    std::vector<Interval> zones;
-    const auto finish = [&](std::size_t from, std::size_t to) {  // bins from … to - 1 are one smooth stretch
-        if (to < from + 2 * kMargin + 3) return;
-        from += kMargin;
-        to -= kMargin;
-        const double start = p.z_start_mm + static_cast<double>(from) * p.step_mm;
-        const double length = static_cast<double>(to - from) * p.step_mm;
-        const double longest = (line.zLast_mm() - line.zFirst_mm()) / 8;
-        const int parts = std::max(1, static_cast<int>(std::ceil(length / longest - 1e-9)));
-        for (int k = 0; k < parts; ++k) zones.push_back({start + length * k / parts, start + length * (k + 1) / parts});
-    };
-    const double jump = 8 * part.fit.sigma_mm;
-    std::size_t from = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const bool known = !std::isnan(p.radius_mm[i]);
-        if (!known) {
-            finish(from, i);
-            from = i + 1;
-            continue;
-        }
-        if (i == from) continue;
-        const double middle = (p.middle_mm(i - 1) + p.middle_mm(i)) / 2;
-        const bool edge = std::any_of(part.shoulders.begin(), part.shoulders.end(),
-                                      [&](const Shoulder& s) { return std::abs(s.z_mm - middle) <= p.step_mm / 2; });
-        const bool turns = i >= 2 && i + 1 < p.size() && std::abs(p.slope[i] - p.slope[i - 1]) > 0.2 &&
-                           std::abs(p.slope[i + 1] - p.slope[i - 2]) > 0.2;
-        if (edge || turns || std::abs(p.radius_mm[i] - p.radius_mm[i - 1]) > jump + 3 * p.step_mm) {
-            finish(from, i);
-            from = i;
-        }
-    }
-    finish(from, p.size());
-    return zones;
-}
-
 }  // namespace
 
 std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
@@ -130,7 +90,6 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                         const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
 {
     const RadiusProfile& profile = reference.fit.profile;
-    const std::vector<Interval> zones = findZones(reference, line);
     double radius = 0;
     for (const double r : profile.radius_mm) radius = std::isnan(r) ? radius : std::max(radius, r);
     const double length = line.zLast_mm() - line.zFirst_mm();
@@ -142,18 +101,12 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
     map.z_step_mm = length / map.z_count;
 
     struct Part {
-        std::vector<Sums> bins, zones, cells;
+        std::vector<Sums> bins, cells;
     };
     const auto sized = [&] {
-        return Part{std::vector<Sums>(profile.size()), std::vector<Sums>(zones.size()),
+        return Part{std::vector<Sums>(profile.size()),
                     std::vector<Sums>(static_cast<std::size_t>(map.z_count * map.angle_count))};
     };
-    std::vector<int> zone_of(profile.size() * 8, -1);  // at an eighth of a bin
-    for (std::size_t k = 0; k < zone_of.size(); ++k) {
-        const double z = profile.z_start_mm + (static_cast<double>(k) + 0.5) * profile.step_mm / 8;
-        for (std::size_t j = 0; j < zones.size(); ++j)
-            if (z >= zones[j].from && z < zones[j].to) zone_of[k] = static_cast<int>(j);
-    }
     const Part sums = parallelReduce(
         points.size(), std::max<std::size_t>(32768, points.size() / 8), progress, sized(),
         [&](std::size_t begin, std::size_t end) {
@@ -166,8 +119,6 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                 if (place >= 0 && place < static_cast<double>(profile.size())) {
                     if (isOnBore(reference.fit, static_cast<std::size_t>(place), p.head<2>().norm())) continue;
                     part.bins[static_cast<std::size_t>(place)].add(v);
-                    const int zone = zone_of[static_cast<std::size_t>(place * 8)];
-                    if (zone >= 0) part.zones[static_cast<std::size_t>(zone)].add(v);
                 }
                 const int row = static_cast<int>((p.z() - line.zFirst_mm()) / map.z_step_mm);
                 if (p.z() < line.zFirst_mm() || row >= map.z_count) continue;
@@ -185,7 +136,6 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                 for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
             };
             add(all.bins, part.bins);
-            add(all.zones, part.zones);
             add(all.cells, part.cells);
             return all;
         });
@@ -199,11 +149,6 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
         meridian.std_mm.push_back(sums.bins[i].deviation());
     }
     result.meridian = std::move(meridian);
-    for (std::size_t k = 0; k < zones.size(); ++k)
-        if (sums.zones[k].n > 0)
-            result.zones.push_back({zones[k].from - line.zFirst_mm(), zones[k].to - line.zFirst_mm(),
-                                    sums.zones[k].mean(), sums.zones[k].deviation(),
-                                    static_cast<std::int64_t>(sums.zones[k].n)});
     for (const Sums& s : sums.cells) map.mean_mm.push_back(static_cast<float>(s.mean()));
     result.unrolled = std::move(map);
 }

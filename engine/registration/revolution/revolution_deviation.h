@@ -1,4 +1,4 @@
-// What a body of revolution adds to a comparison: deviation from its meridian, zones, unrolled map, mean meridian.
+// What a body of revolution adds to a comparison: deviation from its meridian, unrolled map, mean meridian.
 #pragma once
 
 #include "engine/registration/compare.h"
@@ -17,9 +17,8 @@ std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
                           const std::vector<Eigen::Vector3d>& points, CompareResult& result,
                           const Progress& progress = {});
 
-/// Fills meridian, zones and unrolled map from the deviations of the used points. z counts from the line's first point
-/// along the reported axis. Zones lie between shoulders and kinks of the reference, a little away from them, and are no
-/// longer than an eighth of the part.
+/// Fills meridian and unrolled map from the deviations of the used points. z counts from the line's first point along
+/// the reported axis.
 void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
                         const std::vector<Eigen::Vector3d>& points, CompareResult& result,
                         const Progress& progress = {});

@@ -133,8 +133,10 @@ NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Vector3d>& sampl
     std::vector<double> errors;
     if (!radii.empty()) fit.coverage_deg = coverageOf(fit, sample, errors);
 
-    // A line of noise is a perfect cylinder of a radius little larger than its scatter.
-    if (!radii.empty() && upperMedianInPlace(radii) < 5 * fit.sigma_mm) return NotTurned::Line;
+    // A line of noise is a perfect cylinder of a radius little larger than its scatter; a box, whose radii scatter as
+    // much about any axis, is no line.
+    const bool is_long = extents[1] < 0.1 * extents[2];
+    if (is_long && !radii.empty() && upperMedianInPlace(radii) < 5 * fit.sigma_mm) return NotTurned::Line;
     const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));
     bool turned = fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03 && tilt < 0.01;
     if (turned && 3 * fit.sigma_mm > 0.02 * largest) {

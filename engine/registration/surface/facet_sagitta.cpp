@@ -5,8 +5,11 @@
 #include <vector>
 
 namespace lathelier::registration {
+namespace {
 
-double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
+/// What the chords of so many thousandths of the facets stay below.
+double quantile(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, std::size_t thousandths,
+                const Progress& progress)
 {
     constexpr double side = 0.3;    // of the normal's length along the radius
     constexpr double level = 1e-3;  // ends of a chord: this share of the radius apart at most
@@ -30,9 +33,21 @@ double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, c
         sagittas.push_back(largest);
     }
     if (sagittas.empty()) return 0;
-    const auto place = sagittas.begin() + static_cast<std::ptrdiff_t>(sagittas.size() * 9 / 10);
+    const auto place = sagittas.begin() + static_cast<std::ptrdiff_t>(sagittas.size() * thousandths / 1000);
     std::nth_element(sagittas.begin(), place, sagittas.end());
     return *place;
+}
+
+}  // namespace
+
+double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
+{
+    return quantile(mesh, axis_T_mesh, 900, progress);
+}
+
+double largestSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
+{
+    return quantile(mesh, axis_T_mesh, 999, progress);
 }
 
 }  // namespace lathelier::registration

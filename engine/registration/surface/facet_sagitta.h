@@ -12,4 +12,7 @@ namespace lathelier::registration {
 /// it) stay below. 0 without such facets. Throws Cancelled.
 double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress = {});
 
+/// The same of all but a thousandth of them.
+double largestSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress = {});
+
 }  // namespace lathelier::registration

@@ -23,6 +23,7 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
     const std::vector<std::uint32_t> order = hilbertOrder(points, progress);
     progress.report(0.4);
     result.deviation_mm.assign(order.size(), std::numeric_limits<float>::quiet_NaN());
+    result.direction.assign(order.size(), Eigen::Vector3f::Zero());
     parallelFor(order.size(), 512, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> queries;
         std::vector<std::uint32_t> targets;
@@ -36,7 +37,9 @@ SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, con
         for (std::size_t q = 0; q < queries.size(); ++q) {
             const double d = places[q].distance_mm;
             if (!(std::abs(d) <= max_distance_mm) || places[q].border) continue;
-            result.deviation_mm[targets[q]] = static_cast<float>(result.has_sign ? d : std::abs(d));
+            const bool turned = !result.has_sign && d < 0;
+            result.deviation_mm[targets[q]] = static_cast<float>(turned ? -d : d);
+            result.direction[targets[q]] = (turned ? -places[q].normal : places[q].normal).cast<float>();
         }
     });
     return result;

@@ -204,6 +204,11 @@ void makeData(const std::string& folder)
     write("facets36.stl", facets());
     write("nominal.stl", binaryStl(sample::shaftMesh(sample::nominalShaft())));
     sample::writeSample(folder + "/sample");
+    write("zones.json",
+          R"([{"name": "collar", "z_start_mm": 98.7, "z_end_mm": 107.3, "lower_mm": -0.05, "upper_mm": 0.1},
+ {"name": "grip", "z_start_mm": 0, "z_end_mm": 20, "lower_mm": null, "upper_mm": null}])");
+    write("zones_reversed.json", R"([
+ {"name": "collar", "z_start_mm": 107, "z_end_mm": 98, "lower_mm": -0.05, "upper_mm": 0.1}])");
     write("bracket.xyz", rows(sample::scanBracket(20000, 0.02, Eigen::Isometry3d::Identity(), 3)));
 }
 

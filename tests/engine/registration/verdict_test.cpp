@@ -1,4 +1,4 @@
-#include "engine/registration/verdict.h"
+#include "engine/registration/verdict/verdict.h"
 #include "engine/registration/registration_codes.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +26,7 @@ TEST(Verdict, CountsTheShareOfUsedPointsOnBothSides)
 {
     CompareResult result = ladder();
     CompareParameters parameters;
+    parameters.verdict_rule = VerdictRule::Points;
     parameters.tolerance_mm = 0.4451;
     judge(result, parameters);
     EXPECT_DOUBLE_EQ(*result.within_tolerance_percent, 50);
@@ -43,6 +44,7 @@ TEST(Verdict, IsNoneWithoutATolerance)
 {
     CompareResult result = ladder();
     CompareParameters parameters;
+    parameters.verdict_rule = VerdictRule::Points;
     parameters.tolerance_mm = 0.5;
     judge(result, parameters);
     ASSERT_TRUE(result.verdict);
@@ -75,6 +77,9 @@ TEST(Verdict, KnowsWhichParametersAskForANewRegistration)
     other.tolerance_mm = 0.1;
     other.pass_percent = 90;
     other.scanner_accuracy_mm = 0.05;
+    other.verdict_rule = VerdictRule::Points;
+    other.decision = DecisionRule::Guarded;
+    other.zones = {{"a", 1, 2, {}, {}}};
     EXPECT_TRUE(sameButVerdict(plain, other));
     other.max_distance_mm = 2;
     EXPECT_FALSE(sameButVerdict(plain, other));

@@ -290,7 +290,7 @@ private slots:
         dropBoth();
         setTolerance(0.03);
         const QString text = part<compare_panel::ZoneTable>("zones")->text(false);
-        QVERIFY2(text.contains("▲ above"), qPrintable(text));  // the collar of the sample copy is 50 µm too large
+        QVERIFY2(text.contains("✗ out"), qPrintable(text));  // the collar of the sample copy is 50 µm too large
         QVERIFY(text.contains("✓ within"));
     }
 

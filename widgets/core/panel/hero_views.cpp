@@ -102,7 +102,10 @@ void HeroViews::setHero(const QString& key)
     if (!frame || !frame->isAvailable() || frame == hero_) return;
     hero_ = frame;
     arrange();
-    hero_->view()->setFocus();
+    if (presenting_)
+        setFocus();  // a plot would take the arrow keys for itself
+    else
+        hero_->view()->setFocus();
     emit heroChanged(key);
 }
 

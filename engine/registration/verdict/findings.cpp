@@ -1,0 +1,356 @@
+// g++ 12 at -O3 takes Eigen's zero-sized temporaries for values without initialisation.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include "engine/registration/verdict/findings.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier::registration {
+namespace {
+
+constexpr std::size_t kMostFindings = 8;
+constexpr std::size_t kMostBumps = 3;
+constexpr double kStandsOut = 4;        // standard uncertainties of a step, a taper, a barrel
+constexpr double kSmallest_mm = 0.002;  // systematic errors of the method stay below
+constexpr double kOfTolerance = 0.1;    // smaller differences are not worth a word
+constexpr double kLocal = 0.3;          // of the length of its stretch: a bump is no longer
+constexpr double kHeight = 2.5;         // coverage factor of the height of a bump, chosen among a few windows about it
+constexpr double kLeastMissing_mm = 1;  // rings without points
+constexpr double kThin = 0.02;          // of the usual points of a ring: none worth the name
+
+/// The form of one stretch: ends (mean of both), half the change from end to end, middle above the mean of the ends.
+struct Form {
+    std::size_t stretch = 0;
+    double start_mm = 0, end_mm = 0;
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sigma = Eigen::Vector3d::Zero();
+
+    double at(double z) const
+    {
+        const double x = 2 * (z - start_mm) / (end_mm - start_mm) - 1;
+        return value[0] + value[1] * x + value[2] * (1 - x * x);
+    }
+};
+
+std::optional<DeviationLimits> limitsOf(const LimitsAlong& limits, double start, double end)
+{
+    return limits.between(start, end);
+}
+
+/// Weighted least squares over the rings, with the first `terms` of (1, x, 1 - x²) but those that are not `wanted`.
+void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings, double ring_alike,
+         const std::array<bool, 3>& wanted, Form& form)
+{
+    const MeridianStretch& stretch = all.stretches[form.stretch];
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    const auto row = [&](const SurfaceRow& ring) {
+        const double x =
+            2 * ((ring.z_start_mm + ring.z_end_mm) / 2 - form.start_mm) / (form.end_mm - form.start_mm) - 1;
+        return Eigen::Vector3d(1, wanted[1] ? x : 0, wanted[2] ? 1 - x * x : 0);
+    };
+    const auto varianceOf = [&](const SurfaceRow& ring) {
+        const double bins = std::max(1.0, (ring.z_end_mm - ring.z_start_mm) / stretch.reference_step_mm);
+        return ring_alike * all.scatter_mm * all.scatter_mm / ring.points +
+               stretch.reference_sigma_mm * stretch.reference_sigma_mm / bins + 1e-18;
+    };
+    for (const SurfaceRow* ring : rings) {
+        const Eigen::Vector3d j = row(*ring);
+        normal += j * j.transpose() / varianceOf(*ring);
+        right += j * ring->mean_mm / varianceOf(*ring);
+    }
+    for (int k = 1; k < 3; ++k)
+        if (!wanted[static_cast<std::size_t>(k)]) normal(k, k) = 1;
+    const Eigen::Matrix3d inverse = normal.inverse();
+    form.value = inverse * right;
+    double chi2 = 0;
+    for (const SurfaceRow* ring : rings)
+        chi2 += std::pow(ring->mean_mm - row(*ring).dot(form.value), 2) / varianceOf(*ring);
+    const double degrees = std::max(1.0, static_cast<double>(rings.size()) - 3);
+    const double inflation = std::max(1.0, chi2 / degrees);  // what is left of the form counts as noise
+    form.sigma = (inverse.diagonal() * inflation).cwiseSqrt();
+    const double fixed = meanSigma_mm(all, form.start_mm, form.end_mm, std::numeric_limits<double>::infinity(),
+                                      meanNormal(all, form.start_mm, form.end_mm));
+    form.sigma[0] = std::hypot(form.sigma[0], fixed);
+    for (std::size_t k = 1; k < 3; ++k)
+        if (!wanted[k]) form.value[static_cast<int>(k)] = form.sigma[static_cast<int>(k)] = 0;
+}
+
+double alikeFor(const SurfaceWindows& all, double size_mm)
+{
+    double alike = 1;
+    for (const auto& [size, here] : all.alike)
+        if (size <= std::max(size_mm, all.alike.front().first)) alike = std::max(alike, here);
+    return alike;
+}
+
+bool standsOut(double value, double sigma, const std::optional<DeviationLimits>& limits)
+{
+    const double least = limits ? std::max(kSmallest_mm, kOfTolerance * limits->half_mm()) : kSmallest_mm;
+    return std::abs(value) > kStandsOut * sigma && std::abs(value) > least;
+}
+
+/// Forms of all stretches with enough rings, the terms that say nothing taken out.
+std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
+{
+    std::vector<Form> forms;
+    for (std::size_t s = 0; s < all.stretches.size(); ++s) {
+        std::vector<const SurfaceRow*> rings;
+        double most = 0;
+        for (const SurfaceRow& ring : all.rows)
+            if (ring.stretch == static_cast<std::int32_t>(s)) most = std::max(most, ring.points);
+        for (const SurfaceRow& ring : all.rows)
+            if (ring.stretch == static_cast<std::int32_t>(s) && ring.points > kThin * most) rings.push_back(&ring);
+        if (rings.empty()) continue;
+        Form form;
+        form.stretch = s;
+        form.start_mm = rings.front()->z_start_mm;
+        form.end_mm = rings.back()->z_end_mm;
+        const auto here = limitsOf(limits, form.start_mm, form.end_mm);
+        const double alike = alikeFor(all, 10);
+        std::array<bool, 3> wanted{true, rings.size() >= 4, rings.size() >= 8};
+        fit(all, rings, alike, wanted, form);
+        if (wanted[2] && !standsOut(form.value[2], form.sigma[2], here)) {
+            wanted[2] = false;
+            fit(all, rings, alike, wanted, form);
+        }
+        if (wanted[1] && !standsOut(2 * form.value[1], 2 * form.sigma[1], here)) {
+            wanted[1] = false;
+            fit(all, rings, alike, wanted, form);
+        }
+        forms.push_back(form);
+    }
+    return forms;
+}
+
+/// A mean without what facets amount to.
+double withoutFacets(const SurfaceWindows& all, std::size_t stretch, double value)
+{
+    SurfaceWindow window;
+    window.mean_mm = static_cast<float>(value);
+    window.stretch = static_cast<std::int32_t>(stretch);
+    return judgedMean_mm(all, window);
+}
+
+void judge(const SurfaceWindows& all, Finding& finding, double allowance_mm, const DeviationLimits& limits,
+           DecisionRule rule)
+{
+    const bool is_form = finding.kind == Finding::Kind::Taper || finding.kind == Finding::Kind::Barrel;
+    const double width = limits.upper_mm - limits.lower_mm;
+    const DeviationLimits by = is_form ? DeviationLimits{-width, width} : limits;
+    finding.limit_mm = finding.value_mm < 0 ? -by.lower_mm : by.upper_mm;
+    if (excess_mm(all, finding.value_mm, allowance_mm, by) > 0)
+        finding.verdict = Verdict::Fail;
+    else if (rule == DecisionRule::Guarded && excess_mm(all, finding.value_mm, -finding.uncertainty_mm, by) > 0)
+        finding.verdict = Verdict::Undecided;
+    else
+        finding.verdict = finding.uncertainty_mm <= by.half_mm() ? Verdict::Pass : Verdict::Undecided;
+}
+
+void describe(const SurfaceWindows& all, const Form& form, const LimitsAlong& limits, DecisionRule rule,
+              std::vector<Finding>& findings)
+{
+    const auto here = limitsOf(limits, form.start_mm, form.end_mm);
+    const auto add = [&](Finding::Kind kind, double value, double sigma) {
+        if (!standsOut(value, sigma, here)) return;
+        Finding finding;
+        finding.kind = kind;
+        finding.z_start_mm = form.start_mm;
+        finding.z_end_mm = form.end_mm;
+        finding.value_mm = value;
+        finding.uncertainty_mm = 2 * sigma;
+        if (here) judge(all, finding, kStandsOut * sigma, *here, rule);
+        findings.push_back(finding);
+    };
+    add(Finding::Kind::Step, withoutFacets(all, form.stretch, form.value[0]), form.sigma[0]);
+    add(Finding::Kind::Taper, 2 * form.value[1], 2 * form.sigma[1]);
+    add(Finding::Kind::Barrel, form.value[2], form.sigma[2]);
+}
+
+/// Windows that stand out from the form of their stretch, the surest first, none over another.
+void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits, DecisionRule rule,
+               std::vector<Finding>& findings)
+{
+    if (!all.has_sign && all.axis_T_reference) return;
+    const double allowance = all.factor + 0.5;  // beyond what decides: a bump that is none is worse than none
+    struct Bump {
+        double excess = 0;
+        double beyond = 0;
+        const SurfaceWindow* window = nullptr;
+    };
+    std::vector<Bump> bumps;
+    std::vector<const Form*> by_stretch(all.stretches.size(), nullptr);
+    for (const Form& form : forms) by_stretch[form.stretch] = &form;
+    for (const SurfaceWindow& w : all.windows) {
+        const auto start = static_cast<double>(w.z_start_mm);
+        const auto end = static_cast<double>(w.z_end_mm);
+        double usual = 0;
+        if (w.stretch >= 0) {
+            const Form* form = by_stretch[static_cast<std::size_t>(w.stretch)];
+            if (!form) continue;
+            if (static_cast<double>(w.size_mm) > kLocal * (form->end_mm - form->start_mm)) continue;
+            usual = form->at((start + end) / 2);
+        }
+        const double rest = std::abs(judgedMean_mm(all, w) - usual) - (usual > 0 ? all.facets_mm : 0);
+        const double excess = rest - allowance * static_cast<double>(w.sigma_mm);
+        if (excess <= kSmallest_mm) continue;
+        const auto here = limits.between(start, end);
+        if (here && rest < kOfTolerance * here->half_mm()) continue;
+        bumps.push_back({excess, rest, &w});
+    }
+    std::vector<Bump> kept;
+    while (kept.size() < kMostBumps && !bumps.empty()) {
+        const Bump best = *std::max_element(bumps.begin(), bumps.end(),
+                                            [](const Bump& a, const Bump& b) { return a.excess < b.excess; });
+        // The surest window may reach beyond the bump: the one that shows its height is no larger, and holds its
+        // middle.
+        Bump top = best;
+        const auto heightOf = [](const Bump& b) {
+            return b.beyond - kHeight * static_cast<double>(b.window->sigma_mm);
+        };
+        for (const Bump& b : bumps)
+            if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
+                b.window->size_mm <= best.window->size_mm && heightOf(b) > heightOf(top))
+                top = b;
+        kept.push_back(top);
+        std::erase_if(bumps, [&](const Bump& b) {
+            const auto reach = static_cast<double>(b.window->size_mm + best.window->size_mm);
+            return static_cast<double>((b.window->place_mm - best.window->place_mm).norm()) < 1.5 * reach ||
+                   b.excess < best.excess / 10;
+        });
+    }
+    for (const Bump& bump : kept) {
+        const SurfaceWindow& w = *bump.window;
+        Finding finding;
+        finding.kind = Finding::Kind::Bump;
+        finding.point_mm = w.place_mm.cast<double>();
+        if (all.axis_T_reference) {
+            finding.z_start_mm = static_cast<double>(w.z_start_mm);
+            finding.z_end_mm = static_cast<double>(w.z_end_mm);
+        }
+        finding.value_mm = judgedMean_mm(all, w);
+        finding.uncertainty_mm = kHeight * static_cast<double>(w.sigma_mm);
+        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
+            judge(all, finding, all.factor * static_cast<double>(w.sigma_mm), *here, rule);
+        findings.push_back(finding);
+    }
+}
+
+/// Runs of rings without points between rings that have some.
+void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
+{
+    std::vector<double> counts;
+    for (const SurfaceRow& ring : all.rows) counts.push_back(ring.points / (ring.z_end_mm - ring.z_start_mm));
+    if (counts.empty()) return;
+    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+    std::nth_element(counts.begin(), middle, counts.end());
+    const double least = kThin * *middle;
+    const auto isThere = [&](const SurfaceRow& ring) {
+        return ring.points > least * (ring.z_end_mm - ring.z_start_mm);
+    };
+    double first = std::numeric_limits<double>::infinity();
+    double last = -first;
+    for (const SurfaceRow& ring : all.rows) {
+        if (!isThere(ring)) continue;
+        first = std::min(first, ring.z_start_mm);
+        last = std::max(last, ring.z_end_mm);
+    }
+    const SurfaceRow* begin = nullptr;
+    const SurfaceRow* end = nullptr;
+    const auto finish = [&] {
+        if (begin && end->z_end_mm - begin->z_start_mm >= kLeastMissing_mm) {
+            Finding finding;
+            finding.kind = Finding::Kind::Missing;
+            finding.z_start_mm = begin->z_start_mm;
+            finding.z_end_mm = end->z_end_mm;
+            finding.value_mm = end->z_end_mm - begin->z_start_mm;
+            finding.uncertainty_mm = end->z_end_mm - end->z_start_mm;
+            findings.push_back(finding);
+        }
+        begin = end = nullptr;
+    };
+    for (const SurfaceRow& ring : all.rows) {
+        if (begin && ring.stretch != begin->stretch) finish();
+        const bool gone = !isThere(ring) && ring.z_start_mm >= first && ring.z_end_mm <= last;
+        if (!gone) {
+            finish();
+            continue;
+        }
+        if (!begin) begin = &ring;
+        end = &ring;
+    }
+    finish();
+}
+
+/// How far the value goes toward its limit, or what stands for that without limits.
+double strengthOf(const Finding& finding)
+{
+    if (finding.kind == Finding::Kind::Missing) return 0;
+    const double size = std::abs(finding.value_mm);
+    return finding.limit_mm && *finding.limit_mm > 0 ? 1000 * size / *finding.limit_mm : size;
+}
+
+}  // namespace
+
+Eigen::Vector3d meanNormal(const SurfaceWindows& all, double z_start_mm, double z_end_mm)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double points = 0;
+    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest;
+         i += 2) {  // they come first, every other
+        const SurfaceWindow& w = all.windows[i];
+        if (static_cast<double>(w.z_start_mm) < z_start_mm || static_cast<double>(w.z_end_mm) > z_end_mm) continue;
+        sum += static_cast<double>(w.points) * w.normal.cast<double>();
+        points += static_cast<double>(w.points);
+    }
+    return points > 0 ? Eigen::Vector3d(sum / points) : sum;
+}
+
+double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_mm, double points,
+                    const Eigen::Vector3d& mean_normal)
+{
+    const double length = z_end_mm - z_start_mm;
+    double variance = std::isinf(points) ? 0 : alikeFor(all, length) * all.scatter_mm * all.scatter_mm / points;
+    if (!std::isinf(points)) {
+        double sigma = 0;
+        double step = 1;
+        for (const MeridianStretch& stretch : all.stretches)
+            if (stretch.start_mm < z_end_mm && stretch.end_mm > z_start_mm && !stretch.is_bore) {
+                sigma = std::max(sigma, stretch.reference_sigma_mm);
+                step = stretch.reference_step_mm;
+            }
+        variance += sigma * sigma / std::max(1.0, length / step);
+    }
+    if (all.axis_T_reference) {
+        const Eigen::Vector3d axis = all.axis_T_reference->linear().row(2);
+        const double along = mean_normal.dot(axis);
+        const double across = (mean_normal - along * axis).norm();
+        const double lever = (z_start_mm + z_end_mm) / 2 - (*all.axis_T_reference * all.middle_mm).z();
+        variance += std::pow(along * all.axial_sigma_mm, 2) + std::pow(across * all.radial_sigma_mm, 2) +
+                    std::pow(across * lever * all.tilt_sigma, 2);
+    }
+    return std::sqrt(variance);
+}
+
+std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule)
+{
+    std::vector<Finding> findings;
+    if (all.has_sign) {
+        const std::vector<Form> forms = formsOf(all, limits);
+        for (const Form& form : forms) describe(all, form, limits, rule, findings);
+        findBumps(all, forms, limits, rule, findings);
+    } else {
+        findBumps(all, {}, limits, rule, findings);
+    }
+    findMissing(all, findings);
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Finding& a, const Finding& b) { return strengthOf(a) > strengthOf(b); });
+    if (findings.size() > kMostFindings) findings.resize(kMostFindings);
+    return findings;
+}
+
+}  // namespace lathelier::registration

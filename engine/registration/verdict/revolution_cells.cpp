@@ -1,0 +1,421 @@
+#include "engine/registration/verdict/revolution_cells.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/revolution/quick_turn.h"
+#include "engine/registration/verdict/meridian_runs.h"
+#include "engine/registration/verdict/surface_cells.h"
+
+namespace lathelier::registration {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kEdge_mm = 0.5;  // the scanner's spot smears what lies nearer to an edge
+constexpr double kCoarse_mm = 3;  // cells that tell how much of the surface has points
+constexpr std::size_t kFine = 8;  // places of the table of stretches in one bin of the profile
+constexpr std::size_t kGrain = 32768;
+constexpr std::uint8_t kNoStretch = 255;
+constexpr std::uint32_t kOutside = CellPoints::kOutside;
+
+/// A stretch with its grid of cells: rows along the axis, columns around.
+struct Grid {
+    double start_mm = 0;   ///< in z of the profile
+    double end_mm = 0;     ///< likewise
+    double radius_mm = 0;  ///< largest
+    std::size_t rows = 1, columns = 1;
+    std::size_t first = 0;  ///< number of its first cell
+
+    double rowHeight_mm() const { return (end_mm - start_mm) / static_cast<double>(rows); }
+};
+
+class Stretches {
+public:
+    Stretches(const TurnedPart& part, const MeridianLine& line) : part_(part), line_(line)
+    {
+        const RadiusProfile& profile = part.fit.profile;
+        for (const SmoothRun& run : smoothRuns(part)) add(run, profile, false);
+        if (part.fit.bore.size() == profile.size()) addBore(part.fit.bore);
+        outside_ = tableOf(false);
+        if (part.fit.bore.size() == profile.size()) bore_ = tableOf(true);
+    }
+
+    const std::vector<MeridianStretch>& list() const { return stretches_; }
+    std::vector<Grid>& grids() { return grids_; }
+
+    /// Number of the stretch for a point at (z, r), or kNoStretch.
+    std::uint8_t find(double z, double r) const
+    {
+        const RadiusProfile& profile = part_.fit.profile;
+        const double place = (z - profile.z_start_mm) / profile.step_mm;
+        if (!(place >= 0) || place >= static_cast<double>(profile.size())) return kNoStretch;
+        const auto bin = static_cast<std::size_t>(place);
+        const auto fine = static_cast<std::size_t>(place * static_cast<double>(kFine));
+        std::uint8_t found = outside_[fine];
+        if (!bore_.empty()) {
+            const double bore = part_.fit.bore.radius_mm[bin];
+            if (!std::isnan(bore) && !(r > (bore + profile.radius_mm[bin]) / 2)) found = bore_[fine];
+        }
+        if (found == kNoStretch) return found;
+        const Grid& grid = grids_[found];
+        return z >= grid.start_mm && z < grid.end_mm ? found : kNoStretch;
+    }
+
+private:
+    void add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore)
+    {
+        const double start = run.start_mm + kEdge_mm;
+        const double end = run.end_mm - kEdge_mm;
+        if (end < start + kEdge_mm || stretches_.size() >= kNoStretch) return;
+        Grid grid{start, end};
+        double variance = 0;
+        double known = 0;
+        for (std::size_t i = run.first; i < run.last; ++i) {
+            if (std::isnan(profile.radius_mm[i])) continue;
+            grid.radius_mm = std::max(grid.radius_mm, profile.radius_mm[i]);
+            variance += profile.sigma_mm[i] * profile.sigma_mm[i];
+            known += 1;
+        }
+        if (known < 2) return;
+        const double rise = profile.radius_mm[run.last - 1] - profile.radius_mm[run.first];
+        grids_.push_back(grid);
+        stretches_.push_back({start - line_.zFirst_mm(), end - line_.zFirst_mm(), is_bore,
+                              (profile.radius_mm[run.last - 1] + profile.radius_mm[run.first]) / 2,
+                              rise / (static_cast<double>(run.last - 1 - run.first) * profile.step_mm),
+                              std::sqrt(variance / known), profile.step_mm});
+    }
+
+    void addBore(const RadiusProfile& bore)
+    {
+        std::size_t from = 0;
+        const auto finish = [&](std::size_t to) {
+            if (to >= from + 3)
+                add({from, to, bore.middle_mm(from) - bore.step_mm / 2, bore.middle_mm(to) - bore.step_mm / 2}, bore,
+                    true);
+        };
+        for (std::size_t i = 0; i < bore.size(); ++i) {
+            const bool known = !std::isnan(bore.radius_mm[i]);
+            const bool edge = known && i > from && std::abs(bore.radius_mm[i] - bore.radius_mm[i - 1]) > bore.step_mm;
+            if (known && !edge) continue;
+            finish(i);
+            from = known ? i : i + 1;
+        }
+        finish(bore.size());
+    }
+
+    std::vector<std::uint8_t> tableOf(bool is_bore) const
+    {
+        const RadiusProfile& profile = part_.fit.profile;
+        std::vector<std::uint8_t> table(profile.size() * kFine, kNoStretch);
+        const double step = profile.step_mm / static_cast<double>(kFine);
+        for (std::size_t s = 0; s < grids_.size(); ++s) {
+            if (stretches_[s].is_bore != is_bore) continue;
+            const auto at = [&](double z) {
+                return static_cast<std::size_t>(
+                    std::clamp((z - profile.z_start_mm) / step, 0.0, static_cast<double>(table.size() - 1)));
+            };
+            for (std::size_t k = at(grids_[s].start_mm); k <= at(grids_[s].end_mm); ++k)
+                table[k] = static_cast<std::uint8_t>(s);
+        }
+        return table;
+    }
+
+    const TurnedPart& part_;
+    const MeridianLine& line_;
+    std::vector<MeridianStretch> stretches_;
+    std::vector<Grid> grids_;
+    std::vector<std::uint8_t> outside_, bore_;
+};
+
+std::size_t layOut(std::vector<Grid>& grids, double size_mm)
+{
+    std::size_t count = 0;
+    const auto parts = [&](double length) {
+        return static_cast<std::size_t>(std::max(1.0, std::round(length / size_mm)));
+    };
+    for (Grid& grid : grids) {
+        grid.rows = parts(grid.end_mm - grid.start_mm);
+        grid.columns = parts(2 * kPi * grid.radius_mm);
+        grid.first = count;
+        count += grid.rows * grid.columns;
+    }
+    return count;
+}
+
+std::size_t cellOf(const Grid& grid, double z, double turn)
+{
+    const auto row =
+        static_cast<std::size_t>((z - grid.start_mm) / (grid.end_mm - grid.start_mm) * static_cast<double>(grid.rows));
+    const auto column = static_cast<std::size_t>(turn * static_cast<double>(grid.columns));
+    return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
+}
+
+/// Calls use(place, is one of the nearest 9) for the cells of the window about a cell, once round at most.
+template <class Use>
+void forWindow(const Grid& grid, std::size_t row, std::size_t column, Use use)
+{
+    const auto rows = static_cast<std::ptrdiff_t>(grid.rows);
+    const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
+    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-2, -((columns - 1) / 2));
+    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(2, columns / 2);
+    for (std::ptrdiff_t r = -2; r <= 2; ++r) {
+        const std::ptrdiff_t y = static_cast<std::ptrdiff_t>(row) + r;
+        if (y < 0 || y >= rows) continue;
+        for (std::ptrdiff_t c = left; c <= right; ++c) {
+            if (r * r + c * c > 5) continue;
+            std::ptrdiff_t x = static_cast<std::ptrdiff_t>(column) + c;
+            if (x < 0) x += columns;
+            if (x >= columns) x -= columns;
+            use(grid.first + static_cast<std::size_t>(y * columns + x), r * r <= 1 && c * c <= 1);
+        }
+    }
+}
+
+/// The cells of one level by their place in the grids, and the level made of those that have points.
+class GridLevel {
+public:
+    GridLevel(std::vector<Grid> grids, std::size_t count) : grids_(std::move(grids)), number_(count, kOutside) {}
+
+    /// `cells` by place in the grids.
+    void fill(const std::vector<SurfaceCell>& cells, CellLevel& level)
+    {
+        for (std::size_t place = 0; place < cells.size(); ++place) {
+            if (cells[place].points == 0) continue;
+            number_[place] = static_cast<std::uint32_t>(level.cells.size());
+            level.cells.push_back(cells[place]);
+        }
+        join(level);
+    }
+
+    /// The cells of the next level by their place, and whether that is any coarser.
+    bool shrink(CellLevel& level, std::vector<Grid>& next, std::vector<SurfaceCell>& cells) const
+    {
+        next = grids_;
+        std::size_t count = 0;
+        bool coarser = false;
+        for (Grid& grid : next) {
+            coarser = coarser || grid.rows > 1 || grid.columns > 1;
+            grid.rows = (grid.rows + 1) / 2;
+            grid.columns = (grid.columns + 1) / 2;
+            grid.first = count;
+            count += grid.rows * grid.columns;
+        }
+        if (!coarser) return false;
+        cells.assign(count, {});
+        std::vector<std::uint32_t> parents(level.cells.size());
+        forEach([&](std::size_t g, std::size_t row, std::size_t column, std::uint32_t cell) {
+            const std::size_t place = next[g].first + row / 2 * next[g].columns + column / 2;
+            cells[place].add(level.cells[cell]);
+            parents[cell] = static_cast<std::uint32_t>(place);
+        });
+        std::vector<std::uint32_t> numbers(count, 0);
+        std::uint32_t number = 0;
+        for (std::size_t place = 0; place < count; ++place)
+            if (cells[place].points > 0) numbers[place] = number++;
+        for (std::uint32_t& parent : parents) parent = numbers[parent];
+        level.parent = std::move(parents);
+        return true;
+    }
+
+private:
+    template <class Use>
+    void forEach(Use use) const
+    {
+        for (std::size_t g = 0; g < grids_.size(); ++g)
+            for (std::size_t row = 0; row < grids_[g].rows; ++row)
+                for (std::size_t column = 0; column < grids_[g].columns; ++column) {
+                    const std::uint32_t cell = number_[grids_[g].first + row * grids_[g].columns + column];
+                    if (cell != kOutside) use(g, row, column, cell);
+                }
+    }
+
+    void join(CellLevel& level) const
+    {
+        level.first.push_back(0);
+        level.neighbours.reserve(level.cells.size() * 21);
+        std::vector<std::uint32_t> far;
+        forEach([&](std::size_t g, std::size_t row, std::size_t column, std::uint32_t cell) {
+            const Grid& grid = grids_[g];
+            const std::size_t begin = level.neighbours.size();
+            far.clear();
+            forWindow(grid, row, column, [&](std::size_t place, bool is_near) {
+                const std::uint32_t found = number_[place];
+                if (found != kOutside) (is_near ? level.neighbours : far).push_back(found);
+            });
+            level.near.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
+            level.neighbours.insert(level.neighbours.end(), far.begin(), far.end());
+            level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
+            const auto inRow = [&](std::size_t direction, std::size_t before, std::size_t after) {
+                const std::uint32_t a = number_[before];
+                const std::uint32_t b = number_[after];
+                if (a != kOutside && b != kOutside) level.rows[direction].push_back({a, cell, b});
+            };
+            const std::size_t place = grid.first + row * grid.columns + column;
+            if (row > 0 && row + 1 < grid.rows) inRow(0, place - grid.columns, place + grid.columns);
+            if (grid.columns >= 12)
+                inRow(1, column > 0 ? place - 1 : place + grid.columns - 1,
+                      column + 1 < grid.columns ? place + 1 : place + 1 - grid.columns);
+        });
+    }
+
+    std::vector<Grid> grids_;
+    std::vector<std::uint32_t> number_;  ///< of the cell at each place; kOutside where there are no points
+};
+
+/// Takes the cells that hold stray points alone out, and these points out of `counted`.
+void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const CellPoints& points,
+                    std::vector<std::uint8_t>& counted)
+{
+    const StrayCells strays(means.cells, means.reach_mm);
+    std::vector<std::size_t> out;
+    std::vector<const SurfaceCell*> around;
+    for (const Grid& grid : grids)
+        for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
+            const SurfaceCell& cell = means.cells[grid.first + k];
+            if (!strays.isInQuestion(cell)) continue;
+            around.clear();
+            forWindow(grid, k / grid.columns, k % grid.columns, [&](std::size_t place, bool) {
+                if (means.cells[place].points > 0) around.push_back(&means.cells[place]);
+            });
+            if (strays.isStray(cell, around)) out.push_back(grid.first + k);
+        }
+    for (const std::size_t place : out) means.cells[place].points = 0;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+        if (counted[i] && means.cells[points.cell[i]].points == 0) counted[i] = 0;
+}
+
+/// Rings of about `height_mm` for the form along the axis.
+std::vector<SurfaceRow> ringsOf(const std::vector<Grid>& grids, const std::vector<SurfaceCell>& cells, double z_first,
+                                double height_mm)
+{
+    std::vector<SurfaceRow> rings;
+    for (std::size_t g = 0; g < grids.size(); ++g) {
+        const Grid& grid = grids[g];
+        const auto together = static_cast<std::size_t>(std::max(1.0, std::round(height_mm / grid.rowHeight_mm())));
+        for (std::size_t row = 0; row < grid.rows; row += together) {
+            const std::size_t end = std::min(grid.rows, row + together);
+            SurfaceCell sum;
+            for (std::size_t place = grid.first + row * grid.columns; place < grid.first + end * grid.columns; ++place)
+                if (cells[place].points > 0) sum.add(cells[place]);
+            rings.push_back({grid.start_mm + static_cast<double>(row) * grid.rowHeight_mm() - z_first,
+                             grid.start_mm + static_cast<double>(end) * grid.rowHeight_mm() - z_first,
+                             static_cast<std::int32_t>(g), sum.points, sum.mean_mm});
+        }
+    }
+    return rings;
+}
+
+}  // namespace
+
+SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine& line,
+                                 const std::vector<Eigen::Vector3d>& points, const CompareResult& result,
+                                 double facets_mm, const Progress& progress)
+{
+    constexpr double kRing_mm = 1;
+    SurfaceWindows all;
+    all.axis_T_reference = Eigen::Translation3d(0, 0, -line.zFirst_mm()) * reference.fit.axis_T_scan;
+    all.facets_mm = facets_mm;
+    all.has_sign = result.has_sign;
+    all.middle_mm =
+        reference.fit.axis_T_scan.inverse() * Eigen::Vector3d(0, 0, (line.zFirst_mm() + line.zLast_mm()) / 2);
+    const AlignmentUncertainty& u = result.alignment.uncertainty;
+    all.axial_sigma_mm = u.axial_um / 2000;
+    all.radial_sigma_mm = u.radial_um / 2000;
+    all.tilt_sigma = u.axis_deg * kPi / 360;
+    Stretches stretches(reference, line);
+    all.stretches = stretches.list();
+    all.z_mm.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
+    if (all.stretches.empty()) return all;
+
+    // Which stretch, and how much of the surface has points: a scan from one side is no thin scan.
+    std::vector<Grid>& grids = stretches.grids();
+    std::vector<std::atomic<bool>> has_points(layOut(grids, kCoarse_mm));
+    std::vector<float> turns(points.size());
+    std::vector<std::uint8_t> stretch_of(points.size(), kNoStretch);
+    const auto used = parallelReduce(
+        points.size(), kGrain, progress, std::size_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::size_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!result.used[i]) continue;
+                const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
+                all.z_mm[i] = static_cast<float>(p.z() - line.zFirst_mm());
+                const std::uint8_t found = stretches.find(p.z(), std::sqrt(p.x() * p.x() + p.y() * p.y()));
+                if (found == kNoStretch) continue;
+                const double turn = quickTurn(p.y(), p.x());
+                turns[i] = static_cast<float>(turn < 0 ? turn + 1 : turn);
+                stretch_of[i] = found;
+                has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))].store(true,
+                                                                                             std::memory_order_relaxed);
+                ++count;
+            }
+            return count;
+        },
+        std::plus<>());
+    double area = 0;
+    for (const Grid& grid : grids) {
+        const double cell = grid.rowHeight_mm() * 2 * kPi * grid.radius_mm / static_cast<double>(grid.columns);
+        for (std::size_t k = grid.first; k < grid.first + grid.rows * grid.columns; ++k)
+            area += has_points[k] ? cell : 0;
+    }
+    const double size = cellSize_mm(static_cast<double>(used), area);
+    CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), kOutside), layOut(grids, size)};
+    parallelFor(points.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (stretch_of[i] != kNoStretch)
+                sorted.cell[i] = static_cast<std::uint32_t>(cellOf(grids[stretch_of[i]],
+                                                                   static_cast<double>(all.z_mm[i]) + line.zFirst_mm(),
+                                                                   static_cast<double>(turns[i])));
+    });
+    CellMeans means = cellMeans(sorted, progress);
+    std::vector<SurfaceCell>& cells = means.cells;
+    all.counted = std::move(means.counted);
+    for (std::size_t g = 0; g < grids.size(); ++g) {
+        const Grid& grid = grids[g];
+        const double lean = std::atan(all.stretches[g].slope);
+        const double sense = all.stretches[g].is_bore ? -1 : 1;
+        for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
+            SurfaceCell& cell = cells[grid.first + k];
+            const double z = grid.start_mm + static_cast<double>(k / grid.columns) * grid.rowHeight_mm();
+            const double angle =
+                2 * kPi * (static_cast<double>(k % grid.columns) + 0.5) / static_cast<double>(grid.columns);
+            const Eigen::Vector3d radial(std::cos(angle), std::sin(angle), 0);
+            const double middle = z + grid.rowHeight_mm() / 2;
+            const double radius =
+                grid.radius_mm - std::abs(all.stretches[g].slope) *
+                                     (all.stretches[g].slope > 0 ? grid.end_mm - middle : middle - grid.start_mm);
+            cell.place_mm = reference.fit.axis_T_scan.inverse() * (radius * radial + middle * Eigen::Vector3d::UnitZ());
+            cell.normal = reference.fit.axis_T_scan.linear().transpose() *
+                          (sense * (std::cos(lean) * radial - std::sin(lean) * Eigen::Vector3d::UnitZ()));
+            cell.z_start_mm = static_cast<float>(z - line.zFirst_mm());
+            cell.z_end_mm = static_cast<float>(z + grid.rowHeight_mm() - line.zFirst_mm());
+            cell.stretch = static_cast<std::int32_t>(g);
+        }
+    }
+    leaveOutStrays(grids, means, sorted, all.counted);
+    all.rows = ringsOf(grids, cells, line.zFirst_mm(), kRing_mm);
+    std::erase_if(all.rows, [&](const SurfaceRow& ring) {
+        return std::any_of(result.parameters.exclude_z_mm.begin(), result.parameters.exclude_z_mm.end(),
+                           [&](const Interval& out) { return ring.z_start_mm < out.to && ring.z_end_mm > out.from; });
+    });
+
+    std::vector<CellLevel> levels;
+    std::vector<Grid> level_grids = grids;
+    for (double level_size = size;; level_size *= 2) {
+        levels.emplace_back();
+        levels.back().size_mm = level_size;
+        GridLevel level(level_grids, cells.size());
+        level.fill(cells, levels.back());
+        std::vector<Grid> next;
+        if (!level.shrink(levels.back(), next, cells)) break;
+        level_grids = std::move(next);
+    }
+    makeWindows(levels, all, progress);
+    return all;
+}
+
+}  // namespace lathelier::registration

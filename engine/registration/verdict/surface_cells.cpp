@@ -1,0 +1,304 @@
+#include "engine/registration/verdict/surface_cells.h"
+
+#include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/core/parallel.h"
+
+namespace lathelier::registration {
+namespace {
+
+constexpr double kPointsPerCell = 6;   // on average
+constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few of them
+constexpr double kManyCells = 30000;
+constexpr double kMostCells = 400000;
+constexpr double kStray = 6;             // robust standard deviations from the median of the cell
+constexpr std::size_t kOfSpreads = 4;    // one cell in so many tells the scatter of the points
+constexpr double kFew = 3;               // points whose median a stray one moves
+constexpr double kUsualNeighbours = 21;  // cells of a window
+constexpr double kLonely = 0.1;          // of the usual number of points in a window: these are stray points
+constexpr double kFamily = 0.05;         // chance that any window of a perfect surface exceeds the allowance
+constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
+constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
+constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
+constexpr double kCoincident_mm = 1e-9;  // smaller deviations are rounding
+constexpr std::size_t kGrain = 2048;     // cells of one step
+
+double medianOf(std::vector<float>& values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return static_cast<double>(*middle);
+    return (static_cast<double>(*middle) + static_cast<double>(*std::max_element(values.begin(), middle))) / 2;
+}
+
+/// Where the points of each cell stand in `order`.
+struct Sorted {
+    std::vector<std::uint32_t> first;  ///< of cell i: from first[i] to first[i + 1] - 1
+    std::vector<std::uint32_t> order;  ///< numbers of points
+};
+
+Sorted sortByCell(const CellPoints& points)
+{
+    Sorted sorted;
+    sorted.first.assign(points.cell_count + 1, 0);
+    for (const std::uint32_t c : points.cell)
+        if (c != CellPoints::kOutside) ++sorted.first[c + 1];
+    for (std::size_t c = 0; c < points.cell_count; ++c) sorted.first[c + 1] += sorted.first[c];
+    sorted.order.resize(sorted.first.back());
+    std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
+    for (std::uint32_t i = 0; i < points.cell.size(); ++i)
+        if (points.cell[i] != CellPoints::kOutside) sorted.order[next[points.cell[i]]++] = i;
+    return sorted;
+}
+
+double robustSigma(std::vector<float>& absolute_values)
+{
+    return absolute_values.empty() ? 0 : kToSigma * medianOf(absolute_values);
+}
+
+/// Variance of the mean of a cell times its points over the variance of a point: 1 for independent points.
+double alikeAt(const CellLevel& level, double scatter_mm)
+{
+    double alike = 0;
+    for (const auto& rows : level.rows) {
+        if (rows.size() < kLeastRows) continue;
+        std::vector<float> sizes;
+        sizes.reserve(rows.size());
+        for (const auto& [a, b, c] : rows) {
+            const SurfaceCell& left = level.cells[a];
+            const SurfaceCell& here = level.cells[b];
+            const SurfaceCell& right = level.cells[c];
+            const double difference = left.mean_mm - 2 * here.mean_mm + right.mean_mm;
+            const double scale = 1 / left.points + 4 / here.points + 1 / right.points;
+            sizes.push_back(static_cast<float>(std::abs(difference) / std::sqrt(scale)));
+        }
+        const double sigma = robustSigma(sizes);
+        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm));
+    }
+    return alike;
+}
+
+/// What counts at each level: what is seen there and at the two next, for what varies together may be larger than a
+/// cell.
+std::vector<double> alikeOf(const std::vector<CellLevel>& levels, double scatter_mm)
+{
+    std::vector<double> seen(levels.size(), 0);
+    if (scatter_mm > 0)
+        for (std::size_t k = 0; k < levels.size(); ++k) seen[k] = alikeAt(levels[k], scatter_mm);
+    for (std::size_t k = 1; k < seen.size(); ++k)
+        if (seen[k] == 0) seen[k] = seen[k - 1];  // too few cells to tell
+    std::vector<double> alike(levels.size(), 1);
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        for (std::size_t j = k; j < std::min(k + 3, levels.size()); ++j) alike[k] = std::max(alike[k], seen[j]);
+    return alike;
+}
+
+/// Standard uncertainty of a window's mean from the reference's own noise and the registration.
+double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum)
+{
+    const Eigen::Vector3d lever = sum.place_mm - all.middle_mm;
+    if (!all.axis_T_reference) {
+        const double shift = all.axial_sigma_mm * sum.normal.norm();
+        const double turn = all.tilt_sigma * lever.cross(sum.normal).norm();
+        return std::hypot(shift, turn);
+    }
+    const Eigen::Vector3d axis = all.axis_T_reference->linear().row(2);
+    const double along = sum.normal.dot(axis);
+    const double across = (sum.normal - along * axis).norm();
+    double variance = std::pow(along * all.axial_sigma_mm, 2) + std::pow(across * all.radial_sigma_mm, 2) +
+                      std::pow(across * all.tilt_sigma * lever.dot(axis), 2);
+    if (sum.stretch >= 0) {
+        const MeridianStretch& stretch = all.stretches[static_cast<std::size_t>(sum.stretch)];
+        const double bins =
+            std::max(1.0, static_cast<double>(sum.z_end_mm - sum.z_start_mm) / stretch.reference_step_mm);
+        variance += std::pow(stretch.reference_sigma_mm, 2) / bins;
+    }
+    return std::sqrt(variance);
+}
+
+SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double alike, const SurfaceWindows& all)
+{
+    const double degrees = std::max(0.0, sum.points - sum.smallest);
+    const double pooled = all.scatter_mm * all.scatter_mm;
+    const double variance = (kPrior * pooled + sum.squares_mm2) / (kPrior + degrees);
+    SurfaceWindow window;
+    window.place_mm = sum.place_mm.cast<float>();
+    window.normal = sum.normal.cast<float>();
+    window.z_start_mm = sum.z_start_mm;
+    window.z_end_mm = sum.z_end_mm;
+    window.size_mm = static_cast<float>(size_mm);
+    window.points = static_cast<float>(sum.points);
+    window.mean_mm = static_cast<float>(sum.mean_mm);
+    window.sigma_mm = static_cast<float>(std::hypot(std::sqrt(alike * variance / sum.points), fixedSigma(all, sum)));
+    window.stretch = sum.stretch;
+    return window;
+}
+
+}  // namespace
+
+void SurfaceCell::add(const SurfaceCell& other)
+{
+    if (points == 0) {
+        *this = other;
+        return;
+    }
+    const double share = other.points / (points + other.points);
+    place_mm += share * (other.place_mm - place_mm);
+    normal += share * (other.normal - normal);
+    mean_mm += share * (other.mean_mm - mean_mm);
+    points += other.points;
+    squares_mm2 += other.squares_mm2;
+    smallest += other.smallest;
+    z_start_mm = std::min(z_start_mm, other.z_start_mm);
+    z_end_mm = std::max(z_end_mm, other.z_end_mm);
+}
+
+double cellSize_mm(double points, double area_mm2)
+{
+    const double worth = std::max(std::min(area_mm2 / kManyCells, kFineCell_mm2), area_mm2 / kMostCells);
+    return std::sqrt(std::max(kPointsPerCell * area_mm2 / std::max(points, 1.0), worth));
+}
+
+CellMeans cellMeans(const CellPoints& points, const Progress& progress)
+{
+    CellMeans result;
+    const Sorted sorted = sortByCell(points);
+    std::vector<double> medians(points.cell_count, 0);
+    std::vector<float> spreads(points.cell_count, -1);  // median distance from the median
+    const auto valuesOf = [&](std::size_t c, std::vector<float>& values) {
+        values.clear();
+        for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k)
+            values.push_back(points.deviation_mm[sorted.order[k]]);
+    };
+    parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> values;
+        for (std::size_t c = begin; c < end; ++c) {
+            valuesOf(c, values);
+            if (values.empty()) continue;
+            medians[c] = medianOf(values);
+            if (values.size() < 4 || c % kOfSpreads != 0) continue;
+            for (float& v : values) v = std::abs(v - static_cast<float>(medians[c]));
+            // The median of a few distances is too small; this is the mean correction for normal values.
+            const auto n = static_cast<double>(values.size());
+            spreads[c] = static_cast<float>(medianOf(values) * n / (n - 0.8));
+        }
+    });
+    std::erase_if(spreads, [](float v) { return v < 0; });
+    const bool all_count = spreads.empty();
+    const double reach = all_count ? std::numeric_limits<double>::infinity() : kStray * robustSigma(spreads);
+    result.reach_mm = reach;
+
+    std::vector<SurfaceCell>& cells = result.cells;
+    std::vector<std::uint8_t>& counted = result.counted;
+    cells.resize(points.cell_count);
+    counted.assign(points.cell.size(), 0);
+    parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            SurfaceCell& cell = cells[c];
+            double sum = 0;
+            double squares = 0;
+            for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k) {
+                const double off = static_cast<double>(points.deviation_mm[sorted.order[k]]) - medians[c];
+                if (std::abs(off) > reach) continue;
+                counted[sorted.order[k]] = 1;
+                cell.points += 1;
+                sum += off;
+                squares += off * off;
+            }
+            if (cell.points == 0) continue;
+            cell.smallest = 1;
+            cell.mean_mm = medians[c] + sum / cell.points;
+            cell.squares_mm2 = std::max(0.0, squares - sum * sum / cell.points);
+        }
+    });
+    return result;
+}
+
+StrayCells::StrayCells(const std::vector<SurfaceCell>& cells, double reach_mm) : reach_mm_(reach_mm), usual_(0)
+{
+    std::vector<float> counts;
+    for (const SurfaceCell& cell : cells)
+        if (cell.points > 0) counts.push_back(static_cast<float>(cell.points));
+    if (!counts.empty()) usual_ = medianOf(counts);
+}
+
+bool StrayCells::isInQuestion(const SurfaceCell& cell) const
+{
+    return cell.points > 0 && cell.points <= kFew;
+}
+
+bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*>& around) const
+{
+    double all = 0;
+    for (const SurfaceCell* other : around) all += other->points;
+    if (all < kLonely * kUsualNeighbours * usual_) return true;
+    std::sort(around.begin(), around.end(),
+              [](const SurfaceCell* a, const SurfaceCell* b) { return a->mean_mm < b->mean_mm; });
+    double half = 0;
+    std::size_t middle = 0;
+    while (middle + 1 < around.size() && (half += around[middle]->points) < all / 2) ++middle;
+    return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
+}
+
+void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)
+{
+    result.windows.clear();
+    if (levels.empty() || levels.front().cells.empty()) return;
+    double squares = 0;
+    double degrees = 0;
+    for (const SurfaceCell& cell : levels.front().cells) {
+        squares += cell.squares_mm2;
+        degrees += cell.points - 1;
+    }
+    result.scatter_mm = degrees > 0 ? std::sqrt(squares / degrees) : 0;
+    const auto isZero = [](const SurfaceCell& cell) { return std::abs(cell.mean_mm) < kCoincident_mm; };
+    if (result.scatter_mm < kCoincident_mm &&
+        std::all_of(levels.front().cells.begin(), levels.front().cells.end(), isZero)) {
+        // The same data twice: nothing about their pose is uncertain.
+        result.axial_sigma_mm = result.radial_sigma_mm = result.tilt_sigma = 0;
+        for (MeridianStretch& stretch : result.stretches) stretch.reference_sigma_mm = 0;
+    }
+    const std::vector<double> alike = alikeOf(levels, result.scatter_mm);
+    result.alike.clear();
+    for (std::size_t k = 0; k < levels.size(); ++k) result.alike.emplace_back(levels[k].size_mm, alike[k]);
+
+    std::vector<std::size_t> start;  // of each level: where its windows begin, two for each cell
+    std::size_t count = 0;
+    for (const CellLevel& level : levels) {
+        start.push_back(count);
+        count += 2 * level.cells.size();
+    }
+    result.windows.resize(count);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const CellLevel& level = levels[k];
+        parallelFor(level.cells.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t c = begin; c < end; ++c) {
+                SurfaceCell sum;
+                const std::uint32_t from = level.first[c];
+                const std::uint32_t to = level.first[c + 1];
+                const std::size_t place = start[k] + 2 * c;
+                for (std::uint32_t i = from; i < from + level.near[c]; ++i) sum.add(level.cells[level.neighbours[i]]);
+                const auto sizeOf = [&](double fixed, std::uint32_t cells) {
+                    return fixed > 0 ? fixed : level.size_mm * std::sqrt(static_cast<double>(cells));
+                };
+                result.windows[place] = windowOf(sum, sizeOf(level.near_mm, level.near[c]), alike[k], result);
+                for (std::uint32_t i = from + level.near[c]; i < to; ++i) sum.add(level.cells[level.neighbours[i]]);
+                result.windows[place + 1] = windowOf(sum, sizeOf(level.far_mm, to - from), alike[k], result);
+                result.windows[place].wider = static_cast<std::uint32_t>(place + 1);
+                result.windows[place].smallest = k == 0;
+                if (k + 1 < levels.size())
+                    result.windows[place + 1].wider = static_cast<std::uint32_t>(start[k + 1] + 2 * level.parent[c]);
+            }
+        });
+    }
+    // Šidák's allowance. Neighbouring windows overlap: a third of them counts as independent, and two at least.
+    const double independent = std::max(2.0, static_cast<double>(count) / 3);
+    const double single = -std::expm1(std::log1p(-kFamily) / independent);
+    result.factor = std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(single));
+}
+
+}  // namespace lathelier::registration

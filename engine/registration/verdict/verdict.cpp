@@ -1,0 +1,201 @@
+#include "engine/registration/verdict/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/registration_codes.h"
+#include "engine/registration/verdict/findings.h"
+#include "engine/registration/verdict/surface_verdict.h"
+#include "engine/registration/verdict/zone_limits.h"
+
+namespace lathelier::registration {
+namespace {
+
+constexpr std::size_t grain = 65536;
+constexpr double clearlyAbove = 1.1;
+
+/// Points that have limits, and those within them.
+struct Share {
+    std::int64_t within = 0;
+    std::int64_t all = 0;
+};
+
+Share countWithin(const CompareResult& result, const LimitsAlong& limits, const Progress& progress)
+{
+    const bool along = !result.parameters.zones.empty() && result.windows && !result.windows->z_mm.empty();
+    const auto everywhere = along ? std::nullopt : limits.at(0);
+    const auto count = [&](std::size_t begin, std::size_t end) {
+        Share share;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!result.used[i]) continue;
+            const auto here = along ? limits.at(static_cast<double>(result.windows->z_mm[i])) : everywhere;
+            if (!here) continue;
+            const auto deviation = static_cast<double>(result.deviation_mm[i]);
+            share.within += deviation >= here->lower_mm && deviation <= here->upper_mm;
+            share.all += 1;
+        }
+        return share;
+    };
+    return parallelReduce(result.used.size(), grain, progress, Share{}, count, [](Share all, const Share& part) {
+        return Share{all.within + part.within, all.all + part.all};
+    });
+}
+
+/// Number, sum and sum of squares of the deviations of each zone.
+struct ZoneSums {
+    std::vector<std::array<double, 3>> of;
+};
+
+std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
+{
+    std::vector<Zone> zones;
+    if (!result.windows || result.windows->z_mm.empty()) return zones;
+    const SurfaceWindows& all = *result.windows;
+    std::vector<ZoneLimits> given = result.parameters.zones;
+    std::sort(given.begin(), given.end(),
+              [](const ZoneLimits& a, const ZoneLimits& b) { return a.z_start_mm < b.z_start_mm; });
+    for (const ZoneLimits& zone : given) {
+        zones.emplace_back();
+        zones.back().z_start_mm = zone.z_start_mm;
+        zones.back().z_end_mm = zone.z_end_mm;
+        zones.back().name = zone.name;
+        zones.back().lower_mm = zone.lower_mm;
+        zones.back().upper_mm = zone.upper_mm;
+    }
+    if (given.empty())
+        for (const Interval& zone : all.automatic_zones_mm) {
+            zones.emplace_back();
+            zones.back().z_start_mm = zone.from;
+            zones.back().z_end_mm = zone.to;
+        }
+    if (zones.empty()) return zones;
+
+    const auto sumsOf = [&](std::size_t begin, std::size_t end) {
+        ZoneSums sums{std::vector<std::array<double, 3>>(zones.size())};
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!all.counted[i]) continue;
+            const auto z = static_cast<double>(all.z_mm[i]);
+            const auto after = std::upper_bound(zones.begin(), zones.end(), z,
+                                                [](double value, const Zone& zone) { return value < zone.z_start_mm; });
+            if (after == zones.begin() || !(z <= (after - 1)->z_end_mm)) continue;
+            auto& [count, sum, squares] = sums.of[static_cast<std::size_t>(after - 1 - zones.begin())];
+            const auto deviation = static_cast<double>(result.deviation_mm[i]);
+            count += 1;
+            sum += deviation;
+            squares += deviation * deviation;
+        }
+        return sums;
+    };
+    const ZoneSums sums =
+        parallelReduce(all.counted.size(), grain, progress, ZoneSums{std::vector<std::array<double, 3>>(zones.size())},
+                       sumsOf, [](ZoneSums to, const ZoneSums& from) {
+                           for (std::size_t k = 0; k < to.of.size(); ++k)
+                               for (std::size_t j = 0; j < 3; ++j) to.of[k][j] += from.of[k][j];
+                           return to;
+                       });
+    for (std::size_t k = 0; k < zones.size(); ++k) {
+        const auto& [count, sum, squares] = sums.of[k];
+        Zone& zone = zones[k];
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        zone.points = static_cast<std::int64_t>(count);
+        zone.mean_mm = count > 0 ? sum / count : none;
+        zone.std_mm = count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1))) : none;
+        if (count > 0)
+            zone.uncertainty_mm = 2 * meanSigma_mm(all, zone.z_start_mm, zone.z_end_mm, count,
+                                                   meanNormal(all, zone.z_start_mm, zone.z_end_mm));
+    }
+    if (given.empty()) std::erase_if(zones, [](const Zone& zone) { return zone.points == 0; });
+    return zones;
+}
+
+void judgeSurface(CompareResult& result, const LimitsAlong& limits)
+{
+    const SurfaceWindows& all = *result.windows;
+    const SurfaceVerdict found = judgeWindows(all, limits, result.parameters.decision, result.zones);
+    result.worst = found.worst;
+    result.findings = findDifferences(all, limits, result.parameters.decision);
+    if (result.parameters.verdict_rule != VerdictRule::Surface || !limits.any()) return;
+    for (std::size_t k = 0; k < result.zones.size(); ++k) result.zones[k].verdict = found.zones[k].verdict();
+    std::optional<Verdict> verdict = found.all.verdict();
+    for (const Finding& finding : result.findings)
+        if (verdict && finding.verdict == Verdict::Fail) verdict = Verdict::Fail;
+    // A mesh whose corners all lie at edges has no local means; where every point is within, so is the surface.
+    if (!verdict && result.within_tolerance_percent == 100.0) verdict = Verdict::Pass;
+    if (!verdict) {
+        result.notes.push_back({notes::nothingToJudge, {}});
+        verdict = Verdict::Undecided;
+    }
+    result.verdict = verdict;
+    const WindowsVerdict& whole = found.all;
+    if (*verdict == Verdict::Undecided && whole.undecided_points > 0 && whole.unsure_points == 0) {
+        double limit = std::numeric_limits<double>::infinity();
+        if (const auto& tolerance = result.parameters.tolerance_mm) limit = *tolerance;
+        for (const ZoneLimits& zone : result.parameters.zones)
+            if (zone.lower_mm) limit = std::min(limit, (*zone.upper_mm - *zone.lower_mm) / 2);
+        const double ratio = whole.needed_mm / std::max(limit, 1e-9);
+        result.notes.push_back({notes::scanTooPoor,
+                                {{"limit_mm", limit},
+                                 {"cell_mm", whole.cell_mm},
+                                 {"uncertainty_mm", whole.needed_mm},
+                                 {"times", std::ceil(ratio * ratio)}}});
+    }
+}
+
+void judgePoints(CompareResult& result, const Share& share)
+{
+    if (result.parameters.verdict_rule != VerdictRule::Points || share.all == 0) return;
+    result.verdict = *result.within_tolerance_percent >= result.parameters.pass_percent ? Verdict::Pass : Verdict::Fail;
+}
+
+}  // namespace
+
+bool sameButVerdict(const CompareParameters& a, const CompareParameters& b)
+{
+    return a.method == b.method && a.symmetry == b.symmetry && a.initial == b.initial &&
+           a.max_distance_mm == b.max_distance_mm && a.exclude_z_mm == b.exclude_z_mm;
+}
+
+void judge(CompareResult& result, const CompareParameters& parameters, const Progress& progress)
+{
+    checkZones(parameters.zones);
+    result.parameters.tolerance_mm = parameters.tolerance_mm;
+    result.parameters.verdict_rule = parameters.verdict_rule;
+    result.parameters.decision = parameters.decision;
+    result.parameters.zones = parameters.zones;
+    result.parameters.pass_percent = parameters.pass_percent;
+    result.parameters.scanner_accuracy_mm = parameters.scanner_accuracy_mm;
+    result.within_tolerance_percent.reset();
+    result.verdict.reset();
+    result.worst.reset();
+    result.findings.clear();
+    result.distinguishable_from_scanner.reset();
+    std::erase_if(result.notes, [](const Note& note) {
+        return note.code == notes::notDistinguishable || note.code == notes::scanTooPoor ||
+               note.code == notes::nothingToJudge;
+    });
+
+    const LimitsAlong limits(parameters.tolerance_mm, parameters.zones);
+    if (limits.any() && result.statistics.points_used > 0) {
+        const Share share = countWithin(result, limits, progress);
+        if (share.all > 0)
+            result.within_tolerance_percent =
+                100.0 * static_cast<double>(share.within) / static_cast<double>(share.all);
+        judgePoints(result, share);
+    }
+    result.zones = zonesOf(result, progress);
+    if (result.windows) {
+        result.scatter_mm = result.windows->scatter_mm;
+        judgeSurface(result, limits);
+    }
+    if (parameters.scanner_accuracy_mm) {
+        result.distinguishable_from_scanner =
+            result.statistics.rmse_mm > clearlyAbove * *parameters.scanner_accuracy_mm;
+        if (!*result.distinguishable_from_scanner)
+            result.notes.push_back(
+                {notes::notDistinguishable, {{"scanner_accuracy_mm", *parameters.scanner_accuracy_mm}}});
+    }
+}
+
+}  // namespace lathelier::registration

@@ -24,6 +24,16 @@ std::string pngOf(const QImage& image)
     return bytes.toStdString();
 }
 
+/// Lays each point on the reference's surface and lifts it by `factor` times its value: the part in its wrong shape.
+std::shared_ptr<const std::vector<float>> exaggerated(const std::vector<float>& deviation_mm,
+                                                      const std::vector<float>& values_mm, double factor)
+{
+    auto outward = std::make_shared<std::vector<float>>(deviation_mm.size());
+    for (std::size_t i = 0; i < outward->size(); ++i)
+        (*outward)[i] = static_cast<float>(factor) * values_mm[i] - deviation_mm[i];
+    return outward;
+}
+
 }  // namespace
 
 CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>())
@@ -150,16 +160,16 @@ void CompareViews::showCharts()
 {
     Parts& p = *parts_;
     const registration::CompareResult& result = p.result();
+    if (p.hasAxis()) {
+        const QSignalBlocker quiet(p.factor);
+        p.factor->setValue(p.chosenFactor.value_or(magnification(result)));
+    }
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
     p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
     if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
     if (!p.hasAxis()) return;
-    const double factor = p.chosenFactor.value_or(magnification(result));
-    {
-        const QSignalBlocker quiet(p.factor);
-        p.factor->setValue(factor);
-    }
+    const double factor = p.factor->value();
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
     p.along->setData(deviationAlongAxis(result, screenLanguage()));
     p.map->setData(unrolledMap(result, p.tolerance().has_value()));
@@ -197,7 +207,7 @@ void CompareViews::showSurface()
     if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
-    copy.onSurface = copy.values != nullptr;
+    if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
     recolour(p.tolerance());
     p.scene->setObjects({reference, copy});
 }

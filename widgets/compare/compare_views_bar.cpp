@@ -52,6 +52,7 @@ void CompareViews::buildBar()
     row->addWidget(p.factor);
     connect(p.factor, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double factor) {
         parts_->chosenFactor = factor;
+        showSurface();
         if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
     });
     row->addStretch(1);
@@ -74,8 +75,6 @@ void CompareViews::arrange()
         p.tabs->setCurrentIndex(0);
     }
     if (!axis && zones) p.tabs->removeTab(0);
-    p.factor->setVisible(axis);
-    p.factorLabel->setVisible(axis);
     p.smooth->setVisible(axis);
 }
 
@@ -96,7 +95,7 @@ void CompareViews::retranslate()
     p.smooth->setText(tr("Local mean"));
     p.smooth->setToolTip(tr("Each point has the mean of its surroundings, as in the map; off: every point by itself"));
     p.factorLabel->setText(tr("Error ×"));
-    p.factor->setToolTip(tr("How many times larger the meridian draws the deviation"));
+    p.factor->setToolTip(tr("How many times larger part and meridian draw the deviation"));
     p.factor->setAccessibleName(p.factor->toolTip());
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));

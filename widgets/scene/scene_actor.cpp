@@ -83,10 +83,10 @@ SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const E
 {
     const Scan& scan = *object.scan;
     const Eigen::Isometry3d local = Eigen::Translation3d(-origin) * object.scene_T_scan;
-    const bool lowered = object.onSurface && object.values && object.values->size() == scan.points_mm.size();
+    const bool displaced = object.outward_mm && object.outward_mm->size() == scan.points_mm.size();
     const auto place = [&](std::size_t i) -> Eigen::Vector3d {
-        if (!lowered || std::isnan((*object.values)[i])) return local * scan.points_mm[i];
-        return local * scan.points_mm[i] - static_cast<double>((*object.values)[i]) * outward(object, axis, i);
+        if (!displaced || std::isnan((*object.outward_mm)[i])) return local * scan.points_mm[i];
+        return local * scan.points_mm[i] + static_cast<double>((*object.outward_mm)[i]) * outward(object, axis, i);
     };
     full_.data->SetPoints(upload(scan.points_mm.size(), place));
     if (scan.isMesh())
@@ -128,7 +128,7 @@ void SceneActor::prepare(Layer& layer, double pointSize)
 bool SceneActor::sameGeometry(const SceneObject& other) const
 {
     return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix() &&
-           other.onSurface == object_.onSurface && (!other.onSurface || other.values == object_.values);
+           other.outward_mm == object_.outward_mm;
 }
 
 void SceneActor::update(const SceneObject& object, const report::DeviationColours& colours,

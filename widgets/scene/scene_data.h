@@ -19,9 +19,10 @@ struct SceneObject {
     Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();  ///< pose of the scan in the scene
     QColor colour;                                                   ///< where there are no values
     std::shared_ptr<const std::vector<float>> values;  ///< one for each point, in mm; NaN is drawn grey; null: plain
-    /// Draw each point where it would lie without its value. Else points in excess stick out, hide their neighbours and
-    /// make the part look larger than it is.
-    bool onSurface = false;
+    /// How far each point is drawn outward of where it lies, in mm; null or NaN: not at all. A deviation is exaggerated
+    /// by it, or taken away: points in excess stick out, hide their neighbours and make the part look larger than it
+    /// is.
+    std::shared_ptr<const std::vector<float>> outward_mm;
     bool visible = true;  ///< false: kept, but not drawn
 };
 

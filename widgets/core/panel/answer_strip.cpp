@@ -17,6 +17,8 @@ namespace {
 
 constexpr double valueSize = 1.9;      // times the size of the application's type
 constexpr int presentedValue_px = 96;  // readable from the last row of a room
+constexpr int leastRuler_chars = 24;
+constexpr int mostRuler_chars = 60;
 constexpr int presentedLeast_px = 56;  // where the window is small
 
 QFont scaled(const QFont& font, double factor)
@@ -208,8 +210,8 @@ AnswerStrip::AnswerStrip(QWidget* parent)
     number->setSpacing(0);
     number->addWidget(quantity_);
     number->addWidget(value_);
-    first->addLayout(number, 3);
-    first->addWidget(ruler_, 2);
+    first->addLayout(number, 1);
+    first->addWidget(ruler_, 1);
     first->addWidget(notes_, 0, Qt::AlignTop);
     auto* third = new QHBoxLayout;
     third->setSpacing(10);
@@ -268,9 +270,13 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
         if (there) {
             const report::Finding& finding = answer.findings[i];
             text = said(report::findingText(finding, language));
-            if (finding.verdict) text = said(lathelier::text(shortName(*finding.verdict), language)) + ": " + text;
+            if (finding.verdict)
+                text = said(lathelier::text(shortName(*finding.verdict), language)).left(1) + " " + text;
         }
         findings_[i]->offer(text);
+        if (there && answer.findings[i].verdict)
+            findings_[i]->setToolTip(said(lathelier::text(shortName(*answer.findings[i].verdict), language)) +
+                                     text.mid(1));
         findings_[i]->setVisible(sentence_->isVisibleTo(this) && (there || i == 0));  // the first keeps the height
     }
     setAccessibleName(this->text());
@@ -302,7 +308,11 @@ void AnswerStrip::clear()
 
 void AnswerStrip::showRuler()
 {
-    ruler_->setVisible(ruler_->hasScale() && width() > fontMetrics().averageCharWidth() * 90);
+    const int chars = fontMetrics().averageCharWidth();
+    const int others = verdict_->sizeHint().width() + value_->sizeHint().width() + notes_->sizeHint().width();
+    const int room = width() - others - 10 * chars;
+    ruler_->setVisible(ruler_->hasScale() && room > leastRuler_chars * chars);
+    ruler_->setMaximumWidth(std::clamp(room, leastRuler_chars * chars, mostRuler_chars * chars));
 }
 
 QString AnswerStrip::text() const

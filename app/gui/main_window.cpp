@@ -182,9 +182,8 @@ void MainWindow::askForFiles()
 void MainWindow::announce(const Message& message)
 {
     log_->add(message);
-    const QString text = screenText(message);
-    status_->setText(text);
-    status_->setToolTip(text);
+    status_->setText(shortText(message));
+    status_->setToolTip(screenText(message));
     // What concerns no panel has no message line to appear in.
     if (kindOf(message) == MessageKind::Error && message.source.empty()) {
         logDock_->show();

@@ -181,7 +181,7 @@ QString ProjectFiles::makeSample()
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
     const std::vector<std::string> names = sample::sampleFileNames();
-    const QString project = folder + "/" + QString::fromStdString(names.back());  // written last
+    QString project = folder + "/" + QString::fromStdString(names.back());  // written last
     // A folder of an earlier version lacks what came later.
     if (std::all_of(names.begin(), names.end(), [&folder](const std::string& name) {
             return QFileInfo::exists(folder + "/" + QString::fromStdString(name));

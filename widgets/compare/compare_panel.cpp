@@ -21,6 +21,7 @@ PanelInputs panelInputs()
     inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
     for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
+    inputs.roles.back().takes_next = true;  // the master stays, the next copy comes
     inputs.fields = infos<registration::CompareParameters>();
     inputs.defaults = toValues(registration::CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");

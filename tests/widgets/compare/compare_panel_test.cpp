@@ -161,6 +161,23 @@ private slots:
         QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("copy").path), copy_);
     }
 
+    void aThirdScanIsTheNextCopy()
+    {
+        dropBoth();
+        setTolerance(0.2);
+        const QString next = folder_.filePath("next.xyz");
+        QVERIFY(QFile::copy(original_, next));
+        drop(panel_.get(), {next});
+        settle();
+        const project::PanelState& state = session_->panel("compare");
+        QCOMPARE(QString::fromStdString(state.inputs.at("reference").path), original_);
+        QCOMPARE(QString::fromStdString(state.inputs.at("copy").path), next);
+        QVERIFY(panel_->result()->result->verdict == Verdict::Pass);  // the limits are those of the part before
+        session_->undoStack().undo();
+        settle();
+        QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("copy").path), copy_);
+    }
+
     void swapAndUndo()
     {
         dropBoth();

@@ -25,5 +25,6 @@ struct Message {
 enum class MessageKind { Info, Warning, Error };
 MessageKind kindOf(const Message& message);
 QString screenText(const Message& message);
+QString shortText(const Message& message);  ///< the same with files by their names, without folders
 
 }  // namespace lathelier

@@ -103,7 +103,11 @@ void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundF
     std::vector<std::string> free;
     for (const InputRole& role : inputs_.roles)
         if (!state.inputs.count(role.role)) free.push_back(role.role);
-    if (free.size() < files.size()) {  // more files than free places: start anew
+    const auto next =
+        std::find_if(inputs_.roles.begin(), inputs_.roles.end(), [](const InputRole& role) { return role.takes_next; });
+    if (free.empty() && files.size() == 1 && next != inputs_.roles.end()) {
+        free = {next->role};
+    } else if (free.size() < files.size()) {  // more files than free places: start anew
         free.clear();
         for (const InputRole& role : inputs_.roles) free.push_back(role.role);
     }

@@ -65,6 +65,7 @@ struct InputRole {
     bool several = false;        ///< more files follow under the keys "role.2", "role.3"…
     io::FileKinds kinds = {};    ///< for its file dialog, and what a file may leave open besides ImportOptions
     std::string item_kind = {};  ///< of items of the project that may stand in place of a file; empty: files only
+    bool takes_next = false;     ///< one more file for a panel whose inputs are all there goes here: the next part
 };
 
 /// The kinds of all roles, each once.

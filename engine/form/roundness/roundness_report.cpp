@@ -16,8 +16,6 @@
 namespace lathelier::form {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
 constexpr std::array<ReferenceCircle, 4> allCircles{ReferenceCircle::MZCI, ReferenceCircle::LSCI, ReferenceCircle::MICI,
                                                     ReferenceCircle::MCCI};
 
@@ -35,6 +33,7 @@ Text fullName(ReferenceCircle circle)
 report::Table circlesTable(const RoundnessResult& result)
 {
     std::vector<FittedCircle> circles;
+    circles.reserve(allCircles.size());
     for (const ReferenceCircle which : allCircles) circles.push_back(result.circles.of(which));
     report::Table table = report::listTable<FittedCircle>(
         LT_TEXT("Engine", "Roundness deviation by reference circle"), circles,

@@ -204,6 +204,20 @@ std::vector<Case> cases()
                                }});
             }
     for (const double sigma : {0.02, 0.05, 0.1})
+        for (const double alike_mm : {0.5, 1.0})
+            for (const bool mesh : {false, true}) {
+                std::snprintf(name, sizeof name,
+                              "same box in lines, %s, sigma %.2f, alike over %.1f mm, 20/mm2, +-0.03",
+                              mesh ? "to mesh" : "to cloud", sigma, alike_mm);
+                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                                   const BoxScans scans = boxTwice(seed, sigma, 20, 0, 4, mesh, alike_mm);
+                                   CompareResult result = compare(scans.reference, scans.copy);
+                                   judgeBoth(result, 0.03, simple, guarded);
+                                   if (result.worst)
+                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                               }});
+            }
+    for (const double sigma : {0.02, 0.05, 0.1})
         for (const std::size_t count : {100000U, 300000U})
             for (const bool mesh : {false, true}) {
                 std::snprintf(name, sizeof name, "same bracket, %s, sigma %.2f, %zuk points, +-0.03",

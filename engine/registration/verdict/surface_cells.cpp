@@ -244,6 +244,13 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
     return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
 }
 
+double allowanceOfWorst(std::size_t windows)
+{
+    const double independent = std::max(2.0, static_cast<double>(windows) / 3);
+    const double single = -std::expm1(std::log1p(-kFamily) / independent);
+    return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(single));
+}
+
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)
 {
     result.windows.clear();
@@ -295,10 +302,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
             }
         });
     }
-    // Šidák's allowance. Neighbouring windows overlap: a third of them counts as independent, and two at least.
-    const double independent = std::max(2.0, static_cast<double>(count) / 3);
-    const double single = -std::expm1(std::log1p(-kFamily) / independent);
-    result.factor = std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(single));
+    result.factor = allowanceOfWorst(count);
 }
 
 }  // namespace lathelier::registration

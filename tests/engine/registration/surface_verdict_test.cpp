@@ -89,6 +89,33 @@ TEST(SurfaceVerdict, SeesASmallBumpOnABox)
     EXPECT_EQ(compare(same.reference, same.copy, within(0.08)).verdict, Verdict::Pass);
 }
 
+TEST(SurfaceVerdict, SeesASmallBumpOnABoxWhateverTheReferencesNoise)
+{
+    for (const std::uint64_t seed : {1U, 2U, 5U, 6U}) {
+        const BoxScans scans = boxTwice(seed, 0.05, 12, 0.12, 4, false);
+        CompareResult result = compare(scans.reference, scans.copy, within(0.08));
+        EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
+        ASSERT_TRUE(result.worst);
+        EXPECT_LT((result.worst->point_mm - scans.bump_mm).norm(), 2);
+        const Finding* bump = findKind(result, Finding::Kind::Bump, 0);
+        ASSERT_TRUE(bump);
+        EXPECT_EQ(bump->verdict, Verdict::Fail);
+        judge(result, within(0.08, DecisionRule::Guarded));
+        EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
+    }
+}
+
+TEST(SurfaceVerdict, NoiseAlikeAlongScanLinesNeverFails)
+{
+    for (const std::uint64_t seed : {1U, 2U}) {
+        const BoxScans scans = boxTwice(seed, 0.05, 12, 0, 4, seed == 1U, 1);
+        CompareResult result = compare(scans.reference, scans.copy, within(0.03));
+        EXPECT_NE(result.verdict, Verdict::Fail) << seed;
+        judge(result, within(0.03, DecisionRule::Guarded));
+        EXPECT_NE(result.verdict, Verdict::Fail) << seed;
+    }
+}
+
 TEST(SurfaceVerdict, SaysWhatWouldDecide)
 {
     const ShaftScans scans = shaftTwice(6, {.sigma_mm = 0.1, .step_deg = 9});

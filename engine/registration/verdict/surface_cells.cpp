@@ -23,6 +23,7 @@ constexpr double kLonely = 0.1;          // of the usual number of points in a w
 constexpr double kFamily = 0.05;         // chance that any window of a perfect surface exceeds the allowance
 constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
 constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
+constexpr double kOfMedian = 2.8;        // relative standard uncertainty of a variance from √n of them, by the median
 constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
 constexpr double kCoincident_mm = 1e-9;  // smaller deviations are rounding
 constexpr std::size_t kGrain = 2048;     // cells of one step
@@ -77,7 +78,9 @@ double alikeAt(const CellLevel& level, double scatter_mm)
             sizes.push_back(static_cast<float>(std::abs(difference) / std::sqrt(scale)));
         }
         const double sigma = robustSigma(sizes);
-        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm));
+        // Less its own standard uncertainty: else the largest of a few poor estimates counts.
+        const double poor = 1 + kOfMedian / std::sqrt(static_cast<double>(rows.size()));
+        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm * poor));
     }
     return alike;
 }
@@ -244,11 +247,11 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
     return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
 }
 
-double allowanceOfWorst(std::size_t windows)
+double allowanceOfWorst(std::size_t windows, int sides)
 {
     const double independent = std::max(2.0, static_cast<double>(windows) / 3);
     const double single = -std::expm1(std::log1p(-kFamily) / independent);
-    return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(single));
+    return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(2 * single / sides));
 }
 
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)
@@ -302,7 +305,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
             }
         });
     }
-    result.factor = allowanceOfWorst(count);
+    result.factor = allowanceOfWorst(count, 2);
 }
 
 }  // namespace lathelier::registration

@@ -195,7 +195,8 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
         if (all.factor * sigma <= enough) take(sure);
         if (beyond + all.factor * sigma > 0) may_be_out.push_back({beyond, &window});
     }
-    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size())) : all.factor;
+    // Each of them may be out on one side only: the other limit is four standard uncertainties further off at least.
+    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size(), 1)) : all.factor;
     for (const MayBeOut& one : may_be_out) {
         const SurfaceWindow& window = *one.window;
         const double excess = one.beyond - result.factor * static_cast<double>(window.sigma_mm);

@@ -194,8 +194,8 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                 const double turn = quickTurn(p.y(), p.x());
                 turns[i] = static_cast<float>(turn < 0 ? turn + 1 : turn);
                 stretch_of[i] = found;
-                has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))].store(true,
-                                                                                             std::memory_order_relaxed);
+                std::atomic<bool>& seen = has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))];
+                if (!seen.load(std::memory_order_relaxed)) seen.store(true, std::memory_order_relaxed);
                 ++count;
             }
             return count;

@@ -24,7 +24,6 @@ constexpr double kLonely = 0.1;          // of the usual number of points in a w
 constexpr double kFamily = 0.05;         // chance that any window of a perfect surface exceeds the allowance
 constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
 constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
-constexpr double kOfMedian = 2.8;        // relative standard uncertainty of a variance from √n of them, by the median
 constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
 constexpr double kCoincident_mm = 1e-9;  // smaller deviations are rounding
 constexpr std::size_t kGrain = 2048;     // cells of one step
@@ -79,9 +78,7 @@ double alikeAt(const CellLevel& level, double scatter_mm)
             sizes.push_back(static_cast<float>(std::abs(difference) / std::sqrt(scale)));
         }
         const double sigma = robustSigma(sizes);
-        // Less its own standard uncertainty: else the largest of a few poor estimates counts.
-        const double poor = 1 + kOfMedian / std::sqrt(static_cast<double>(rows.size()));
-        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm * poor));
+        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm));
     }
     return alike;
 }

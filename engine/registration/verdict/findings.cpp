@@ -234,8 +234,11 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         }
         finding.value_mm = judgedMean_mm(all, w);
         finding.uncertainty_mm = kHeight * static_cast<double>(w.sigma_mm);
-        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
-            judge(all, finding, factor * static_cast<double>(w.sigma_mm), *here, rule);
+        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm))) {
+            // `factor` is for the windows that judge alone; noisier ones were chosen among all.
+            const auto sigma = static_cast<double>(w.sigma_mm);
+            judge(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
+        }
         findings.push_back(finding);
     }
 }

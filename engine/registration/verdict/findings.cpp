@@ -173,7 +173,7 @@ void describe(const SurfaceWindows& all, const Form& form, const LimitsAlong& li
 
 /// Windows that stand out from the form of their stretch, the surest first, none over another.
 void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits, DecisionRule rule,
-               std::vector<Finding>& findings)
+               double factor, std::vector<Finding>& findings)
 {
     if (!all.has_sign && all.axis_T_reference) return;
     const double allowance = all.factor + 0.5;  // beyond what decides: a bump that is none is worse than none
@@ -234,8 +234,11 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         }
         finding.value_mm = judgedMean_mm(all, w);
         finding.uncertainty_mm = kHeight * static_cast<double>(w.sigma_mm);
-        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
-            judge(all, finding, all.factor * static_cast<double>(w.sigma_mm), *here, rule);
+        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm))) {
+            // `factor` is for the windows that judge alone; noisier ones were chosen among all.
+            const auto sigma = static_cast<double>(w.sigma_mm);
+            judge(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
+        }
         findings.push_back(finding);
     }
 }
@@ -336,15 +339,16 @@ double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_m
     return std::sqrt(variance);
 }
 
-std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule)
+std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
+                                     double factor)
 {
     std::vector<Finding> findings;
     if (all.has_sign) {
         const std::vector<Form> forms = formsOf(all, limits);
         for (const Form& form : forms) describe(all, form, limits, rule, findings);
-        findBumps(all, forms, limits, rule, findings);
+        findBumps(all, forms, limits, rule, factor, findings);
     } else {
-        findBumps(all, {}, limits, rule, findings);
+        findBumps(all, {}, limits, rule, factor, findings);
     }
     findMissing(all, findings);
     std::stable_sort(findings.begin(), findings.end(),

@@ -9,8 +9,9 @@ namespace lathelier::registration {
 
 /// The differences that stand out from their own uncertainty, the largest against its limit first; eight at most.
 /// A taper and a barrel are judged by the width of the tolerance band, all others by the limit on their side. Where the
-/// deviation has no sign there are none but missing stretches.
-std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule);
+/// deviation has no sign there are none but missing stretches. `factor`: of SurfaceVerdict, what a bump fails by.
+std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
+                                     double factor);
 
 /// Standard uncertainty of the mean deviation over a stretch of the axis with so many points, all round.
 double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_mm, double points,

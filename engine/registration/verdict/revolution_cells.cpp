@@ -8,172 +8,17 @@
 
 #include "engine/core/parallel.h"
 #include "engine/registration/revolution/quick_turn.h"
-#include "engine/registration/verdict/meridian_runs.h"
+#include "engine/registration/verdict/revolution_grids.h"
 #include "engine/registration/verdict/surface_cells.h"
 
 namespace lathelier::registration {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kEdge_mm = 0.5;  // the scanner's spot smears what lies nearer to an edge
 constexpr double kCoarse_mm = 3;  // cells that tell how much of the surface has points
-constexpr std::size_t kFine = 8;  // places of the table of stretches in one bin of the profile
 constexpr std::size_t kGrain = 32768;
-constexpr std::uint8_t kNoStretch = 255;
+constexpr std::uint8_t kNoStretch = Stretches::kNoStretch;
 constexpr std::uint32_t kOutside = CellPoints::kOutside;
-
-/// A stretch with its grid of cells: rows along the axis, columns around.
-struct Grid {
-    double start_mm = 0;   ///< in z of the profile
-    double end_mm = 0;     ///< likewise
-    double radius_mm = 0;  ///< largest
-    std::size_t rows = 1, columns = 1;
-    std::size_t first = 0;  ///< number of its first cell
-
-    double rowHeight_mm() const { return (end_mm - start_mm) / static_cast<double>(rows); }
-};
-
-class Stretches {
-public:
-    Stretches(const TurnedPart& part, const MeridianLine& line) : part_(part), line_(line)
-    {
-        const RadiusProfile& profile = part.fit.profile;
-        for (const SmoothRun& run : smoothRuns(part)) add(run, profile, false);
-        if (part.fit.bore.size() == profile.size()) addBore(part.fit.bore);
-        outside_ = tableOf(false);
-        if (part.fit.bore.size() == profile.size()) bore_ = tableOf(true);
-    }
-
-    const std::vector<MeridianStretch>& list() const { return stretches_; }
-    std::vector<Grid>& grids() { return grids_; }
-
-    /// Number of the stretch for a point at (z, r), or kNoStretch.
-    std::uint8_t find(double z, double r) const
-    {
-        const RadiusProfile& profile = part_.fit.profile;
-        const double place = (z - profile.z_start_mm) / profile.step_mm;
-        if (!(place >= 0) || place >= static_cast<double>(profile.size())) return kNoStretch;
-        const auto bin = static_cast<std::size_t>(place);
-        const auto fine = static_cast<std::size_t>(place * static_cast<double>(kFine));
-        std::uint8_t found = outside_[fine];
-        if (!bore_.empty()) {
-            const double bore = part_.fit.bore.radius_mm[bin];
-            if (!std::isnan(bore) && !(r > (bore + profile.radius_mm[bin]) / 2)) found = bore_[fine];
-        }
-        if (found == kNoStretch) return found;
-        const Grid& grid = grids_[found];
-        return z >= grid.start_mm && z < grid.end_mm ? found : kNoStretch;
-    }
-
-private:
-    void add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore)
-    {
-        const double start = run.start_mm + kEdge_mm;
-        const double end = run.end_mm - kEdge_mm;
-        if (end < start + kEdge_mm || stretches_.size() >= kNoStretch) return;
-        Grid grid{start, end};
-        double variance = 0;
-        double known = 0;
-        for (std::size_t i = run.first; i < run.last; ++i) {
-            if (std::isnan(profile.radius_mm[i])) continue;
-            grid.radius_mm = std::max(grid.radius_mm, profile.radius_mm[i]);
-            variance += profile.sigma_mm[i] * profile.sigma_mm[i];
-            known += 1;
-        }
-        if (known < 2) return;
-        const double rise = profile.radius_mm[run.last - 1] - profile.radius_mm[run.first];
-        grids_.push_back(grid);
-        stretches_.push_back({start - line_.zFirst_mm(), end - line_.zFirst_mm(), is_bore,
-                              (profile.radius_mm[run.last - 1] + profile.radius_mm[run.first]) / 2,
-                              rise / (static_cast<double>(run.last - 1 - run.first) * profile.step_mm),
-                              std::sqrt(variance / known), profile.step_mm});
-    }
-
-    void addBore(const RadiusProfile& bore)
-    {
-        std::size_t from = 0;
-        const auto finish = [&](std::size_t to) {
-            if (to >= from + 3)
-                add({from, to, bore.middle_mm(from) - bore.step_mm / 2, bore.middle_mm(to) - bore.step_mm / 2}, bore,
-                    true);
-        };
-        for (std::size_t i = 0; i < bore.size(); ++i) {
-            const bool known = !std::isnan(bore.radius_mm[i]);
-            const bool edge = known && i > from && std::abs(bore.radius_mm[i] - bore.radius_mm[i - 1]) > bore.step_mm;
-            if (known && !edge) continue;
-            finish(i);
-            from = known ? i : i + 1;
-        }
-        finish(bore.size());
-    }
-
-    std::vector<std::uint8_t> tableOf(bool is_bore) const
-    {
-        const RadiusProfile& profile = part_.fit.profile;
-        std::vector<std::uint8_t> table(profile.size() * kFine, kNoStretch);
-        const double step = profile.step_mm / static_cast<double>(kFine);
-        for (std::size_t s = 0; s < grids_.size(); ++s) {
-            if (stretches_[s].is_bore != is_bore) continue;
-            const auto at = [&](double z) {
-                return static_cast<std::size_t>(
-                    std::clamp((z - profile.z_start_mm) / step, 0.0, static_cast<double>(table.size() - 1)));
-            };
-            for (std::size_t k = at(grids_[s].start_mm); k <= at(grids_[s].end_mm); ++k)
-                table[k] = static_cast<std::uint8_t>(s);
-        }
-        return table;
-    }
-
-    const TurnedPart& part_;
-    const MeridianLine& line_;
-    std::vector<MeridianStretch> stretches_;
-    std::vector<Grid> grids_;
-    std::vector<std::uint8_t> outside_, bore_;
-};
-
-std::size_t layOut(std::vector<Grid>& grids, double size_mm)
-{
-    std::size_t count = 0;
-    const auto parts = [&](double length) {
-        return static_cast<std::size_t>(std::max(1.0, std::round(length / size_mm)));
-    };
-    for (Grid& grid : grids) {
-        grid.rows = parts(grid.end_mm - grid.start_mm);
-        grid.columns = parts(2 * kPi * grid.radius_mm);
-        grid.first = count;
-        count += grid.rows * grid.columns;
-    }
-    return count;
-}
-
-std::size_t cellOf(const Grid& grid, double z, double turn)
-{
-    const auto row =
-        static_cast<std::size_t>((z - grid.start_mm) / (grid.end_mm - grid.start_mm) * static_cast<double>(grid.rows));
-    const auto column = static_cast<std::size_t>(turn * static_cast<double>(grid.columns));
-    return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
-}
-
-/// Calls use(place, is one of the nearest 9) for the cells of the window about a cell, once round at most.
-template <class Use>
-void forWindow(const Grid& grid, std::size_t row, std::size_t column, Use use)
-{
-    const auto rows = static_cast<std::ptrdiff_t>(grid.rows);
-    const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
-    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-2, -((columns - 1) / 2));
-    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(2, columns / 2);
-    for (std::ptrdiff_t r = -2; r <= 2; ++r) {
-        const std::ptrdiff_t y = static_cast<std::ptrdiff_t>(row) + r;
-        if (y < 0 || y >= rows) continue;
-        for (std::ptrdiff_t c = left; c <= right; ++c) {
-            if (r * r + c * c > 5) continue;
-            std::ptrdiff_t x = static_cast<std::ptrdiff_t>(column) + c;
-            if (x < 0) x += columns;
-            if (x >= columns) x -= columns;
-            use(grid.first + static_cast<std::size_t>(y * columns + x), r * r <= 1 && c * c <= 1);
-        }
-    }
-}
 
 /// The cells of one level by their place in the grids, and the level made of those that have points.
 class GridLevel {
@@ -349,8 +194,8 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                 const double turn = quickTurn(p.y(), p.x());
                 turns[i] = static_cast<float>(turn < 0 ? turn + 1 : turn);
                 stretch_of[i] = found;
-                has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))].store(true,
-                                                                                             std::memory_order_relaxed);
+                std::atomic<bool>& seen = has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))];
+                if (!seen.load(std::memory_order_relaxed)) seen.store(true, std::memory_order_relaxed);
                 ++count;
             }
             return count;

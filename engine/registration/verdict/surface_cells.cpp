@@ -16,7 +16,8 @@ constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few 
 constexpr double kManyCells = 30000;
 constexpr double kMostCells = 400000;
 constexpr double kStray = 6;             // robust standard deviations from the median of the cell
-constexpr std::size_t kOfSpreads = 4;    // one cell in so many tells the scatter of the points
+constexpr std::size_t kSpreads = 2000;   // so many cells, if there are, tell the scatter of the points
+constexpr std::size_t kOfSpreads = 16;   // or one in so many
 constexpr double kFew = 3;               // points whose median a stray one moves
 constexpr double kUsualNeighbours = 21;  // cells of a window
 constexpr double kLonely = 0.1;          // of the usual number of points in a window: these are stray points
@@ -167,24 +168,23 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
 {
     CellMeans result;
     const Sorted sorted = sortByCell(points);
-    std::vector<double> medians(points.cell_count, 0);
-    std::vector<float> spreads(points.cell_count, -1);  // median distance from the median
     const auto valuesOf = [&](std::size_t c, std::vector<float>& values) {
         values.clear();
         for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k)
             values.push_back(points.deviation_mm[sorted.order[k]]);
     };
-    parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    const std::size_t every = std::clamp<std::size_t>(points.cell_count / kSpreads, 1, kOfSpreads);
+    std::vector<float> spreads((points.cell_count + every - 1) / every, -1);  // median distance from the median
+    parallelFor(spreads.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> values;
-        for (std::size_t c = begin; c < end; ++c) {
-            valuesOf(c, values);
-            if (values.empty()) continue;
-            medians[c] = medianOf(values);
-            if (values.size() < 4 || c % kOfSpreads != 0) continue;
-            for (float& v : values) v = std::abs(v - static_cast<float>(medians[c]));
+        for (std::size_t k = begin; k < end; ++k) {
+            valuesOf(every * k, values);
+            if (values.size() < 4) continue;
+            const auto median = static_cast<float>(medianOf(values));
+            for (float& v : values) v = std::abs(v - median);
             // The median of a few distances is too small; this is the mean correction for normal values.
             const auto n = static_cast<double>(values.size());
-            spreads[c] = static_cast<float>(medianOf(values) * n / (n - 0.8));
+            spreads[k] = static_cast<float>(medianOf(values) * n / (n - 0.8));
         }
     });
     std::erase_if(spreads, [](float v) { return v < 0; });
@@ -197,13 +197,20 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
     cells.resize(points.cell_count);
     counted.assign(points.cell.size(), 0);
     parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> values;
         for (std::size_t c = begin; c < end; ++c) {
+            valuesOf(c, values);
+            if (values.empty()) continue;
+            const auto [least, most] = std::minmax_element(values.begin(), values.end());
+            // Values that are all within reach of each other are within reach of their median, whatever it is.
+            const bool is_close = static_cast<double>(*most - *least) <= reach;
+            const double middle = is_close ? static_cast<double>(*least) : medianOf(values);
             SurfaceCell& cell = cells[c];
             double sum = 0;
             double squares = 0;
             for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k) {
-                const double off = static_cast<double>(points.deviation_mm[sorted.order[k]]) - medians[c];
-                if (std::abs(off) > reach) continue;
+                const double off = static_cast<double>(points.deviation_mm[sorted.order[k]]) - middle;
+                if (!is_close && std::abs(off) > reach) continue;
                 counted[sorted.order[k]] = 1;
                 cell.points += 1;
                 sum += off;
@@ -211,7 +218,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
             }
             if (cell.points == 0) continue;
             cell.smallest = 1;
-            cell.mean_mm = medians[c] + sum / cell.points;
+            cell.mean_mm = middle + sum / cell.points;
             cell.squares_mm2 = std::max(0.0, squares - sum * sum / cell.points);
         }
     });
@@ -242,6 +249,13 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
     std::size_t middle = 0;
     while (middle + 1 < around.size() && (half += around[middle]->points) < all / 2) ++middle;
     return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
+}
+
+double allowanceOfWorst(std::size_t windows, int sides)
+{
+    const double independent = std::max(2.0, static_cast<double>(windows) / 3);
+    const double single = -std::expm1(std::log1p(-kFamily) / independent);
+    return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(2 * single / sides));
 }
 
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress)
@@ -295,10 +309,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
             }
         });
     }
-    // Šidák's allowance. Neighbouring windows overlap: a third of them counts as independent, and two at least.
-    const double independent = std::max(2.0, static_cast<double>(count) / 3);
-    const double single = -std::expm1(std::log1p(-kFamily) / independent);
-    result.factor = std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(single));
+    result.factor = allowanceOfWorst(count, 2);
 }
 
 }  // namespace lathelier::registration

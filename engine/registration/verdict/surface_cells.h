@@ -78,6 +78,10 @@ private:
     double usual_;  ///< number of points of a cell
 };
 
+/// Allowance for the worst of so many windows, in standard uncertainties: Šidák's, of errors to one side or both.
+/// Neighbouring windows overlap: a third of them counts as independent, and two at least.
+double allowanceOfWorst(std::size_t windows, int sides);
+
 /// Scatter about the local means, how alike neighbours are, and the windows of all levels with their uncertainty from
 /// noise, reference and registration. Everything else of `result` has to be there.
 void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, const Progress& progress);

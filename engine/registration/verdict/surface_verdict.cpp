@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/registration/verdict/surface_cells.h"
+
 namespace lathelier::registration {
 namespace {
 
@@ -29,13 +31,13 @@ double chosenFactor(const SurfaceWindows& all, const SurfaceWindow& window)
     return std::isfinite(out) ? all.factor + clear * (2 - all.factor) : 2;
 }
 
-WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window)
+WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window, double factor)
 {
     WorstPlace worst;
     worst.point_mm = window.place_mm.cast<double>();
     worst.deviation_mm =
         all.has_sign ? static_cast<double>(window.mean_mm) : std::abs(static_cast<double>(window.mean_mm));
-    worst.uncertainty_mm = chosenFactor(all, window) * static_cast<double>(window.sigma_mm);
+    worst.uncertainty_mm = factor * static_cast<double>(window.sigma_mm);
     worst.cell_mm = static_cast<double>(window.size_mm);
     if (all.axis_T_reference) {
         // The mean of places all round lies near the axis: the point is that of the surface in its direction.
@@ -173,27 +175,45 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     Worst failing;
     Worst sure;
     Worst judged;
+    struct MayBeOut {
+        double beyond;  ///< the limit
+        const SurfaceWindow* window;
+    };
+    std::vector<MayBeOut> may_be_out;
     for (const SurfaceWindow& window : all.windows) {
         const auto start = static_cast<double>(window.z_start_mm);
         const auto end = static_cast<double>(window.z_end_mm);
         const auto sigma = static_cast<double>(window.sigma_mm);
         const auto here = any ? limits.between(start, end) : DeviationLimits{};
         if (!here || (any && 2 * sigma > here->half_mm())) continue;
-        const double excess = excess_mm(all, judgedMean_mm(all, window), all.factor * sigma, *here);
+        const double beyond = excess_mm(all, judgedMean_mm(all, window), 0, *here);
         const auto take = [&](Worst& worst) {
-            if (excess > worst.excess) worst = {excess, &window};
+            if (beyond - all.factor * sigma > worst.excess) worst = {beyond - all.factor * sigma, &window};
         };
         take(judged);
         const double enough = any ? kSure * here->half_mm() : kSure * all.scatter_mm;
         if (all.factor * sigma <= enough) take(sure);
-        if (excess > 0) take(failing);
-        if (!any || excess <= 0) continue;
+        if (beyond + all.factor * sigma > 0) may_be_out.push_back({beyond, &window});
+    }
+    // Each of them may be out on one side only: the other limit is four standard uncertainties further off at least.
+    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size(), 1)) : all.factor;
+    for (const MayBeOut& one : may_be_out) {
+        const SurfaceWindow& window = *one.window;
+        const double excess = one.beyond - result.factor * static_cast<double>(window.sigma_mm);
+        if (excess <= 0) continue;
+        if (excess > failing.excess) failing = {excess, &window};
+        if (!any) continue;
         result.all.fails = true;
-        const std::size_t zone = zoneOf(zones, start, end);
+        const std::size_t zone =
+            zoneOf(zones, static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
         if (zone < zones.size()) result.zones[zone].fails = true;
     }
+    // The one that fails was chosen among those that may be out, the other among all.
     for (const Worst* worst : {&failing, &sure, &judged})
-        if (worst->window && !result.worst) result.worst = placeOf(all, *worst->window);
+        if (worst->window && !result.worst) {
+            const double most = worst == &failing ? result.factor : all.factor;
+            result.worst = placeOf(all, *worst->window, std::min(most, chosenFactor(all, *worst->window)));
+        }
     if (!any) return result;
 
     for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest;

@@ -1,5 +1,6 @@
 // The verdict about the surface: every local mean, with its uncertainty, against the limits at its place.
-// Source: ISO 14253-1 (decision rules), Z. Šidák, JASA 62 (1967) (the worst of many).
+// Sources: ISO 14253-1 (decision rules); Z. Šidák, JASA 62 (1967) (the worst of many); P. R. Hansen, JBES 23 (2005)
+// 365-380 (inequalities that surely hold do not count among the many).
 #pragma once
 
 #include <optional>
@@ -59,6 +60,9 @@ struct SurfaceVerdict {
     WindowsVerdict all;
     std::vector<WindowsVerdict> zones;  ///< of the windows within each of `zones`
     std::optional<WorstPlace> worst;    ///< none where nothing is judged
+    /// What a window has to be out of its limits by, in standard uncertainties, to fail: the allowance for the worst of
+    /// those that may be out. Windows that are surely within, by the allowance for the worst of all, cannot be it.
+    double factor = 2;
 };
 
 SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,

@@ -56,14 +56,14 @@ struct SurfaceWindows {
     double scatter_mm = 0;               ///< standard deviation of the points about their local means
     /// How much larger the variance of a mean over cells of a size is than that of as many independent points.
     std::vector<std::pair<double, double>> alike;  ///< size in mm and that number, from small to large
-    double factor = 2;                         ///< allowance for the worst of all windows, in standard uncertainties
-    double facets_mm = 0;                      ///< the reference's facets lie up to this inside its round surface
-    bool has_sign = true;                      ///< false: the sign of a mean says nothing
-    std::vector<MeridianStretch> stretches;    ///< in order of z, those of the bore last; body of revolution only
-    std::vector<SurfaceRow> rows;              ///< by stretch, in order of z; body of revolution only
-    std::vector<Interval> automatic_zones_mm;  ///< where no zones are given: along the axis from the first data
-    std::vector<float> z_mm;                   ///< of each point of the copy; NaN where it is not used. Revolution only
-    std::vector<std::uint8_t> counted;         ///< 1 for points that are part of a window
+    double factor = 2;                             ///< allowance for the worst of all, in standard uncertainties
+    double facets_mm = 0;                          ///< the reference's facets lie up to this inside its round surface
+    bool has_sign = true;                          ///< false: the sign of a mean says nothing
+    std::vector<MeridianStretch> stretches;        ///< in order of z, those of the bore last; body of revolution only
+    std::vector<SurfaceRow> rows;                  ///< by stretch, in order of z; body of revolution only
+    std::vector<Interval> automatic_zones_mm;      ///< where no zones are given: along the axis from the first data
+    std::vector<float> z_mm;            ///< of each point of the copy; NaN where it is not used. Revolution only
+    std::vector<std::uint8_t> counted;  ///< 1 for points that are part of a window
     std::optional<Eigen::Isometry3d> axis_T_reference;    ///< z from the reference's first data. Revolution only
     double axial_sigma_mm = 0;                            ///< of the registration, along the axis (or in any direction)
     double radial_sigma_mm = 0;                           ///< across the axis; 0 without one

@@ -115,7 +115,7 @@ void judgeSurface(CompareResult& result, const LimitsAlong& limits)
     const SurfaceWindows& all = *result.windows;
     const SurfaceVerdict found = judgeWindows(all, limits, result.parameters.decision, result.zones);
     result.worst = found.worst;
-    result.findings = findDifferences(all, limits, result.parameters.decision);
+    result.findings = findDifferences(all, limits, result.parameters.decision, found.factor);
     if (result.parameters.verdict_rule != VerdictRule::Surface || !limits.any()) return;
     for (std::size_t k = 0; k < result.zones.size(); ++k) result.zones[k].verdict = found.zones[k].verdict();
     std::optional<Verdict> verdict = found.all.verdict();

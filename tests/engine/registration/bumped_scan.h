@@ -112,13 +112,51 @@ inline Scan boxMesh(double x = 60, double y = 40, double z = 30)
     return mesh;
 }
 
+/// A box of 60 × 40 × 30 mm in scan lines of any direction, its noise a moving average over `alike_mm` of a line.
+inline Scan boxInLines(std::uint64_t stream, double sigma_mm, double points_per_mm2, double alike_mm)
+{
+    const double spacing = 1 / std::sqrt(points_per_mm2);
+    const int span = std::max(1, static_cast<int>(std::lround(alike_mm / spacing)));
+    const Eigen::Vector3d size(60, 40, 30);
+    Scan scan;
+    std::uint64_t drawn = 0;
+    for (int face = 0; face < 6; ++face) {
+        const int across = face / 2;
+        const Eigen::Vector3d normal = (face % 2 == 0 ? -1 : 1) * Eigen::Vector3d::Unit(across);
+        const Eigen::Vector3d u = Eigen::Vector3d::Unit((across + 1) % 3);
+        const Eigen::Vector3d v = Eigen::Vector3d::Unit((across + 2) % 3);
+        const double turn = 3.14159 * randomUniform(stream, 43, static_cast<std::uint64_t>(face));
+        const Eigen::Vector3d along = std::cos(turn) * u + std::sin(turn) * v;
+        const Eigen::Vector3d beside = normal.cross(along);
+        const Eigen::Vector3d middle = (size.cwiseProduct(Eigen::Vector3d::Ones() + normal)).eval() / 2;
+        const int reach = static_cast<int>(size.norm() / 2 / spacing) + 1;
+        for (int row = -reach; row <= reach; ++row) {
+            const double begin = randomUniform(stream, 44, drawn);
+            double sum = 0;
+            for (int k = 0; k < span; ++k) sum += randomNormal(stream, 45, drawn++);
+            for (int k = -reach; k <= reach; ++k) {
+                const Eigen::Vector3d at = middle + spacing * ((k + begin) * along + row * beside);
+                sum += randomNormal(stream, 45, drawn) -
+                       randomNormal(stream, 45, drawn - static_cast<std::uint64_t>(span));
+                ++drawn;
+                const Eigen::Vector3d inside = (size - at).cwiseMin(at);
+                if (inside.minCoeff() < -1e-9) continue;
+                scan.points_mm.emplace_back(at + sigma_mm * sum / std::sqrt(static_cast<double>(span)) * normal);
+            }
+        }
+    }
+    return scan;
+}
+
 /// A box of 60 × 40 × 30 mm twice; the copy with a raised disc on its top, in another pose. Clouds carry no normals.
+/// With `alike_mm` both are in scan lines, with noise alike so far along them.
 inline BoxScans boxTwice(std::uint64_t seed, double sigma_mm, double points_per_mm2, double height_mm, double across_mm,
-                         bool reference_is_mesh)
+                         bool reference_is_mesh, double alike_mm = 0)
 {
     const Scan mesh = boxMesh();
     const auto count = static_cast<std::size_t>(points_per_mm2 * 2 * (60 * 40 + 60 * 30 + 40 * 30));
     const auto noisy = [&](std::uint64_t stream) {
+        if (alike_mm > 0) return boxInLines(stream, sigma_mm, points_per_mm2, alike_mm);
         Scan scan = registration::sampleSurface(mesh, count, stream);
         for (std::size_t i = 0; i < scan.points_mm.size(); ++i)
             scan.points_mm[i] += sigma_mm * randomNormal(stream, 42, i) * scan.normals[i].cast<double>();

@@ -22,6 +22,13 @@ CompareParameters within(double tolerance_mm, DecisionRule decision = DecisionRu
     return parameters;
 }
 
+/// What the verdict needs, of a part that is no body of revolution.
+CompareResult compareQuickly(const BoxScans& scans, CompareParameters asked)
+{
+    asked.symmetry = Symmetry::None;
+    return compare(scans.reference, scans.copy, asked, {}, CompareDetail::Summary);
+}
+
 const Finding* findKind(const CompareResult& result, Finding::Kind kind, double z_mm)
 {
     for (const Finding& finding : result.findings)
@@ -87,6 +94,31 @@ TEST(SurfaceVerdict, SeesASmallBumpOnABox)
     EXPECT_FALSE(result.worst->z_mm);
     const BoxScans same = boxTwice(5, 0.03, 12, 0, 4, true);
     EXPECT_EQ(compare(same.reference, same.copy, within(0.08)).verdict, Verdict::Pass);
+}
+
+TEST(SurfaceVerdict, SeesASmallBumpOnABoxWhateverTheReferencesNoise)
+{
+    for (const std::uint64_t seed : {1U, 4U, 7U}) {
+        const BoxScans scans = boxTwice(seed, 0.05, 12, 0.12, 4, false);
+        CompareResult result = compareQuickly(scans, within(0.08));
+        EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
+        ASSERT_TRUE(result.worst);
+        EXPECT_LT((result.worst->point_mm - scans.bump_mm).norm(), 2);
+        const Finding* bump = findKind(result, Finding::Kind::Bump, 0);
+        ASSERT_TRUE(bump);
+        EXPECT_EQ(bump->verdict, Verdict::Fail);
+        judge(result, within(0.08, DecisionRule::Guarded));
+        EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
+    }
+}
+
+TEST(SurfaceVerdict, NoiseAlikeAlongScanLinesNeverFails)
+{
+    const BoxScans scans = boxTwice(1, 0.05, 10, 0, 4, false, 1);
+    CompareResult result = compareQuickly(scans, within(0.03));
+    EXPECT_NE(result.verdict, Verdict::Fail);
+    judge(result, within(0.03, DecisionRule::Guarded));
+    EXPECT_NE(result.verdict, Verdict::Fail);
 }
 
 TEST(SurfaceVerdict, SaysWhatWouldDecide)

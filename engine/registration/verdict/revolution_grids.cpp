@@ -1,0 +1,94 @@
+#include "engine/registration/verdict/revolution_grids.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace lathelier::registration {
+namespace {
+
+constexpr double kEdge_mm = 0.5;  // the scanner's spot smears what lies nearer to an edge
+
+}  // namespace
+
+Stretches::Stretches(const TurnedPart& part, const MeridianLine& line) : part_(part), line_(line)
+{
+    const RadiusProfile& profile = part.fit.profile;
+    for (const SmoothRun& run : smoothRuns(part)) add(run, profile, false);
+    if (part.fit.bore.size() == profile.size()) addBore(part.fit.bore);
+    outside_ = tableOf(false);
+    if (part.fit.bore.size() == profile.size()) bore_ = tableOf(true);
+}
+
+void Stretches::add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore)
+{
+    const double start = run.start_mm + kEdge_mm;
+    const double end = run.end_mm - kEdge_mm;
+    if (end < start + kEdge_mm || stretches_.size() >= kNoStretch) return;
+    Grid grid{start, end};
+    double variance = 0;
+    double known = 0;
+    for (std::size_t i = run.first; i < run.last; ++i) {
+        if (std::isnan(profile.radius_mm[i])) continue;
+        grid.radius_mm = std::max(grid.radius_mm, profile.radius_mm[i]);
+        variance += profile.sigma_mm[i] * profile.sigma_mm[i];
+        known += 1;
+    }
+    if (known < 2) return;
+    const double rise = profile.radius_mm[run.last - 1] - profile.radius_mm[run.first];
+    grids_.push_back(grid);
+    stretches_.push_back({start - line_.zFirst_mm(), end - line_.zFirst_mm(), is_bore,
+                          (profile.radius_mm[run.last - 1] + profile.radius_mm[run.first]) / 2,
+                          rise / (static_cast<double>(run.last - 1 - run.first) * profile.step_mm),
+                          std::sqrt(variance / known), profile.step_mm});
+}
+
+void Stretches::addBore(const RadiusProfile& bore)
+{
+    std::size_t from = 0;
+    const auto finish = [&](std::size_t to) {
+        if (to >= from + 3)
+            add({from, to, bore.middle_mm(from) - bore.step_mm / 2, bore.middle_mm(to) - bore.step_mm / 2}, bore, true);
+    };
+    for (std::size_t i = 0; i < bore.size(); ++i) {
+        const bool known = !std::isnan(bore.radius_mm[i]);
+        const bool edge = known && i > from && std::abs(bore.radius_mm[i] - bore.radius_mm[i - 1]) > bore.step_mm;
+        if (known && !edge) continue;
+        finish(i);
+        from = known ? i : i + 1;
+    }
+    finish(bore.size());
+}
+
+std::vector<std::uint8_t> Stretches::tableOf(bool is_bore) const
+{
+    const RadiusProfile& profile = part_.fit.profile;
+    std::vector<std::uint8_t> table(profile.size() * kFine, kNoStretch);
+    const double step = profile.step_mm / static_cast<double>(kFine);
+    for (std::size_t s = 0; s < grids_.size(); ++s) {
+        if (stretches_[s].is_bore != is_bore) continue;
+        const auto at = [&](double z) {
+            return static_cast<std::size_t>(
+                std::clamp((z - profile.z_start_mm) / step, 0.0, static_cast<double>(table.size() - 1)));
+        };
+        for (std::size_t k = at(grids_[s].start_mm); k <= at(grids_[s].end_mm); ++k)
+            table[k] = static_cast<std::uint8_t>(s);
+    }
+    return table;
+}
+
+std::size_t layOut(std::vector<Grid>& grids, double size_mm)
+{
+    std::size_t count = 0;
+    const auto parts = [&](double length) {
+        return static_cast<std::size_t>(std::max(1.0, std::round(length / size_mm)));
+    };
+    for (Grid& grid : grids) {
+        grid.rows = parts(grid.end_mm - grid.start_mm);
+        grid.columns = parts(2 * std::numbers::pi * grid.radius_mm);
+        grid.first = count;
+        count += grid.rows * grid.columns;
+    }
+    return count;
+}
+
+}  // namespace lathelier::registration

@@ -18,7 +18,6 @@ namespace {
 
 using Cube = std::array<std::int32_t, 3>;
 
-constexpr std::size_t kGrain = 32768;
 constexpr double kEdge_mm = 0.5;   // the scanner's spot smears what lies nearer to an edge
 constexpr double kTurns = 0.8;     // cosine between normals: more is an edge, where it happens within a cell
 constexpr double kSameSide = 0.7;  // cosine between normals of cells that may be averaged

@@ -225,7 +225,8 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         const double sense = all.stretches[g].is_bore ? -1 : 1;
         for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
             SurfaceCell& cell = cells[grid.first + k];
-            const double z = grid.start_mm + static_cast<double>(k / grid.columns) * grid.rowHeight_mm();
+            const std::size_t row = k / grid.columns;
+            const double z = grid.start_mm + static_cast<double>(row) * grid.rowHeight_mm();
             const double angle =
                 2 * kPi * (static_cast<double>(k % grid.columns) + 0.5) / static_cast<double>(grid.columns);
             const Eigen::Vector3d radial(std::cos(angle), std::sin(angle), 0);

@@ -4880,10 +4880,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Błąd ×</translation>
     </message>
     <message>
-        <source>How many times larger the meridian draws the deviation</source>
-        <translation>Ile razy zarys osiowy powiększa odchyłkę</translation>
-    </message>
-    <message>
         <source>Synthetic data</source>
         <translation>Dane syntetyczne</translation>
     </message>
@@ -4902,6 +4898,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Tables</source>
         <translation>Tabele</translation>
+    </message>
+    <message>
+        <source>How many times larger part and meridian draw the deviation</source>
+        <translation>Ile razy większą odchyłkę rysują część i zarys osiowy</translation>
     </message>
 </context>
 <context>

@@ -1444,16 +1444,8 @@
         <translation>Prosta</translation>
     </message>
     <message>
-        <source>With uncertainty (ISO 14253-1)</source>
-        <translation>Z niepewnością (ISO 14253-1)</translation>
-    </message>
-    <message>
         <source>Decision rule</source>
         <translation>Reguła decyzyjna</translation>
-    </message>
-    <message>
-        <source>Simple compares the value alone; the other passes or fails only what is sure.</source>
-        <translation>Prosta porównuje samą wartość; druga uznaje lub odrzuca tylko to, co pewne.</translation>
     </message>
     <message>
         <source>Uncertainty of a point</source>
@@ -3848,10 +3840,6 @@
         <translation>Z zapasem (ISO 14253-1)</translation>
     </message>
     <message>
-        <source>Guarded: only what is sure passes or fails. Rule surface.</source>
-        <translation>Z zapasem: rozstrzyga tylko to, co pewne. Dla reguły powierzchni.</translation>
-    </message>
-    <message>
         <source>Rule points: share of points that must lie within the tolerance.</source>
         <translation>Reguła punktów: udział punktów, które muszą leżeć w tolerancji.</translation>
     </message>
@@ -4011,12 +3999,17 @@
         <source>Limits of their own along the axis, from FILE.json.</source>
         <translation>Własne granice wzdłuż osi, z pliku FILE.json.</translation>
     </message>
-</context>
-<context>
-    <name>lathelier::AnswerStrip</name>
     <message>
-        <source>Assumed: %1 %2 %3</source>
-        <translation>Przyjęto: %1 %2 %3</translation>
+        <source>Simple compares the value alone; guarded passes or fails only what is sure.</source>
+        <translation>Prosta porównuje samą wartość; z zapasem dopuszcza lub odrzuca tylko to, co pewne.</translation>
+    </message>
+    <message>
+        <source>Simple: out only where a local mean surely exceeds the limit. Guarded: only what is sure passes or fails. Rule surface.</source>
+        <translation>Prosta: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę. Z zapasem: tylko to, co pewne, jest dopuszczane lub odrzucane. Reguła powierzchni.</translation>
+    </message>
+    <message>
+        <source>simple: out only where a local mean surely exceeds the limit</source>
+        <translation>prosta: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę</translation>
     </message>
 </context>
 <context>

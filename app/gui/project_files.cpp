@@ -14,7 +14,7 @@
 #include "engine/sample/sample_files.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/language.h"
-#include "widgets/core/work/task.h"
+#include "widgets/core/task/task.h"
 
 namespace lathelier {
 namespace {

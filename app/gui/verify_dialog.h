@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "engine/verify/verify.h"
-#include "widgets/core/work/task.h"
+#include "widgets/core/task/task.h"
 
 class QLabel;
 class QProgressBar;

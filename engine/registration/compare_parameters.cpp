@@ -1,5 +1,7 @@
 #include "engine/registration/compare.h"
 
+#include "engine/core/decision_field.h"
+
 namespace lathelier::registration {
 
 const std::vector<Field<ZoneLimits>>& fieldsOf(const ZoneLimits*)
@@ -63,10 +65,12 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
                   LT_TEXT("Engine", "Surface: local means against the tolerance. Points: the share of points within."),
                   {},
                   true}),
-        field("decision", &P::decision,
-              {{"simple", LT_TEXT("Engine", "Simple")}, {"guarded", LT_TEXT("Engine", "Guarded (ISO 14253-1)")}},
-              Label{LT_TEXT("Engine", "Decision rule"),
-                    LT_TEXT("Engine", "Guarded: only what is sure passes or fails. Rule surface.")}),
+        decisionField(
+            &P::decision,
+            LT_TEXT("Engine",
+                    "Simple: out only where a local mean surely exceeds the limit. Guarded: only what is sure "
+                    "passes or fails. Rule surface."),
+            false),
         field("pass_percent", &P::pass_percent, Range{0, 100},
               Label{LT_TEXT("Engine", "Pass from"),
                     LT_TEXT("Engine", "Rule points: share of points that must lie within the tolerance."),

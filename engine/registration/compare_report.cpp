@@ -58,6 +58,14 @@ report::QuantityTable statisticsTable(const CompareResult& result)
     return table;
 }
 
+/// Local means are compared with the limit and their allowance, by either rule.
+Text decisionText(DecisionRule rule)
+{
+    return rule == DecisionRule::Simple
+               ? LT_TEXT("Engine", "simple: out only where a local mean surely exceeds the limit")
+               : name(rule);
+}
+
 report::QuantityTable verdictTable(const CompareResult& result)
 {
     const DeviationStatistics& s = result.statistics;
@@ -69,7 +77,7 @@ report::QuantityTable verdictTable(const CompareResult& result)
             table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
         table.rows.push_back({LT_TEXT("Engine", "Verdict by"), name(asked.verdict_rule), {}});
         if (asked.verdict_rule == VerdictRule::Surface)
-            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), name(asked.decision), {}});
+            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), decisionText(asked.decision), {}});
     } else {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
     }

@@ -18,7 +18,9 @@ namespace lathelier::report {
 struct Place {
     std::optional<Interval> z_mm;     ///< along the axis, as the views of the panel count it
     std::optional<double> angle_deg;  ///< about the axis, 0…360
-    std::optional<int> section;       ///< number of a section of the record
+    std::optional<int> upr;           ///< undulations per revolution
+
+    bool isAny() const { return z_mm || angle_deg || upr; }  ///< there is something to mark
     friend bool operator==(const Place&, const Place&) = default;
 };
 
@@ -28,13 +30,6 @@ struct Finding {
     Values values;                   ///< that the braces of the pattern name
     std::optional<Verdict> verdict;  ///< against its limit; nullopt: there is none
     Place place;                     ///< for the views
-};
-
-/// A value that the answer rests on and that nobody has stated.
-struct Assumption {
-    Caption name;  ///< of the parameter
-    Value value;   ///< that was taken
-    Text unit;     ///< of the value; empty: none
 };
 
 struct Answer {
@@ -51,7 +46,6 @@ struct Answer {
     Text sentence;                               ///< one sentence, a pattern; empty: the number says it all
     Values values;                               ///< that the braces of the sentence name
     std::vector<Finding> findings;               ///< the three most important at most
-    std::vector<Assumption> assumed;             ///< all, for the report; none hidden
 };
 
 /// "RONt(MZCI) 15.30 ± 0.21 µm"; without a value the quantity alone.

@@ -61,6 +61,11 @@ void RoundnessPanel::showResult(const std::shared_ptr<const trajectory_common::S
     views_->setPicture(picture, isSectionChosen());
 }
 
+void RoundnessPanel::showPlace(const report::Place& place)
+{
+    if (place.upr) views_->markHarmonic(place.upr);
+}
+
 report::Answer RoundnessPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     report::Answer answer = form::answer(*picture.roundness(), screenLanguage());

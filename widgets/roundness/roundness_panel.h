@@ -20,6 +20,7 @@ public:
 
 protected:
     void showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture) override;
+    void showPlace(const report::Place& place) override;
     report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
     report::Document document(const trajectory_common::SpindlePicture& picture) const override;
     std::vector<PanelExport> exports() const override;

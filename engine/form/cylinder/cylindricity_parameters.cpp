@@ -1,5 +1,7 @@
 #include "engine/form/cylinder/cylindricity.h"
 
+#include "engine/core/decision_field.h"
+
 namespace lathelier::form {
 
 const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityParameters*)
@@ -9,13 +11,9 @@ const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityPar
         field("tolerance_um", &P::tolerance_um, Range{1e-6, 1e6},
               Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest cylindricity deviation CYLt allowed."),
                     LT_TEXT("Engine", "µm")}),
-        field(
-            "decision", &P::decision,
-            {{"simple", LT_TEXT("Engine", "Simple")}, {"guarded", LT_TEXT("Engine", "With uncertainty (ISO 14253-1)")}},
-            Label{LT_TEXT("Engine", "Decision rule"),
-                  LT_TEXT("Engine", "Simple compares the value alone; the other passes or fails only what is sure."),
-                  {},
-                  true}),
+        decisionField(&P::decision,
+                      LT_TEXT("Engine", "Simple compares the value alone; guarded passes or fails only what is sure."),
+                      true),
         field("probe_uncertainty_um", &P::probe_uncertainty_um, Range{0, 1e6},
               Label{LT_TEXT("Engine", "Uncertainty of a point"), LT_TEXT("Engine", "One standard deviation."),
                     LT_TEXT("Engine", "µm"), true}),

@@ -1,6 +1,7 @@
 #include <span>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/decision_field.h"
 #include "engine/form/roundness/roundness.h"
 #include "engine/form/roundness/roundness_methods.h"
 
@@ -63,13 +64,9 @@ const std::vector<Field<P>>& fieldsOf(const P*)
         field(
             "tolerance_um", &P::tolerance_um, Range{1e-6, 1e6},
             Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest roundness deviation RONt allowed."), um}),
-        field(
-            "decision", &P::decision,
-            {{"simple", LT_TEXT("Engine", "Simple")}, {"guarded", LT_TEXT("Engine", "With uncertainty (ISO 14253-1)")}},
-            Label{LT_TEXT("Engine", "Decision rule"),
-                  LT_TEXT("Engine", "Simple compares the value alone; the other passes or fails only what is sure."),
-                  {},
-                  true}),
+        decisionField(&P::decision,
+                      LT_TEXT("Engine", "Simple compares the value alone; guarded passes or fails only what is sure."),
+                      true),
         field("probe_uncertainty_um", &P::probe_uncertainty_um, Range{0, 1e6},
               Label{LT_TEXT("Engine", "Uncertainty of a point"),
                     LT_TEXT("Engine", "One standard deviation; by default found from the profile's own noise."), um,

@@ -228,14 +228,17 @@ report::Answer answer(const RoundnessResult& result, const Language& language)
              {},
              {}});
     }
-    for (const RoundnessHint& hint : result.hints)
-        if (hint.upr > 1 && answer.findings.size() < 3)
-            answer.findings.push_back({LT_TEXT("Engine", "{upr} UPR, {amplitude} µm: {meaning}."),
-                                       {{"upr", std::int64_t{hint.upr}},
-                                        {"amplitude", fixed(hint.amplitude_um, 2, language)},
-                                        {"meaning", hint.meaning}},
-                                       {},
-                                       {}});
+    for (const RoundnessHint& hint : result.hints) {
+        if (hint.upr <= 1 || answer.findings.size() >= 3) continue;
+        report::Place place;
+        place.upr = hint.upr;
+        answer.findings.push_back({LT_TEXT("Engine", "{upr} UPR, {amplitude} µm: {meaning}."),
+                                   {{"upr", std::int64_t{hint.upr}},
+                                    {"amplitude", fixed(hint.amplitude_um, 2, language)},
+                                    {"meaning", hint.meaning}},
+                                   {},
+                                   place});
+    }
     return answer;
 }
 

@@ -54,6 +54,25 @@ public:
         return best;
     }
 
+    /// Variance of the place that the rows leave open. Where the part does not lean against the scanner's rows, rays
+    /// come at few heights: with one of them or none within the ramp, place and width cannot be told apart, and the
+    /// place may lie anywhere between the rows beside it.
+    double rowVariance(double place, double width) const
+    {
+        const auto below = [](const Ray& ray, double height) { return ray.height < height; };
+        const auto& rays = edge_.rays;
+        auto from = std::lower_bound(rays.begin(), rays.end(), place - width / 2, below);
+        auto to = std::lower_bound(from, rays.end(), place + width / 2, below);
+        if (from != rays.begin()) --from;
+        if (to != rays.end()) ++to;
+        double gap = 0;
+        for (auto ray = from; ray != to && ray + 1 != to; ++ray) gap = std::max(gap, (ray + 1)->height - ray->height);
+        int wide = 0;  // steps between rows, those to the rows beside the ramp among them
+        for (auto ray = from; ray != to && ray + 1 != to; ++ray)
+            wide += (ray + 1)->height - ray->height > gap / 4 ? 1 : 0;
+        return wide <= 2 ? gap * gap / 12 : 0;
+    }
+
 private:
     double surprise(double place, double width) const
     {
@@ -180,8 +199,10 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coars
         const double density = group[i]->density();
         const double open = std::max(0.0, squares / weight - mean * mean);  // variance that the width leaves
         const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
-        shoulders.push_back({(fine.front().heights[i] + mean) * edge.sign,
-                             std::hypot(std::sqrt(own + open), group[i]->leanSigma()), edge.before_mm, edge.after_mm});
+        const double height = fine.front().heights[i] + mean;
+        const double rows = group[i]->rowVariance(height, width);
+        shoulders.push_back({height * edge.sign, std::hypot(std::sqrt(own + open + rows), group[i]->leanSigma()),
+                             edge.before_mm, edge.after_mm});
     }
     return shoulders;
 }

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::registration {
 namespace {
 
@@ -35,11 +37,6 @@ struct Form {
         return value[0] + value[1] * x + value[2] * (1 - x * x);
     }
 };
-
-std::optional<DeviationLimits> limitsOf(const LimitsAlong& limits, double start, double end)
-{
-    return limits.between(start, end);
-}
 
 /// Weighted least squares over the rings, with the first `terms` of (1, x, 1 - x²) but those that are not `wanted`.
 void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings, double ring_alike,
@@ -110,7 +107,7 @@ std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
         form.stretch = s;
         form.start_mm = rings.front()->z_start_mm;
         form.end_mm = rings.back()->z_end_mm;
-        const auto here = limitsOf(limits, form.start_mm, form.end_mm);
+        const auto here = limits.between(form.start_mm, form.end_mm);
         const double alike = alikeFor(all, 10);
         std::array<bool, 3> wanted{true, rings.size() >= 4, rings.size() >= 8};
         fit(all, rings, alike, wanted, form);
@@ -154,7 +151,7 @@ void judge(const SurfaceWindows& all, Finding& finding, double allowance_mm, con
 void describe(const SurfaceWindows& all, const Form& form, const LimitsAlong& limits, DecisionRule rule,
               std::vector<Finding>& findings)
 {
-    const auto here = limitsOf(limits, form.start_mm, form.end_mm);
+    const auto here = limits.between(form.start_mm, form.end_mm);
     const auto add = [&](Finding::Kind kind, double value, double sigma) {
         if (!standsOut(value, sigma, here)) return;
         Finding finding;
@@ -249,9 +246,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     std::vector<double> counts;
     for (const SurfaceRow& ring : all.rows) counts.push_back(ring.points / (ring.z_end_mm - ring.z_start_mm));
     if (counts.empty()) return;
-    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-    std::nth_element(counts.begin(), middle, counts.end());
-    const double least = kThin * *middle;
+    const double least = kThin * upperMedianInPlace(counts);
     const auto isThere = [&](const SurfaceRow& ring) {
         return ring.points > least * (ring.z_end_mm - ring.z_start_mm);
     };
@@ -303,13 +298,11 @@ Eigen::Vector3d meanNormal(const SurfaceWindows& all, double z_start_mm, double 
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double points = 0;
-    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest;
-         i += 2) {  // they come first, every other
-        const SurfaceWindow& w = all.windows[i];
-        if (static_cast<double>(w.z_start_mm) < z_start_mm || static_cast<double>(w.z_end_mm) > z_end_mm) continue;
+    forEachSmallest(all, [&](const SurfaceWindow& w) {
+        if (static_cast<double>(w.z_start_mm) < z_start_mm || static_cast<double>(w.z_end_mm) > z_end_mm) return;
         sum += static_cast<double>(w.points) * w.normal.cast<double>();
         points += static_cast<double>(w.points);
-    }
+    });
     return points > 0 ? Eigen::Vector3d(sum / points) : sum;
 }
 

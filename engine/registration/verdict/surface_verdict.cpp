@@ -216,13 +216,11 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
         }
     if (!any) return result;
 
-    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest;
-         i += 2) {  // they come first, every other
-        const SurfaceWindow& window = all.windows[i];
+    forEachSmallest(all, [&](const SurfaceWindow& window) {
         const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
-        if (!limits.at(middle)) continue;
+        if (!limits.at(middle)) return;
         const Place place = climb(all, limits, window);
-        if (std::isinf(place.needed_mm)) continue;  // at the border of what is left out
+        if (std::isinf(place.needed_mm)) return;  // at the border of what is left out
         const auto points = static_cast<double>(window.points);
         bool unsure = false;
         if (place.window && rule == DecisionRule::Guarded)
@@ -242,7 +240,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
         add(result.all);
         const std::size_t zone = zoneOf(zones, middle, middle);
         if (zone < zones.size()) add(result.zones[zone]);
-    }
+    });
     return result;
 }
 

@@ -52,7 +52,7 @@ struct SurfaceRow {
 
 /// What is kept of a comparison for judging it against any limits.
 struct SurfaceWindows {
-    std::vector<SurfaceWindow> windows;  ///< from the smallest to the largest
+    std::vector<SurfaceWindow> windows;  ///< two about each place, a nearer and a wider one; the smallest places first
     double scatter_mm = 0;               ///< standard deviation of the points about their local means
     /// How much larger the variance of a mean over cells of a size is than that of as many independent points.
     std::vector<std::pair<double, double>> alike;  ///< size in mm and that number, from small to large
@@ -70,5 +70,12 @@ struct SurfaceWindows {
     double tilt_sigma = 0;                                ///< of the axis's direction (or of the rotation), in radians
     Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();  ///< place that a tilt turns about, in the reference's frame
 };
+
+/// Calls `take` with each of the smallest windows, which cover the surface once.
+template <class F>
+void forEachSmallest(const SurfaceWindows& all, const F& take)
+{
+    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) take(all.windows[i]);
+}
 
 }  // namespace lathelier::registration

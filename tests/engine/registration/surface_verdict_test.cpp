@@ -51,6 +51,26 @@ TEST(SurfaceVerdict, TheSameShapeTwicePassesWhateverTheNoise)
     }
 }
 
+/// Rows 0.2 mm apart, a spot of 0.15 mm, and a part that does not lean against the rows: shoulders between two rows are
+/// seen no better than the rows lie apart, the chamfer tells the place.
+TEST(SurfaceVerdict, RowsCoarserThanTheSpotMoveNothing)
+{
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        sample::ScannerModel scanner;
+        scanner.row_pitch_mm = 0.2;
+        scanner.angle_step_deg = 3.6;
+        scanner.seed = 2 * seed;
+        const Scan reference = sample::scanShaft(sample::nominalShaft(), scanner);
+        scanner.seed = 2 * seed + 1;
+        const Scan copy = sample::scanShaft(sample::nominalShaft(), scanner);
+        const CompareResult result = compare(reference, copy, within(0.03));
+        EXPECT_EQ(result.verdict, Verdict::Pass) << seed;
+        // Both stand upright at the same height: no shift is true.
+        const double axial_um = 1000 * std::abs(result.alignment.reference_T_copy.translation().z());
+        EXPECT_LT(axial_um, 1.6 * result.alignment.uncertainty.axial_um + 1) << seed;
+    }
+}
+
 TEST(SurfaceVerdict, NamesTheCollarOfTheSample)
 {
     const ShaftScans scans = shaftTwice(3, {.step_deg = 3.6, .copy = sample::copiedShaft()});

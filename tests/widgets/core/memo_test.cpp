@@ -1,4 +1,4 @@
-#include "widgets/core/work/memo.h"
+#include "widgets/core/task/memo.h"
 #include "engine/core/error.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // The latest-job-wins worker, without Qt: run under ThreadSanitizer too (./dev test).
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 #include "engine/core/core_codes.h"
 
 #include <gtest/gtest.h>

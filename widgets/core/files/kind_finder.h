@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/io/file_kind.h"
-#include "widgets/core/work/task.h"
+#include "widgets/core/task/task.h"
 
 namespace lathelier {
 

@@ -11,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/project/project.h"
 #include "widgets/core/files/stores.h"
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 
 namespace lathelier {
 

@@ -80,17 +80,17 @@ void ElidedLabel::paintEvent(QPaintEvent*)
 
 FindingLink::FindingLink(const char* name) : ElidedLabel(name)
 {
-    offer({});
+    offer({}, false);
 }
 
-void FindingLink::offer(const QString& text)
+void FindingLink::offer(const QString& text, bool leads)
 {
-    const bool there = !text.isEmpty();
+    leads_ = leads;
     say(text);
     setToolTip(text);
-    setAccessibleName(there ? text : tr("no finding"));
-    setFocusPolicy(there ? Qt::StrongFocus : Qt::NoFocus);
-    if (there)
+    setAccessibleName(text.isEmpty() ? tr("no finding") : text);
+    setFocusPolicy(leads ? Qt::StrongFocus : Qt::NoFocus);
+    if (leads)
         setCursor(Qt::PointingHandCursor);
     else
         unsetCursor();
@@ -98,13 +98,13 @@ void FindingLink::offer(const QString& text)
 
 void FindingLink::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && !text().isEmpty() && rect().contains(event->pos())) emit clicked();
+    if (leads_ && event->button() == Qt::LeftButton && rect().contains(event->pos())) emit clicked();
 }
 
 void FindingLink::keyPressEvent(QKeyEvent* event)
 {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space;
-    if (enter && !text().isEmpty())
+    if (enter && leads_)
         emit clicked();
     else
         ElidedLabel::keyPressEvent(event);
@@ -113,7 +113,7 @@ void FindingLink::keyPressEvent(QKeyEvent* event)
 void FindingLink::paintEvent(QPaintEvent* event)
 {
     ElidedLabel::paintEvent(event);
-    if (text().isEmpty()) return;
+    if (!leads_) return;
     QPainter painter(this);
     painter.setPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Link));
     const int width = std::min(this->width(), fontMetrics().horizontalAdvance(text()));
@@ -258,12 +258,7 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
     ruler_->setAnswer(answer);
     showRuler();
     sentence_->say(said(report::sentenceText(answer, language)));
-    QString whole = sentence_->text();
-    for (const report::Assumption& one : answer.assumed)
-        whole += "\n" + tr("Assumed: %1 %2 %3")
-                            .arg(said(report::captionText(one.name, language)),
-                                 said(lathelier::text(one.value, language)), said(lathelier::text(one.unit, language)));
-    sentence_->setToolTip(whole);
+    sentence_->setToolTip(sentence_->text());
     for (std::size_t i = 0; i < findings_.size(); ++i) {
         const bool there = i < answer.findings.size();
         QString text;
@@ -273,7 +268,7 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
             if (finding.verdict)
                 text = said(lathelier::text(shortName(*finding.verdict), language)).left(1) + " " + text;
         }
-        findings_[i]->offer(text);
+        findings_[i]->offer(text, there && answer.findings[i].place.isAny());
         if (there && answer.findings[i].verdict)
             findings_[i]->setToolTip(said(lathelier::text(shortName(*answer.findings[i].verdict), language)) +
                                      text.mid(1));
@@ -300,7 +295,7 @@ void AnswerStrip::clear()
     sentence_->say({});
     sentence_->setToolTip({});
     for (FindingLink* finding : findings_) {
-        finding->offer({});
+        finding->offer({}, false);
         finding->setVisible(sentence_->isVisibleTo(this) && finding == findings_[0]);
     }
     setAccessibleName({});

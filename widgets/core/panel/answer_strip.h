@@ -29,12 +29,12 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// A line that leads somewhere, by pointer or by Enter.
+/// A finding; one that has a place leads there, by pointer or by Enter.
 class FindingLink : public ElidedLabel {
     Q_OBJECT
 public:
     explicit FindingLink(const char* name);
-    void offer(const QString& text);  ///< empty: nothing to click
+    void offer(const QString& text, bool leads);  ///< `leads`: to a place, so that it can be clicked
 
 signals:
     void clicked();
@@ -43,6 +43,9 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+
+private:
+    bool leads_ = false;
 };
 
 /// The value against its limits.

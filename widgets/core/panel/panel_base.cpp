@@ -13,7 +13,7 @@
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/panel/message_line.h"
 #include "widgets/core/session.h"
-#include "widgets/core/work/progress_row.h"
+#include "widgets/core/task/progress_row.h"
 
 namespace lathelier {
 namespace {

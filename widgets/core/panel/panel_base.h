@@ -10,7 +10,7 @@
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/panel/message.h"
 #include "widgets/core/panel/panel_facts.h"
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 
 class QSplitter;
 class QStackedWidget;

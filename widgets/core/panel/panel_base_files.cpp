@@ -22,7 +22,7 @@
 #include "widgets/core/panel/message_line.h"
 #include "widgets/core/panel/panel_base.h"
 #include "widgets/core/session.h"
-#include "widgets/core/work/progress_row.h"
+#include "widgets/core/task/progress_row.h"
 
 namespace lathelier {
 

@@ -1,4 +1,4 @@
-#include "widgets/core/work/progress_row.h"
+#include "widgets/core/task/progress_row.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

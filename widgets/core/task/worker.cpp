@@ -1,4 +1,4 @@
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 
 #include <algorithm>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 
 namespace lathelier {
 

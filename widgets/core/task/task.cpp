@@ -1,4 +1,4 @@
-#include "widgets/core/work/task.h"
+#include "widgets/core/task/task.h"
 
 namespace lathelier {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "widgets/core/work/worker.h"
+#include "widgets/core/task/worker.h"
 
 namespace lathelier {
 

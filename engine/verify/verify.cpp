@@ -19,6 +19,11 @@ VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::stri
 {
     VerifyResult result;
     result.reference_data = reference_data;
+    // Sets that cannot be read are said before the built-in ones take their time.
+    std::vector<VerifyKind> of_directory;
+    if (!reference_data.empty())
+        for (const VerifyPart* part : parts)
+            if (part->of_directory) of_directory.push_back(part->of_directory(reference_data, progress.part(0, 0)));
     std::size_t total = 1;
     for (const VerifyPart* part : parts) total += part->checks.size();
     const auto share = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(total); };
@@ -28,9 +33,7 @@ VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::stri
             progress.report(share(done));
             result.kinds.push_back(check(progress.part(share(done), share(done + 1))));
         }
-    if (!reference_data.empty())
-        for (const VerifyPart* part : parts)
-            if (part->of_directory) result.kinds.push_back(part->of_directory(reference_data, progress));
+    result.kinds.insert(result.kinds.end(), of_directory.begin(), of_directory.end());
     result.pass = std::all_of(result.kinds.begin(), result.kinds.end(), [](const VerifyKind& k) { return k.pass; });
     progress.report(1);
     return result;

@@ -1,6 +1,5 @@
 // Golden runs of the real program: one test for each line of tests/golden/*.txt (see golden_line.h).
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,13 +9,15 @@
 #include "tests/app/cli/golden_data.h"
 #include "tests/app/cli/golden_line.h"
 #include "tests/app/cli/run_program.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::temp_directory_path() / ("lathelier-golden-" + std::to_string(::getpid()));
+/// Made in runAll(), removed at its end.
+fs::path folder;
 const std::string kept = LATHELIER_SOURCE_DIR "/tests/data";
 
 class GoldenRun : public testing::Test {
@@ -80,11 +81,11 @@ int runAll(int argc, char** argv)
         for (const Line& line : readLines(file.string()))
             testing::RegisterTest("Golden", testName(line.name).c_str(), nullptr, nullptr, file.c_str(), 1,
                                   [line]() -> testing::Test* { return new GoldenRun(line); });
+    const ScratchFolder scratch;
+    folder = scratch.path();
     fs::create_directories(folder / "data");
     makeData((folder / "data").string());
-    const int result = RUN_ALL_TESTS();
-    fs::remove_all(folder);
-    return result;
+    return RUN_ALL_TESTS();
 }
 
 }  // namespace

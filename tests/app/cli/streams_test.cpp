@@ -11,10 +11,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/scratch_folder.h"
 
 namespace lathelier::golden {
 namespace {
@@ -96,18 +99,18 @@ class Streams : public testing::Test {
 protected:
     static void SetUpTestSuite()
     {
-        folder_ = std::filesystem::temp_directory_path() / ("lathelier-streams-" + std::to_string(::getpid()));
-        const std::string command = std::string(LATHELIER_CLI) + " sample " + folder_.string() + " --quiet";
+        folder_.emplace();
+        const std::string command = std::string(LATHELIER_CLI) + " sample " + folder_->string() + " --quiet";
         ASSERT_EQ(std::system(command.c_str()), 0);
     }
-    static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+    static void TearDownTestSuite() { folder_.reset(); }
 
     static std::vector<std::string> words()
     {
-        return {"trajectory", (folder_ / "probe_record.csv").string(), "--json", "-", "--quiet"};
+        return {"trajectory", (*folder_ / "probe_record.csv").string(), "--json", "-", "--quiet"};
     }
 
-    static inline std::filesystem::path folder_;
+    static inline std::optional<ScratchFolder> folder_;
 };
 
 TEST_F(Streams, AStandardOutputThatDoesNotBlockIsWrittenWhole)

@@ -15,6 +15,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/io_codes.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier {
 namespace {
@@ -23,13 +24,6 @@ namespace fs = std::filesystem;
 
 class FileTest : public testing::Test {
 protected:
-    void SetUp() override
-    {
-        folder_ = fs::temp_directory_path() / ("lathelier_file_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::size_t filesInFolder() const
     {
@@ -37,7 +31,8 @@ protected:
     }
     static std::string read(const std::string& name) { return std::string(io::FileBytes(name).view()); }
 
-    fs::path folder_;
+    ScratchFolder scratch_;
+    fs::path folder_ = scratch_.path();
 };
 
 template <class F>

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "tests/scratch_folder.h"
+
 namespace lathelier {
 namespace {
 
@@ -12,8 +14,8 @@ class InputFilesTest : public testing::TestWithParam<bool> {};
 
 TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
 {
-    const std::string path =
-        (std::filesystem::temp_directory_path() / ("lathelier_inputs_" + std::to_string(::getpid()))).string();
+    const ScratchFolder folder;
+    const std::string path = (folder / "input").string();
     const std::string first(3'000'000, 'a');
     io::writeFile(path, first);
     io::InputFiles inputs(GetParam());
@@ -28,7 +30,6 @@ TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
     EXPECT_EQ(files[0].sha256, io::sha256(first));
     EXPECT_EQ(files[1].sha256, io::sha256("another content"));
     EXPECT_EQ(files[1].sha256, io::fileSha256(path));
-    std::filesystem::remove(path);
 }
 
 INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, testing::Bool());

@@ -13,6 +13,7 @@
 #include "engine/io/probe/lgraph_header.h"
 #include "engine/io/probe/probe_reader.h"
 #include "tests/engine/io/reading.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier {
 namespace {
@@ -195,14 +196,12 @@ TEST(LGraph, severalSegmentsAreNoted)
 
 class LGraphFiles : public ::testing::Test {
 protected:
-    LGraphFiles() { std::filesystem::create_directories(folder_); }
-    ~LGraphFiles() override { std::filesystem::remove_all(folder_); }
     std::string write(const std::string& name, const std::string& content) const
     {
         std::ofstream(folder_ / name, std::ios::binary) << content;
         return (folder_ / name).string();
     }
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "lathelier_lgraph_test";
+    ScratchFolder folder_;
 };
 
 TEST_F(LGraphFiles, eitherOfThePairInAnyCase)

@@ -13,6 +13,7 @@
 #include "engine/project/migration.h"
 #include "engine/project/project_codes.h"
 #include "engine/project/project_json.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier {
 namespace {
@@ -22,13 +23,7 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test, removed afterwards.
 class ProjectFiles : public testing::Test {
 protected:
-    ProjectFiles()
-        : folder(fs::temp_directory_path() / ("lathelier-project-" + std::to_string(::getpid()) + "-" +
-                                              testing::UnitTest::GetInstance()->current_test_info()->name()))
-    {
-        fs::create_directories(folder / "data");
-    }
-    ~ProjectFiles() override { fs::remove_all(folder); }
+    ProjectFiles() { fs::create_directories(folder / "data"); }
 
     std::string write(const std::string& name, const std::string& content) const
     {
@@ -36,7 +31,8 @@ protected:
         return (folder / name).string();
     }
 
-    fs::path folder;
+    ScratchFolder scratch;
+    fs::path folder = scratch.path();
 };
 
 project::Project sampleProject(const fs::path& folder)

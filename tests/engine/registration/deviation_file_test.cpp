@@ -1,14 +1,13 @@
 #include "engine/registration/deviation_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::registration {
 namespace {
@@ -16,7 +15,6 @@ namespace {
 struct DeviationFile : testing::Test {
     DeviationFile()
     {
-        std::filesystem::create_directories(folder);
         for (int i = 0; i < 20000; ++i) {
             copy.points_mm.emplace_back(i, 0.5, -2);
             result.deviation_mm.push_back(i % 100 == 7 ? NAN : 0.25F);
@@ -24,10 +22,8 @@ struct DeviationFile : testing::Test {
         }
         result.alignment.reference_T_copy.translation() = Eigen::Vector3d(0, 0, 1.25);
     }
-    ~DeviationFile() override { std::filesystem::remove_all(folder); }
 
-    std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("lathelier-deviations-" + std::to_string(::getpid()));
+    ScratchFolder folder;
     Scan copy;
     CompareResult result;
 };
@@ -72,7 +68,7 @@ TEST_F(DeviationFile, CancelLeavesNothingBehind)
     result.deviation_mm.resize(400000);
     result.used.resize(400000);
     EXPECT_THROW(writeDeviations((folder / "d.csv").string(), copy, result, progress), Cancelled);
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST_F(DeviationFile, OtherNamesAreRefused)

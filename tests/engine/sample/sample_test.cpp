@@ -13,6 +13,7 @@
 #include "engine/core/random.h"
 #include "engine/io/file.h"
 #include "engine/project/project.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier {
 namespace {
@@ -129,8 +130,7 @@ TEST(Sample, SameBitsForOneAndTwoThreads)
 
 TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
 {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lathelier_sample_test";
-    std::filesystem::remove_all(folder);
+    const ScratchFolder folder;
     const std::vector<std::string> files = sample::writeSample(folder.string(), 4);
     ASSERT_EQ(files.size(), 6u);
     const project::ProjectFile read = project::readProject(files[5]);
@@ -143,7 +143,6 @@ TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
     const std::string first(cloud.view());
     sample::writeSample(folder.string(), 4);
     EXPECT_EQ(io::FileBytes(files[0]).view(), first);
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "engine/trajectory/trajectory.h"
 #include "engine/trajectory/trajectory_codes.h"
 #include "tests/engine/io/lgraph_files.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -77,7 +78,8 @@ TEST_F(Practice, ARecordingOfSomethingElseIsRefused)
     lathelier::testing::LGraphSetup two;
     two.version = lathelier::testing::Made::Two;
     two.active = {4, 6};
-    const std::string name = ::testing::TempDir() + "two_channels";
+    const ScratchFolder made;
+    const std::string name = (made / "two_channels").string();
     std::ofstream(name + ".par", std::ios::binary) << lathelier::testing::makePar(two);
     std::ofstream(name + ".dat", std::ios::binary) << lathelier::testing::makeDat(two.frames, two.active.size());
     const std::vector<io::ProbeFile> records{io::readProbeRecord(name + ".dat")};

@@ -14,6 +14,7 @@
 #include "engine/trajectory/section_file.h"
 #include "engine/trajectory/trajectory_plots.h"
 #include "engine/trajectory/trajectory_quantities.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -151,8 +152,7 @@ TEST(TrajectoryJson, NumbersThatDoNotExistAreNull)
 
 TEST(SectionFile, OneRowForEachSectionAndOneForEachPoint)
 {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lathelier_section_file";
-    std::filesystem::create_directories(folder);
+    const ScratchFolder folder;
     const std::string table = (folder / "sections.csv").string();
     const std::string images = (folder / "images.csv").string();
     TrajectoryResult result = rawResult();
@@ -165,7 +165,6 @@ TEST(SectionFile, OneRowForEachSectionAndOneForEachPoint)
     EXPECT_NE(rows.find("\n2,,5,"), std::string::npos);
     const io::FileBytes points(images);
     EXPECT_EQ(count(std::string(points.view()), "\n"), 1 + 4 * 200u);
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

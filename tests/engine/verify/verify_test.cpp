@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/form/verify/form_verification.h"
 #include "tests/engine/form/form_data.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier {
 namespace {
@@ -38,9 +39,8 @@ TEST(Verify, TakesTheNistSetsOfADirectory)
 
 TEST(Verify, SaysWhatIsWrongWithADirectory)
 {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nist";
+    const ScratchFolder folder;
     EXPECT_THROW(verify::verify(verify::verifyParts(), (folder / "missing").string()), Error);
-    std::filesystem::create_directories(folder);
     const auto refusal = [&folder] {
         try {
             verify::verify(verify::verifyParts(), folder.string());
@@ -68,7 +68,6 @@ TEST(Verify, SaysWhatIsWrongWithADirectory)
     const verify::VerifyResult wrong = verify::verify(verify::verifyParts(), folder.string());
     EXPECT_FALSE(wrong.pass);
     EXPECT_NEAR(wrong.kinds.back().largest_deviation, 5e-5, 1e-6);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Verify, WhatIsNoNumberFails)

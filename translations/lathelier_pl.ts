@@ -948,22 +948,6 @@
         <translation>Strefy wzdłuż osi</translation>
     </message>
     <message>
-        <source>from (mm)</source>
-        <translation>od (mm)</translation>
-    </message>
-    <message>
-        <source>to (mm)</source>
-        <translation>do (mm)</translation>
-    </message>
-    <message>
-        <source>mean (mm)</source>
-        <translation>średnia (mm)</translation>
-    </message>
-    <message>
-        <source>std. dev. (mm)</source>
-        <translation>odch. std. (mm)</translation>
-    </message>
-    <message>
         <source>Alignment</source>
         <translation>Dopasowanie</translation>
     </message>
@@ -1034,18 +1018,6 @@
     <message>
         <source>z</source>
         <translation>z</translation>
-    </message>
-    <message>
-        <source>through x (mm)</source>
-        <translation>przez x (mm)</translation>
-    </message>
-    <message>
-        <source>y (mm)</source>
-        <translation>y (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
     </message>
     <message>
         <source>rotation</source>
@@ -2452,18 +2424,6 @@
         <translation>przekrój</translation>
     </message>
     <message>
-        <source>diameter (mm)</source>
-        <translation>średnica (mm)</translation>
-    </message>
-    <message>
-        <source>two-point (µm)</source>
-        <translation>dwupunktowy (µm)</translation>
-    </message>
-    <message>
-        <source>run-out (µm)</source>
-        <translation>bicie (µm)</translation>
-    </message>
-    <message>
         <source>revolutions</source>
         <translation>obroty</translation>
     </message>
@@ -2768,32 +2728,8 @@
         <translation>Powierzchnia wszystkich przekrojów, odchyłki powiększone</translation>
     </message>
     <message>
-        <source>Reference circles</source>
-        <translation>Okręgi odniesienia</translation>
-    </message>
-    <message>
-        <source>Circle</source>
-        <translation>Okrąg</translation>
-    </message>
-    <message>
-        <source>Radius (mm)</source>
-        <translation>Promień (mm)</translation>
-    </message>
-    <message>
-        <source>Proved to (µm)</source>
-        <translation>Pewne do (µm)</translation>
-    </message>
-    <message>
         <source>What the undulations say</source>
         <translation>Co mówią falistości</translation>
-    </message>
-    <message>
-        <source>Amplitude (µm)</source>
-        <translation>Amplituda (µm)</translation>
-    </message>
-    <message>
-        <source>Share (%)</source>
-        <translation>Udział (%)</translation>
     </message>
     <message>
         <source>Usual cause</source>
@@ -2914,10 +2850,6 @@
     <message>
         <source>{label} {value} {unit}: taken from {source}.</source>
         <translation>{label} {value} {unit}: źródło to {source}.</translation>
-    </message>
-    <message>
-        <source>x (mm)</source>
-        <translation>x (mm)</translation>
     </message>
     <message>
         <source>{path}: rows skipped: {count}.</source>
@@ -3876,32 +3808,12 @@
         <translation>Szum punktów wokół powierzchni</translation>
     </message>
     <message>
-        <source>U (mm)</source>
-        <translation>U (mm)</translation>
-    </message>
-    <message>
         <source>name</source>
         <translation>nazwa</translation>
     </message>
     <message>
-        <source>lower (mm)</source>
-        <translation>dolna (mm)</translation>
-    </message>
-    <message>
-        <source>upper (mm)</source>
-        <translation>górna (mm)</translation>
-    </message>
-    <message>
         <source>What differs</source>
         <translation>Co się różni</translation>
-    </message>
-    <message>
-        <source>value (mm)</source>
-        <translation>wartość (mm)</translation>
-    </message>
-    <message>
-        <source>limit (mm)</source>
-        <translation>granica (mm)</translation>
     </message>
     <message>
         <source>Step {value} ± {uncertainty} mm · z {from}-{to} mm</source>
@@ -4010,6 +3922,98 @@
     <message>
         <source>simple: out only where a local mean surely exceeds the limit</source>
         <translation>prosta: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę</translation>
+    </message>
+    <message>
+        <source>Unrolled surface</source>
+        <translation>Rozwinięcie powierzchni</translation>
+    </message>
+    <message>
+        <source>Local radius along the axis</source>
+        <translation>Promień miejscowy wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>Deviation from the cylinder&apos;s radius</source>
+        <translation>Odchyłka od promienia walca</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>wszystkie punkty</translation>
+    </message>
+    <message>
+        <source>local radius</source>
+        <translation>promień miejscowy</translation>
+    </message>
+    <message>
+        <source>minimum zone</source>
+        <translation>strefa minimalna</translation>
+    </message>
+    <message>
+        <source>Axis of the local circles</source>
+        <translation>Oś miejscowych okręgów</translation>
+    </message>
+    <message>
+        <source>Centre, from the cylinder&apos;s axis</source>
+        <translation>Środek, od osi walca</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>wartość</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>std. dev.</source>
+        <translation>odch. std.</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>dolna</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>górna</translation>
+    </message>
+    <message>
+        <source>through x</source>
+        <translation>przez x</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>średnica</translation>
+    </message>
+    <message>
+        <source>run-out</source>
+        <translation>bicie</translation>
+    </message>
+    <message>
+        <source>two-point</source>
+        <translation>dwupunktowy</translation>
+    </message>
+    <message>
+        <source>All sections against the tolerance</source>
+        <translation>Wszystkie przekroje względem tolerancji</translation>
+    </message>
+    <message>
+        <source>Points of one cylindrical surface: a scan, or sections measured one above the other.</source>
+        <translation>Punkty jednej powierzchni walcowej: skan albo przekroje zmierzone jeden nad drugim.</translation>
+    </message>
+    <message>
+        <source>Drop the points of a cylindrical surface here.</source>
+        <translation>Upuść tu punkty powierzchni walcowej.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Udział</translation>
     </message>
 </context>
 <context>
@@ -4404,6 +4408,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Pre&amp;vious panel</source>
         <translation>&amp;Poprzedni panel</translation>
     </message>
+    <message>
+        <source>Writing the report…</source>
+        <translation>Zapisywanie raportu…</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::MessageLog</name>
@@ -4625,10 +4633,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Making the sample scans…</source>
         <translation>Tworzenie przykładowych skanów…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Anuluj</translation>
     </message>
     <message>
         <source>Changed elsewhere</source>
@@ -4911,44 +4915,74 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Strefy wzdłuż osi</translation>
     </message>
     <message>
-        <source>From (mm)</source>
-        <translation>Od (mm)</translation>
+        <source>Standard deviation of the single points in the zone</source>
+        <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
     </message>
     <message>
-        <source>To (mm)</source>
-        <translation>Do (mm)</translation>
+        <source>Expanded uncertainty of the mean (k = 2)</source>
+        <translation>Niepewność rozszerzona średniej (k = 2)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::cylindricity_panel::CylindricityPanel</name>
+    <message>
+        <source>Local radius and axis along the length (CSV)…</source>
+        <translation>Promień miejscowy i oś wzdłuż długości (CSV)…</translation>
     </message>
     <message>
-        <source>Mean (mm)</source>
-        <translation>Średnia (mm)</translation>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
     </message>
-    <message>
-        <source>Scatter (mm)</source>
-        <translation>Rozrzut (mm)</translation>
-    </message>
+</context>
+<context>
+    <name>lathelier::cylindricity_panel::CylindricityViews</name>
     <message>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <source>Standard deviation of the single points in the zone</source>
-        <translation>Odchylenie standardowe pojedynczych punktów w strefie</translation>
+        <source>Error drawn × %1</source>
+        <translation>Błąd narysowany × %1</translation>
     </message>
     <message>
-        <source>U (mm)</source>
-        <translation>U (mm)</translation>
+        <source>deviation %1</source>
+        <translation>odchyłka %1</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Ocena</translation>
+        <source>along the axis %1 mm, angle %2°</source>
+        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nazwa</translation>
+        <source>Part</source>
+        <translation>Część</translation>
     </message>
     <message>
-        <source>Expanded uncertainty of the mean (k = 2)</source>
-        <translation>Niepewność rozszerzona średniej (k = 2)</translation>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Local radius</source>
+        <translation>Promień miejscowy</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Oś</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>These points were computed, not measured.</source>
+        <translation>Te punkty obliczono, nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Deviation (mm)</source>
+        <translation>Odchyłka (mm)</translation>
     </message>
 </context>
 <context>
@@ -5026,48 +5060,12 @@ odchyłka %3 µm</translation>
         <translation>Wszystkie przekroje względem tolerancji</translation>
     </message>
     <message>
-        <source>Section</source>
-        <translation>Przekrój</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Ocena</translation>
-    </message>
-    <message>
-        <source>Diameter (mm)</source>
-        <translation>Średnica (mm)</translation>
-    </message>
-    <message>
-        <source>Centre x (µm)</source>
-        <translation>Środek x (µm)</translation>
-    </message>
-    <message>
-        <source>Centre y (µm)</source>
-        <translation>Środek y (µm)</translation>
-    </message>
-    <message>
-        <source>Run-out (µm)</source>
-        <translation>Bicie (µm)</translation>
-    </message>
-    <message>
         <source>Largest minus smallest radius about the spindle axis: the paper&apos;s value</source>
         <translation>Największy minus najmniejszy promień względem osi wrzeciona: wartość z artykułu</translation>
     </message>
     <message>
         <source>Referenced to the nominal diameter</source>
         <translation>Odniesiona do średnicy nominalnej</translation>
-    </message>
-    <message>
-        <source>Two-point (µm)</source>
-        <translation>Dwupunktowy (µm)</translation>
-    </message>
-    <message>
-        <source>Turns</source>
-        <translation>Obroty</translation>
     </message>
     <message>
         <source>Two-point range: largest minus smallest distance of opposite points; half of it: GOST</source>

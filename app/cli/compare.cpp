@@ -6,7 +6,7 @@
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/core_codes.h"
-#include "engine/registration/compare_json.h"
+#include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
 #include "engine/registration/verdict/zone_limits.h"

@@ -1,12 +1,11 @@
 // cylindricity FILE: how far a cloud of points is from a cylinder.
-#include "engine/form/cylinder/cylindricity.h"
-
 #include <nlohmann/json.hpp>
 
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
+#include "engine/form/cylinder/cylinder_surface.h"
 #include "engine/form/cylinder/cylindricity_quantities.h"
-#include "engine/form/roundness/roundness_report.h"
+#include "engine/form/cylinder/cylindricity_report.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {
@@ -14,14 +13,17 @@ namespace {
 
 void runCylindricity(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
-    const io::ScanFile file =
+    io::ScanFile file =
         readScan(request.operands.at(0), request, inputs, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), answer);
     const auto result = std::make_shared<form::CylindricityResult>(
         cylindricity(file.scan.points_mm, fromValues<form::CylindricityParameters>(request.parameters),
                      progress.part(0.3, 1, LT_TEXT("Engine", "Fitting cylinders"))));
     answerWith(
         answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
-        [](const auto& found) { return cylindricityReport(found, {}); },
+        [points = std::move(file.scan.points_mm)](const auto& found) {
+            const form::CylinderSurface surface = surfaceAbout(found.MZCY, points, found.sections);
+            return cylindricityReport(found, &surface, {});
+        },
         [](const auto& found) { return report::toPlainText(cylindricitySummary(found)); });
 }
 

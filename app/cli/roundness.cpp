@@ -13,6 +13,7 @@
 #include "engine/form/roundness/roundness_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/form/roundness/superimpose.h"
+#include "engine/form/roundness/superimpose_report.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {

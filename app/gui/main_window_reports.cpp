@@ -6,6 +6,7 @@
 #include <QProgressDialog>
 
 #include "app/gui/main_window.h"
+#include "app/gui/waiting.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/report/report_files.h"
 
@@ -65,13 +66,16 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
     dialog.setDefaultSuffix(suffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
-    try {
-        const QString title = session_.path().isEmpty() ? tr("Report") : QFileInfo(session_.path()).completeBaseName();
-        lathelier::writeReport(path, joined(parts, title.toStdString()));
+    const QString title = session_.path().isEmpty() ? tr("Report") : QFileInfo(session_.path()).completeBaseName();
+    const Worker::Outcome outcome = waitFor(
+        this, tr("Writing the report…"),
+        [path, document = joined(parts, title.toStdString())](const Progress& progress) -> std::shared_ptr<const void> {
+            lathelier::writeReport(path, document, progress);
+            return nullptr;
+        });
+    if (const auto* error = std::get_if<Error>(&outcome)) announce({*error, {}});
+    if (std::holds_alternative<std::shared_ptr<const void>>(outcome))
         announce({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
-    } catch (const Error& error) {
-        announce({error, {}});
-    }
 }
 
 }  // namespace lathelier

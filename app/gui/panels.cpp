@@ -1,6 +1,7 @@
 #include "app/gui/panels.h"
 
 #include "widgets/compare/compare_panel.h"
+#include "widgets/cylindricity/cylindricity_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
@@ -11,7 +12,8 @@ const std::vector<PanelFacts>& panelTable()
 {
     static const std::vector<PanelFacts> table{
         compare_panel::comparePanelFacts(), roundness_panel::roundnessPanelFacts(),
-        trajectory_panel::trajectoryPanelFacts(), longitudinal_panel::longitudinalPanelFacts()};
+        trajectory_panel::trajectoryPanelFacts(), longitudinal_panel::longitudinalPanelFacts(),
+        cylindricity_panel::cylindricityPanelFacts()};
     return table;
 }
 

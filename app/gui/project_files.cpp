@@ -1,20 +1,18 @@
 #include "app/gui/project_files.h"
 
-#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <algorithm>
 
 #include "app/gui/settings.h"
+#include "app/gui/waiting.h"
 #include "engine/sample/sample_files.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/language.h"
-#include "widgets/core/task/task.h"
 
 namespace lathelier {
 namespace {
@@ -188,29 +186,14 @@ QString ProjectFiles::makeSample()
         }))
         return project;
 
-    QProgressDialog progress(tr("Making the sample scans…"), tr("Cancel"), 0, 1000, window_);
-    progress.setWindowModality(Qt::WindowModal);
-    progress.setMinimumDuration(0);
-    progress.setValue(0);
-    Task task;
-    connect(&progress, &QProgressDialog::canceled, &task, &Task::cancel);
-    connect(&task, &Task::progressed, &progress,
-            [&progress](const Worker::State& state) { progress.setValue(static_cast<int>(state.fraction * 999)); });
-    QEventLoop loop;
-    std::optional<Worker::Outcome> outcome;
-    task.start(
-        [path = folder.toStdString()](const Progress& share) -> std::shared_ptr<const void> {
-            sample::writeSample(path, 1, share);
-            return nullptr;
-        },
-        [&](const Worker::Outcome& became) {
-            outcome = became;
-            loop.quit();
-        });
-    loop.exec();
-    progress.reset();
-    if (std::holds_alternative<std::shared_ptr<const void>>(*outcome)) return project;
-    if (const auto* error = std::get_if<Error>(&*outcome)) emit messageRaised({*error, {}});
+    const Worker::Outcome outcome =
+        waitFor(window_, tr("Making the sample scans…"),
+                [path = folder.toStdString()](const Progress& progress) -> std::shared_ptr<const void> {
+                    sample::writeSample(path, 1, progress);
+                    return nullptr;
+                });
+    if (std::holds_alternative<std::shared_ptr<const void>>(outcome)) return project;
+    if (const auto* error = std::get_if<Error>(&outcome)) emit messageRaised({*error, {}});
     return {};
 }
 

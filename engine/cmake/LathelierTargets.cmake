@@ -5,6 +5,9 @@ target_compile_options(lathelier_options INTERFACE -Wall -Wextra -Wpedantic -Wsh
                        -Wconversion -Wsign-conversion -Wold-style-cast -Wformat=2)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(lathelier_options INTERFACE -Wlogical-op)
+else()
+    # Not with GCC: version 12 finds null pointers in std::vector::resize() and insert() once it has inlined them.
+    target_compile_options(lathelier_options INTERFACE -Wnull-dereference)
 endif()
 if(LATHELIER_WERROR)
     target_compile_options(lathelier_options INTERFACE -Werror)

@@ -49,6 +49,7 @@ Json toJson(const Value& value)
         }
         Json operator()(Text v) const { return v.english; }
         Json operator()(const std::vector<double>& v) const { return numbers(v); }
+        Json operator()(const std::vector<std::int64_t>& v) const { return v; }
         Json operator()(const Rows& v) const
         {
             Json result = Json::array();

@@ -26,6 +26,7 @@ struct QuantityInfo {
     int decimals = 3;      ///< in tables
     bool in_json = true;   ///< false: for tables only
     bool is_part = false;  ///< stands for a part that may be absent (JSON: null); its value says whether it is there
+    Text heading = {};     ///< short, for the columns of tables; empty: the label
 };
 
 /// One quantity of the struct R.
@@ -72,6 +73,7 @@ struct Look {
     Text unit = {};       ///< QuantityInfo::unit; empty: none
     int decimals = 3;     ///< QuantityInfo::decimals, in tables
     bool in_json = true;  ///< QuantityInfo::in_json; false: for tables only
+    Text heading = {};    ///< QuantityInfo::heading; empty: the label
 };
 
 namespace detail {
@@ -128,7 +130,7 @@ requires(!std::same_as<I, bool>) Value asValue(I v)
 template <std::integral I>
 requires(!std::same_as<I, bool>) Value asValue(const std::vector<I>& v)
 {
-    return std::vector<double>(v.begin(), v.end());
+    return std::vector<std::int64_t>(v.begin(), v.end());
 }
 template <class T>
 Value asValue(const std::optional<T>& v)
@@ -144,7 +146,7 @@ QuantityInfo within(const QuantityInfo& info, const std::string& part);
 template <class R, class Get>
 QuantityOf<R> quantity(const char* key, Get get, const Look& look = {})
 {
-    return {{key, look.label, look.unit, look.decimals, look.in_json, false},
+    return {{key, look.label, look.unit, look.decimals, look.in_json, false, look.heading},
             [get](const R& result) -> Value { return detail::asValue(std::invoke(get, result)); }};
 }
 
@@ -159,13 +161,23 @@ std::vector<QuantityOf<R>> part(const char* key, P R::*member)
     return result;
 }
 
+/// The same with their own keys, as members of R itself.
+template <class R, class P>
+std::vector<QuantityOf<R>> included(P R::*member)
+{
+    std::vector<QuantityOf<R>> result;
+    for (const QuantityOf<P>& inner : quantities<P>())
+        result.push_back({inner.info, [member, get = inner.get](const R& whole) { return get(whole.*member); }});
+    return result;
+}
+
 /// The same of a struct that may be absent: null in JSON then.
 template <class R, class P>
 std::vector<QuantityOf<R>> part(const char* key, std::optional<P> R::*member)
 {
     std::vector<QuantityOf<R>> result;
     result.push_back(
-        {{key, {}, {}, 0, true, true}, [member](const R& whole) -> Value { return (whole.*member).has_value(); }});
+        {{key, {}, {}, 0, true, true, {}}, [member](const R& whole) -> Value { return (whole.*member).has_value(); }});
     for (const QuantityOf<P>& inner : quantities<P>())
         result.push_back({detail::within(inner.info, key), [member, get = inner.get](const R& whole) {
                               return whole.*member ? get(*(whole.*member)) : Value();
@@ -187,6 +199,13 @@ template <class R>
 Value verdictKey(const R& result)
 {
     return result.verdict ? Value(std::string(key(*result.verdict))) : Value();
+}
+
+/// The verdict of a result for the cells of tables, likewise.
+template <class R>
+Value verdictName(const R& result)
+{
+    return result.verdict ? Value(shortName(*result.verdict)) : Value();
 }
 
 /// A description from single quantities and parts, in order.

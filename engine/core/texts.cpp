@@ -68,6 +68,12 @@ std::string text(const Value& value, const Language& language)
             for (const double value : v) result += (result.empty() ? "" : ", ") + number(value, language);
             return result;
         }
+        std::string operator()(const std::vector<std::int64_t>& v) const
+        {
+            std::string result;
+            for (const std::int64_t value : v) result += (result.empty() ? "" : ", ") + std::to_string(value);
+            return result;
+        }
         std::string operator()(const Rows& v) const
         {
             std::string result;

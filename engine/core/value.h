@@ -29,7 +29,7 @@ struct Rows {
 
 /// One value. monostate is "not given" (JSON null); Text is a translatable phrase (JSON: its English).
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<Interval>, Text,
-                           std::vector<double>, Rows>;
+                           std::vector<double>, std::vector<std::int64_t>, Rows>;
 
 /// Values by name, in the order they were added. Names carry their unit ("extent_mm").
 using Values = std::vector<std::pair<std::string, Value>>;

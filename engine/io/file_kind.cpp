@@ -8,7 +8,7 @@
 #include "engine/io/file.h"
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/profile/profile_reader.h"
-#include "engine/io/qdas/dfq_writer.h"
+#include "engine/io/qdas/dfq_reader.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/readable_text.h"
 #include "engine/io/text/units.h"

@@ -4,16 +4,16 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_plots.h"
+#include "engine/registration/compare_quantities.h"
 #include "engine/registration/registration_verification.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/report/quantity_table.h"
 
 namespace lathelier::registration {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-const Text percent = LT_TEXT("Engine", "%");
 
 Text methodName(CompareMethod method)
 {
@@ -26,36 +26,14 @@ Text methodName(CompareMethod method)
     return LT_TEXT("Engine", "automatic");
 }
 
-/// A number of which a sign is expected; not given where the deviations have none.
-Value signedValue(double value, bool has_sign)
-{
-    return has_sign ? Value(value) : Value();
-}
-
-Value given(const std::optional<double>& value)
-{
-    return value ? Value(*value) : Value();
-}
-
+/// Distances without a sign have a size only.
 report::QuantityTable statisticsTable(const CompareResult& result)
 {
-    const DeviationStatistics& s = result.statistics;
-    const bool sign = result.has_sign;
-    report::QuantityTable table{
-        LT_TEXT("Engine", "Deviation of the copy from the original's surface"),
-        {{LT_TEXT("Engine", "Root mean square"), s.rmse_mm, mm, 4},
-         {LT_TEXT("Engine", "Mean"), signedValue(s.mean_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "Standard deviation"), signedValue(s.std_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "Robust standard deviation (MAD)"), signedValue(s.mad_sigma_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "Median"), signedValue(s.median_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "Smallest"), signedValue(s.min_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "Largest"), signedValue(s.max_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "95 % of the points lie between"), signedValue(s.p2_5_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "… and"), signedValue(s.p97_5_mm, sign), mm, 4},
-         {LT_TEXT("Engine", "95 % of the sizes lie below"), s.p95_abs_mm, mm, 4}}};
-    std::erase_if(table.rows,
-                  [](const report::Quantity& row) { return std::holds_alternative<std::monostate>(row.value); });
-    return table;
+    const Text title = LT_TEXT("Engine", "Deviation of the copy from the original's surface");
+    if (!result.has_sign) return report::quantityTable(title, result.statistics, {"rmse_mm", "p95_abs_mm"});
+    return report::quantityTable(title, result.statistics,
+                                 {"rmse_mm", "mean_mm", "std_mm", "mad_sigma_mm", "median_mm", "min_mm", "max_mm",
+                                  "p2_5_mm", "p97_5_mm", "p95_abs_mm"});
 }
 
 /// Local means are compared with the limit and their allowance, by either rule.
@@ -68,13 +46,14 @@ Text decisionText(DecisionRule rule)
 
 report::QuantityTable verdictTable(const CompareResult& result)
 {
-    const DeviationStatistics& s = result.statistics;
     const CompareParameters& asked = result.parameters;
     report::QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
+    const auto add = [&table](const auto& of, std::initializer_list<const char*> keys) {
+        for (report::Quantity& row : report::quantityRows(of, keys)) table.rows.push_back(std::move(row));
+    };
     if (result.verdict) {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), name(*result.verdict), {}});
-        if (asked.tolerance_mm)
-            table.rows.push_back({LT_TEXT("Engine", "Tolerance, plus and minus"), given(asked.tolerance_mm), mm});
+        if (asked.tolerance_mm) add(result, {"tolerance_mm"});
         table.rows.push_back({LT_TEXT("Engine", "Verdict by"), name(asked.verdict_rule), {}});
         if (asked.verdict_rule == VerdictRule::Surface)
             table.rows.push_back({LT_TEXT("Engine", "Decision rule"), decisionText(asked.decision), {}});
@@ -82,128 +61,56 @@ report::QuantityTable verdictTable(const CompareResult& result)
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
     }
     if (const auto& worst = result.worst) {
-        table.rows.push_back({LT_TEXT("Engine", "Worst place: mean deviation"), worst->deviation_mm, mm, 4});
-        table.rows.push_back({LT_TEXT("Engine", "… its uncertainty (k = 2)"), worst->uncertainty_mm, mm, 4});
-        if (worst->z_mm) table.rows.push_back({LT_TEXT("Engine", "… along the axis at"), *worst->z_mm, mm, 2});
-        if (worst->angle_deg)
-            table.rows.push_back({LT_TEXT("Engine", "… at the angle"), *worst->angle_deg, LT_TEXT("Engine", "°"), 1});
-        table.rows.push_back({LT_TEXT("Engine", "… mean over a square of"), worst->cell_mm, mm, 2});
+        add(*worst, {"deviation_mm", "uncertainty_mm"});
+        if (worst->z_mm) add(*worst, {"z_mm"});
+        if (worst->angle_deg) add(*worst, {"angle_deg"});
+        add(*worst, {"cell_mm"});
     }
-    if (std::isfinite(result.scatter_mm))
-        table.rows.push_back({LT_TEXT("Engine", "Noise of the points about the surface"), result.scatter_mm, mm, 4});
+    if (std::isfinite(result.scatter_mm)) add(result, {"scatter_mm"});
     if (result.verdict && result.within_tolerance_percent) {
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Share within tolerance"), given(result.within_tolerance_percent), percent, 2});
-        if (asked.verdict_rule == VerdictRule::Points)
-            table.rows.push_back({LT_TEXT("Engine", "Share needed to pass"), asked.pass_percent, percent, 2});
+        add(result, {"within_tolerance_percent"});
+        if (asked.verdict_rule == VerdictRule::Points) add(result, {"pass_percent"});
     }
-    if (asked.scanner_accuracy_mm) {
-        table.rows.push_back({LT_TEXT("Engine", "Scanner's accuracy"), given(asked.scanner_accuracy_mm), mm});
-        table.rows.push_back(
-            {LT_TEXT("Engine", "Difference told from the scanner's accuracy"),
-             result.distinguishable_from_scanner ? Value(*result.distinguishable_from_scanner) : Value(),
-             {}});
-    }
-    table.rows.push_back(
-        {LT_TEXT("Engine", "Overlap (points of the copy that were used)"), s.overlap_percent, percent, 2});
-    table.rows.push_back({LT_TEXT("Engine", "Points used"), s.points_used, {}});
-    table.rows.push_back({LT_TEXT("Engine", "Points left out"), s.points_excluded, {}});
-    return table;
-}
-
-Value shortVerdict(const std::optional<Verdict>& verdict)
-{
-    return verdict ? Value(shortName(*verdict)) : Value();
-}
-
-report::Table zonesTable(const CompareResult& result)
-{
-    const bool named = !result.parameters.zones.empty();
-    report::Table table{LT_TEXT("Engine", "Zones along the axis"),
-                        {LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"), LT_TEXT("Engine", "mean (mm)"),
-                         LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "std. dev. (mm)"), LT_TEXT("Engine", "points")},
-                        {},
-                        {2, 2, 4, 4, 4, 0}};
-    if (named) {
-        table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "name"));
-        table.decimals.insert(table.decimals.begin(), 0);
-        table.columns.push_back(LT_TEXT("Engine", "lower (mm)"));
-        table.columns.push_back(LT_TEXT("Engine", "upper (mm)"));
-        table.decimals.insert(table.decimals.end(), {4, 4});
-    }
-    if (result.verdict) {
-        table.columns.push_back(LT_TEXT("Engine", "verdict"));
-        table.decimals.push_back(0);
-    }
-    for (const Zone& zone : result.zones) {
-        std::vector<Value> row{zone.z_start_mm,     zone.z_end_mm, zone.mean_mm,
-                               zone.uncertainty_mm, zone.std_mm,   zone.points};
-        if (named) {
-            row.insert(row.begin(), zone.name);
-            row.push_back(given(zone.lower_mm));
-            row.push_back(given(zone.upper_mm));
-        }
-        if (result.verdict) row.push_back(shortVerdict(zone.verdict));
-        table.rows.push_back(std::move(row));
-    }
+    if (asked.scanner_accuracy_mm) add(result, {"scanner_accuracy_mm", "distinguishable_from_scanner"});
+    add(result.statistics, {"overlap_percent", "points_used", "points_excluded"});
     return table;
 }
 
 report::Table findingsTable(const CompareResult& result)
 {
-    report::Table table{LT_TEXT("Engine", "What differs"),
-                        {LT_TEXT("Engine", "difference"), LT_TEXT("Engine", "from (mm)"), LT_TEXT("Engine", "to (mm)"),
-                         LT_TEXT("Engine", "value (mm)"), LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "limit (mm)"),
-                         LT_TEXT("Engine", "verdict")},
-                        {},
-                        {0, 2, 2, 4, 4, 4, 0}};
-    for (const Finding& finding : result.findings)
-        table.rows.push_back({name(finding.kind), given(finding.z_start_mm), given(finding.z_end_mm), finding.value_mm,
-                              finding.uncertainty_mm, given(finding.limit_mm), shortVerdict(finding.verdict)});
-    return table;
+    return report::listTable<Finding>(
+        LT_TEXT("Engine", "What differs"), result.findings,
+        {"difference", "z_start_mm", "z_end_mm", "value_mm", "uncertainty_mm", "limit_mm", "judged"});
 }
 
 report::QuantityTable alignmentTable(const CompareResult& result)
 {
-    const Alignment& alignment = result.alignment;
-    const bool axial = alignment.reference_axis.has_value();
-    const AlignmentUncertainty& u = alignment.uncertainty;
-    return {LT_TEXT("Engine", "Alignment"),
-            {{LT_TEXT("Engine", "Method"), methodName(result.method_used), {}},
-             {LT_TEXT("Engine", "Converged"), alignment.converged, {}},
-             {LT_TEXT("Engine", "Iterations"), std::int64_t{alignment.iterations}, {}},
-             {axial ? LT_TEXT("Engine", "Uncertainty along the axis (k = 2)")
-                    : LT_TEXT("Engine", "Uncertainty, largest direction (k = 2)"),
-              u.axial_um, um, 2},
-             {axial ? LT_TEXT("Engine", "Uncertainty across the axis (k = 2)")
-                    : LT_TEXT("Engine", "Uncertainty across it (k = 2)"),
-              u.radial_um, um, 2},
-             {axial ? LT_TEXT("Engine", "Uncertainty of the axis's direction (k = 2)")
-                    : LT_TEXT("Engine", "Uncertainty of the rotation (k = 2)"),
-              u.axis_deg, LT_TEXT("Engine", "°"), 5}}};
+    report::QuantityTable table{LT_TEXT("Engine", "Alignment"),
+                                {{LT_TEXT("Engine", "Method"), methodName(result.method_used), {}}}};
+    for (report::Quantity& row : report::quantityRows(result.alignment, {"converged", "iterations"}))
+        table.rows.push_back(std::move(row));
+    std::vector<report::Quantity> uncertainty =
+        report::quantityRows(result.alignment.uncertainty, {"axial_um", "radial_um", "axis_deg"});
+    if (!result.alignment.reference_axis) {
+        uncertainty[0].name = LT_TEXT("Engine", "Uncertainty, largest direction (k = 2)");
+        uncertainty[1].name = LT_TEXT("Engine", "Uncertainty across it (k = 2)");
+        uncertainty[2].name = LT_TEXT("Engine", "Uncertainty of the rotation (k = 2)");
+    }
+    table.rows.insert(table.rows.end(), uncertainty.begin(), uncertainty.end());
+    return table;
 }
 
 report::QuantityTable paperTable(const CompareResult& result)
 {
-    return {LT_TEXT("Engine", "Nearest-point figure, as in the source paper"),
-            {{LT_TEXT("Engine", "Cloud-to-cloud RMSE"), result.cloud_to_cloud_rmse_mm, mm, 4},
-             {LT_TEXT("Engine", "Its floor: what sampling alone gives"), result.sampling_floor_mm, mm, 4}}};
+    return report::quantityTable(LT_TEXT("Engine", "Nearest-point figure, as in the source paper"), result,
+                                 {"cloud_to_cloud_rmse_mm", "sampling_floor_mm"});
 }
 
 report::Table freeMotionsTable(const CompareResult& result)
 {
-    report::Table table{
-        LT_TEXT("Engine", "Motions the geometry does not determine"),
-        {LT_TEXT("Engine", "motion"), LT_TEXT("Engine", "direction x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"),
-         LT_TEXT("Engine", "through x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "z (mm)")},
-        {},
-        {0, 5, 5, 5, 3, 3, 3}};
-    for (const FreeMotion& motion : result.alignment.free_motions)
-        table.rows.push_back({motion.kind == FreeMotion::Kind::Rotation ? LT_TEXT("Engine", "rotation")
-                                                                        : LT_TEXT("Engine", "translation"),
-                              motion.direction.x(), motion.direction.y(), motion.direction.z(), motion.point_mm.x(),
-                              motion.point_mm.y(), motion.point_mm.z()});
-    return table;
+    return report::listTable<FreeMotion>(
+        LT_TEXT("Engine", "Motions the geometry does not determine"), result.alignment.free_motions,
+        {"motion", "direction_x", "direction_y", "direction_z", "point_x_mm", "point_y_mm", "point_z_mm"});
 }
 
 report::Table transformTable(const CompareResult& result)
@@ -218,6 +125,21 @@ report::Table transformTable(const CompareResult& result)
         table.rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
     return table;
 }
+
+}  // namespace
+
+report::Table zonesTable(const CompareResult& result)
+{
+    std::vector<const char*> keys{"z_start_mm", "z_end_mm", "mean_mm", "uncertainty_mm", "std_mm", "points"};
+    if (!result.parameters.zones.empty()) {
+        keys.insert(keys.begin(), "name");
+        keys.insert(keys.end(), {"lower_mm", "upper_mm"});
+    }
+    if (result.verdict) keys.push_back("judged");
+    return report::listTable<Zone>(LT_TEXT("Engine", "Zones along the axis"), result.zones, keys);
+}
+
+namespace {
 
 report::Section whereSection(const CompareResult& result, const Language& language,
                              std::vector<report::Picture> pictures)

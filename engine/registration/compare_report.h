@@ -16,6 +16,9 @@ report::Answer answer(const CompareResult& result, const Language& language = {}
 /// the command line prints.
 report::Section compareSummary(const CompareResult& result, const Language& language = {});
 
+/// One row for each zone, with name, limits and verdict where there are any.
+report::Table zonesTable(const CompareResult& result);
+
 /// Everything the result holds, the most wanted first: answer, verdict, what differs, statistics, notes; where
 /// (pictures, unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters.
 report::Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs,

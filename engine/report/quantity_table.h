@@ -30,16 +30,18 @@ QuantityTable quantityTable(Caption title, const R& result, std::initializer_lis
     return {std::move(title), quantityRows(result, keys)};
 }
 
-/// One row for each of `items`, one column for each key, with the unit in its heading.
+/// One row for each of `items`, one column for each key, with the unit in its heading. A key that R has not is
+/// std::logic_error.
 template <class R>
-Table listTable(Caption title, std::span<const R> items, std::initializer_list<const char*> keys)
+Table listTable(Caption title, std::span<const R> items, const std::vector<const char*>& keys)
 {
     Table table{std::move(title), {}, {}, {}};
     std::vector<const QuantityOf<R>*> columns;
     for (const char* key : keys) {
         columns.push_back(&quantityOf<R>(key));
-        table.columns.push_back(Labelled{columns.back()->info.label, columns.back()->info.unit});
-        table.decimals.push_back(columns.back()->info.decimals);
+        const QuantityInfo& info = columns.back()->info;
+        table.columns.push_back(Labelled{info.heading.empty() ? info.label : info.heading, info.unit});
+        table.decimals.push_back(info.decimals);
     }
     for (const R& item : items) {
         std::vector<Value>& row = table.rows.emplace_back();

@@ -9,6 +9,7 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project.h"
+#include "engine/sample/cylinder_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
 
@@ -34,7 +35,7 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample()};
+    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample()};
     return all;
 }
 

@@ -14,13 +14,14 @@ const Text um = LT_TEXT("Engine", "µm");
 using S = TrajectorySection;
 using L = LongitudinalSection;
 
-/// A quantity of the section's roundness under its key there, with another name where that needs one.
-QuantityOf<S> ofForm(const char* key, int decimals, Text label = {})
+/// A quantity of the section's roundness under its key there, with another name and a heading where that needs one.
+QuantityOf<S> ofForm(const char* key, int decimals, Text label = {}, Text heading = {})
 {
     const QuantityOf<form::RoundnessResult>& inner = quantityOf<form::RoundnessResult>(key);
     QuantityInfo info = inner.info;
     info.decimals = decimals;
     if (!label.empty()) info.label = label;
+    info.heading = heading;
     return {info, [get = inner.get](const S& s) { return get(s.roundness); }};
 }
 
@@ -68,10 +69,12 @@ const std::vector<QuantityOf<ErrorMotion>>& quantitiesOf(const ErrorMotion*)
 const std::vector<QuantityOf<TrajectorySection>>& quantitiesOf(const TrajectorySection*)
 {
     static const auto all = describedBy<S>(
-        quantity<S>("section", &S::section, {LT_TEXT("Engine", "Section"), {}, 0}), quantity<S>("record", &S::record),
-        quantity<S>("z_mm", &S::z_mm, {LT_TEXT("Engine", "From the free end"), mm, 2}),
+        quantity<S>("section", &S::section, {LT_TEXT("Engine", "Section"), {}, 0, true, LT_TEXT("Engine", "section")}),
+        quantity<S>("record", &S::record),
+        quantity<S>("z_mm", &S::z_mm, {LT_TEXT("Engine", "From the free end"), mm, 2, true, LT_TEXT("Engine", "z")}),
         quantity<S>("revolutions_found", &S::revolutions_found),
-        quantity<S>("revolutions_used", &S::revolutions_used, {LT_TEXT("Engine", "Revolutions"), {}, 0}),
+        quantity<S>("revolutions_used", &S::revolutions_used,
+                    {LT_TEXT("Engine", "Revolutions"), {}, 0, true, LT_TEXT("Engine", "revolutions")}),
         quantity<S>("samples_rejected", &S::samples_rejected), quantity<S>("speed_rpm", &S::speed_rpm),
         quantity<S>("angle_deg", &S::angle_deg), quantity<S>("radius_mm", &S::radius_mm),
         quantity<S>("body_angle_deg", &S::body_angle_deg), quantity<S>("envelope_min_mm", &S::envelope_min_mm),
@@ -79,18 +82,21 @@ const std::vector<QuantityOf<TrajectorySection>>& quantitiesOf(const TrajectoryS
         quantity<S>("workpiece_axis.x_um", meanOf<Probe::X3>), quantity<S>("workpiece_axis.y_um", meanOf<Probe::Y3>),
         quantity<S>("tool.x_um", meanOf<Probe::Xp>), quantity<S>("tool.y_um", meanOf<Probe::Yp>),
         quantity<S>("diameter_mm", [](const S& s) { return 2 * s.roundness.circles.LSCI.radius_mm; },
-                    {LT_TEXT("Engine", "Diameter (LSCI)"), mm, 4, false}),
+                    {LT_TEXT("Engine", "Diameter (LSCI)"), mm, 4, false, LT_TEXT("Engine", "diameter")}),
         quantity<S>("centre_x_um", [](const S& s) { return 1e3 * s.roundness.circles.LSCI.centre_mm.x(); },
                     {LT_TEXT("Engine", "centre x"), um, 2, false}),
         quantity<S>("centre_y_um", [](const S& s) { return 1e3 * s.roundness.circles.LSCI.centre_mm.y(); },
                     {LT_TEXT("Engine", "centre y"), um, 2, false}),
         quantity<S>("run_out_um", &S::run_out_um,
-                    {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), um, 2}),
-        quantity<S>("form_measured", &S::form_measured), ofForm("RONt_um", 2), ofForm("RONt_MZCI_um", 2),
-        ofForm("RONt_LSCI_um", 2), ofForm("RONt_MICI_um", 2), ofForm("RONt_MCCI_um", 2),
-        ofForm("two_point.range_um", 2),
+                    {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), um, 2,
+                     true, LT_TEXT("Engine", "run-out")}),
+        quantity<S>("form_measured", &S::form_measured), ofForm("RONt_um", 2), ofForm("RONt_MZCI_um", 2, {}, {"MZCI"}),
+        ofForm("RONt_LSCI_um", 2, {}, {"LSCI"}), ofForm("RONt_MICI_um", 2, {}, {"MICI"}),
+        ofForm("RONt_MCCI_um", 2, {}, {"MCCI"}), ofForm("two_point.range_um", 2, {}, LT_TEXT("Engine", "two-point")),
         ofForm("two_point.half_range_um", 2, LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it")),
         ofForm("RONt_expanded_uncertainty_um", 2), ofForm("tolerance_um", 3), ofForm("verdict", 0),
+        quantity<S>("judged", [](const S& s) { return verdictName(s.roundness); },
+                    {LT_TEXT("Engine", "verdict"), {}, 0, false}),
         part("spindle", &S::spindle), motions(), part("rotating", &S::rotating));
     return all;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/form/roundness/roundness_plots.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/form/verify/form_verification.h"
 #include "engine/io/io_codes.h"
@@ -36,30 +37,14 @@ report::QuantityTable worstTable(const TrajectorySection& section, const Traject
     return table;
 }
 
-/// For narrow columns: short headings.
-report::Table sectionsTable(const TrajectoryResult& result)
+/// With every reference circle.
+report::Table allSectionsTable(const TrajectoryResult& result)
 {
-    report::Table table = report::listTable<TrajectorySection>(
-        LT_TEXT("Engine", "All sections"), result.sections,
-        {"section", "z_mm", "diameter_mm", "RONt_MZCI_um", "RONt_LSCI_um", "RONt_MICI_um", "RONt_MCCI_um",
-         "two_point.range_um", "run_out_um", "revolutions_used"});
-    table.columns = {LT_TEXT("Engine", "section"),
-                     LT_TEXT("Engine", "z (mm)"),
-                     LT_TEXT("Engine", "diameter (mm)"),
-                     "MZCI (µm)",
-                     "LSCI (µm)",
-                     "MICI (µm)",
-                     "MCCI (µm)",
-                     LT_TEXT("Engine", "two-point (µm)"),
-                     LT_TEXT("Engine", "run-out (µm)"),
-                     LT_TEXT("Engine", "revolutions")};
-    if (!result.parameters.form.tolerance_um) return table;
-    table.columns.emplace_back(LT_TEXT("Engine", "verdict"));
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const auto verdict = result.sections[i].roundness.verdict;
-        table.rows[i].push_back(verdict ? Value(shortName(*verdict)) : Value());
-    }
-    return table;
+    std::vector<const char*> keys{
+        "section",      "z_mm",         "diameter_mm",        "RONt_MZCI_um", "RONt_LSCI_um",
+        "RONt_MICI_um", "RONt_MCCI_um", "two_point.range_um", "run_out_um",   "revolutions_used"};
+    if (result.parameters.form.tolerance_um) keys.push_back("judged");
+    return report::listTable<TrajectorySection>(LT_TEXT("Engine", "All sections"), result.sections, keys);
 }
 
 report::Table errorMotionTable(const TrajectorySection& section)
@@ -96,7 +81,7 @@ report::Section alongSection(const TrajectoryResult& result, const Language& lan
     report::Section section{LT_TEXT("Engine", "Along the workpiece"), {}};
     if (result.longitudinal) section.blocks.push_back(longitudinalPlot(*result.longitudinal, language));
     if (result.sections.size() > 1) section.blocks.push_back(roundnessAlongAxis(result));
-    section.blocks.push_back(sectionsTable(result));
+    section.blocks.push_back(allSectionsTable(result));
     return section;
 }
 
@@ -204,6 +189,16 @@ report::Section trajectoryMethod(const TrajectoryResult& result, const Language&
         {}});
     method.blocks.push_back(report::parametersTable(result.parameters, language));
     return method;
+}
+
+report::Table sectionsTable(const TrajectoryResult& result)
+{
+    report::Table table =
+        report::listTable<TrajectorySection>(LT_TEXT("Engine", "All sections against the tolerance"), result.sections,
+                                             {"section", "z_mm", "RONt_um", "judged", "diameter_mm", "centre_x_um",
+                                              "centre_y_um", "run_out_um", "two_point.range_um", "revolutions_used"});
+    table.columns[2] = "RONt(" + std::string(name(result.parameters.form.circle)) + ") (µm)";
+    return table;
 }
 
 report::Document trajectoryReport(const TrajectoryResult& result, const std::vector<InputFile>& inputs,

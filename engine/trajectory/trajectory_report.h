@@ -17,6 +17,9 @@ report::Answer motionAnswer(const TrajectorySection& section, const Language& la
 /// Answer, longitudinal figures, verdict and notes: what the command line prints.
 report::Section trajectorySummary(const TrajectoryResult& result, const Language& language = {});
 
+/// One row for each section: deviation by the chosen reference circle with its verdict, size, place, run-out.
+report::Table sectionsTable(const TrajectoryResult& result);
+
 /// What was computed, how, and with which parameters: the last section of a report.
 report::Section trajectoryMethod(const TrajectoryResult& result, const Language& language = {});
 

@@ -1,4 +1,6 @@
 // Q-DAS files: what is read can be written, and comes back.
+#include "engine/io/qdas/dfq.h"
+#include "engine/io/qdas/dfq_reader.h"
 #include "engine/io/qdas/dfq_writer.h"
 #include "tests/fuzz/check_record.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/registration/compare_json.h"
+#include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
 #include "engine/report/result_json.h"

@@ -1,6 +1,5 @@
 #include "widgets/compare/compare_tables.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -8,14 +7,6 @@
 #include "widgets/core/language.h"
 
 namespace lathelier::compare_panel {
-namespace {
-
-QString signedNumber(double value, int decimals)
-{
-    return (value > 0 ? "+" : "") + screenNumber(value, decimals);
-}
-
-}  // namespace
 
 StatisticsTable::StatisticsTable(QWidget* parent) : CopyTable(parent)
 {
@@ -31,7 +22,6 @@ void StatisticsTable::setPicture(const ComparePicture& picture)
 ZoneTable::ZoneTable(QWidget* parent) : CopyTable(parent)
 {
     setObjectName("zones");
-    setColumnCount(8);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setAccessibleName(tr("Zones along the axis"));
     connect(this, &QTableWidget::cellClicked, this, [this](int row, int) {
@@ -43,23 +33,13 @@ ZoneTable::ZoneTable(QWidget* parent) : CopyTable(parent)
 void ZoneTable::setResult(const registration::CompareResult& result)
 {
     zones_ = result.zones;
-    setHorizontalHeaderLabels({tr("From (mm)"), tr("To (mm)"), tr("Mean (mm)"), tr("U (mm)"), tr("Scatter (mm)"),
-                               tr("Points"), tr("Verdict"), tr("Name")});
-    horizontalHeaderItem(3)->setToolTip(tr("Expanded uncertainty of the mean (k = 2)"));
-    horizontalHeaderItem(4)->setToolTip(tr("Standard deviation of the single points in the zone"));
-    const bool named = std::any_of(zones_.begin(), zones_.end(), [](const auto& zone) { return !zone.name.empty(); });
-    setColumnHidden(7, !named);
-    setRowCount(static_cast<int>(zones_.size()));
+    setTable(zonesTable(result));
+    const int first = result.parameters.zones.empty() ? 0 : 1;  // behind the name
+    horizontalHeaderItem(first + 3)->setToolTip(tr("Expanded uncertainty of the mean (k = 2)"));
+    horizontalHeaderItem(first + 4)->setToolTip(tr("Standard deviation of the single points in the zone"));
     for (int row = 0; row < rowCount(); ++row) {
-        const registration::Zone& zone = zones_[static_cast<std::size_t>(row)];
-        setItem(row, 0, tableCell(screenNumber(zone.z_start_mm, 1), true));
-        setItem(row, 1, tableCell(screenNumber(zone.z_end_mm, 1), true));
-        setItem(row, 2, tableCell(signedNumber(zone.mean_mm, 4), true));
-        setItem(row, 3, tableCell(screenNumber(zone.uncertainty_mm, 4), true));
-        setItem(row, 4, tableCell(screenNumber(zone.std_mm, 4), true));
-        setItem(row, 5, tableCell(QLocale().toString(static_cast<qlonglong>(zone.points)), true));
-        setItem(row, 6, tableCell(zone.verdict ? screenText(shortName(*zone.verdict)) : QStringLiteral("–"), false));
-        setItem(row, 7, tableCell(QString::fromStdString(zone.name), false));
+        QTableWidgetItem& mean = *item(row, first + 2);
+        if (zones_[static_cast<std::size_t>(row)].mean_mm > 0) mean.setText("+" + mean.text());
     }
     fitCells();
 }

@@ -4,38 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/form/roundness/roundness_quantities.h"
+#include "engine/report/quantity_table.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::roundness_panel {
 
-report::Table circleTable(const form::RoundnessResult& result)
-{
-    report::Table table;
-    table.title = LT_TEXT("Engine", "Reference circles");
-    table.columns = {LT_TEXT("Engine", "Circle"), std::string("RONt (µm)"),    LT_TEXT("Engine", "Radius (mm)"),
-                     LT_TEXT("Engine", "x (mm)"), LT_TEXT("Engine", "y (mm)"), LT_TEXT("Engine", "Proved to (µm)")};
-    table.decimals = {0, 3, 5, 5, 5, 6};
-    for (const form::ReferenceCircle which : {form::ReferenceCircle::LSCI, form::ReferenceCircle::MZCI,
-                                              form::ReferenceCircle::MICI, form::ReferenceCircle::MCCI}) {
-        const form::FittedCircle& circle = result.circles.of(which);
-        std::string label(name(which));
-        if (which == result.parameters.circle) label += " ◀";
-        table.rows.push_back({label, circle.RONt_um, circle.radius_mm, circle.centre_mm.x(), circle.centre_mm.y(),
-                              circle.certified_gap_um ? Value(*circle.certified_gap_um) : Value()});
-    }
-    return table;
-}
-
 report::Table hintTable(const form::RoundnessResult& result)
 {
-    report::Table table;
-    table.title = LT_TEXT("Engine", "What the undulations say");
-    table.columns = {std::string("UPR"), LT_TEXT("Engine", "Amplitude (µm)"), LT_TEXT("Engine", "Share (%)"),
-                     LT_TEXT("Engine", "Usual cause")};
-    table.decimals = {0, 3, 0, 0};
-    for (const form::RoundnessHint& hint : result.hints)
-        table.rows.push_back({std::int64_t{hint.upr}, hint.amplitude_um, hint.share_percent, Value(hint.meaning)});
-    return table;
+    return report::listTable<form::RoundnessHint>(LT_TEXT("Engine", "What the undulations say"), result.hints,
+                                                  {"upr", "amplitude_um", "share_percent", "meaning"});
 }
 
 plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const signal::Harmonic& harmonic)

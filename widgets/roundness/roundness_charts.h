@@ -7,9 +7,6 @@
 
 namespace lathelier::roundness_panel {
 
-/// The four circles: deviations, radius, centre, how sure.
-report::Table circleTable(const form::RoundnessResult& result);
-
 /// Strongest harmonics with their share and meaning.
 report::Table hintTable(const form::RoundnessResult& result);
 

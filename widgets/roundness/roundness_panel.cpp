@@ -2,6 +2,7 @@
 
 #include "engine/form/roundness/roundness_dfq.h"
 #include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/superimpose_report.h"
 #include "engine/io/file.h"
 #include "widgets/core/language.h"
 #include "widgets/roundness/roundness_charts.h"

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/form/roundness/roundness_plots.h"
 #include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/superimpose_report.h"
 #include "widgets/core/language.h"
 #include "widgets/roundness/roundness_charts.h"
 
@@ -131,7 +133,12 @@ void RoundnessViews::showPolar()
 void RoundnessViews::showTables()
 {
     const form::RoundnessResult& result = *picture_->roundness();
-    circles_->setTable(circleTable(result));
+    circles_->setTable(circlesTable(result));
+    const std::string_view chosen = name(result.parameters.circle);
+    for (int row = 0; row < circles_->rowCount(); ++row)
+        if (QTableWidgetItem& circle = *circles_->item(row, 0);
+            circle.text().contains(QLatin1String(chosen.data(), static_cast<int>(chosen.size()))))
+            circle.setText(circle.text() + " ◀");
     methods_->setTable(methodTable(result, screenLanguage()));
     hints_->setTable(hintTable(result));
     report::Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
-#include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/roundness_plots.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/panel_facts.h"
 #include "widgets/core/task/memo.h"

@@ -1,8 +1,8 @@
+#include "engine/form/circle/circle_enclosing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "engine/form/circle/circle_simple.h"
 
 namespace lathelier::form {
 namespace {

@@ -1,3 +1,5 @@
+#include "engine/form/circle/circle_least_squares.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
-#include "engine/form/circle/circle_simple.h"
 
 namespace lathelier::form {
 namespace {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/form/circle/circle_enclosing.h"
+#include "engine/form/circle/circle_least_squares.h"
 #include "engine/form/circle/circle_region.h"
-#include "engine/form/circle/circle_simple.h"
 #include "engine/form/circle/circle_zone.h"
 
 namespace lathelier::form {

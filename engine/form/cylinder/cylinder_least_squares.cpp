@@ -1,3 +1,5 @@
+#include "engine/form/cylinder/cylinder_least_squares.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "engine/core/parallel.h"
 #include "engine/core/point_spread.h"
 #include "engine/core/random.h"
-#include "engine/form/cylinder/cylinder_fits.h"
 
 namespace lathelier::form {
 namespace {

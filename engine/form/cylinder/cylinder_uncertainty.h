@@ -2,7 +2,7 @@
 // Source: JCGM 101 (propagation of distributions by Monte Carlo).
 #pragma once
 
-#include "engine/form/cylinder/cylinder_fits.h"
+#include "engine/form/cylinder/cylinder_least_squares.h"
 
 namespace lathelier::form {
 

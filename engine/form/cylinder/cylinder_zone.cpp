@@ -1,9 +1,10 @@
+#include "engine/form/cylinder/cylinder_zone.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/core/random.h"
-#include "engine/form/cylinder/cylinder_fits.h"
 #include "engine/form/minimax_exchange.h"
 
 namespace lathelier::form {

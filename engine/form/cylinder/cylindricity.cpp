@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "engine/core/core_codes.h"
-#include "engine/form/cylinder/cylinder_fits.h"
+#include "engine/form/cylinder/cylinder_least_squares.h"
 #include "engine/form/cylinder/cylinder_sections.h"
 #include "engine/form/cylinder/cylinder_uncertainty.h"
+#include "engine/form/cylinder/cylinder_zone.h"
 #include "engine/form/cylinder/straightness.h"
 #include "engine/form/form_codes.h"
 
@@ -53,16 +54,37 @@ FittedCylinder toResult(const CylinderPoints& points, const MinimumZoneCylinder&
     return cylinder;
 }
 
-}  // namespace
-
-CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const CylindricityParameters& parameters,
-                                const Progress& progress)
+/// A guarded decision needs an uncertainty.
+void refuseUnfounded(const CylindricityParameters& parameters)
 {
     if (parameters.tolerance_um && parameters.decision == DecisionRule::Guarded && !parameters.probe_uncertainty_um)
         throw Error(errors::valueNotUnderstood,
                     {{"parameter", "probe_uncertainty_um"},
                      {"found", Value()},
                      {"expected", LT_TEXT("Engine", "a value, for a decision with uncertainty")}});
+}
+
+}  // namespace
+
+bool sameButVerdict(const CylindricityParameters& a, const CylindricityParameters& b)
+{
+    return a.probe_uncertainty_um == b.probe_uncertainty_um;
+}
+
+void judge(CylindricityResult& result, const CylindricityParameters& parameters)
+{
+    refuseUnfounded(parameters);
+    result.parameters = parameters;
+    result.verdict = parameters.tolerance_um
+                         ? std::optional(lathelier::judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um,
+                                                          *parameters.tolerance_um, parameters.decision))
+                         : std::nullopt;
+}
+
+CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const CylindricityParameters& parameters,
+                                const Progress& progress)
+{
+    refuseUnfounded(parameters);
     CylindricityResult result;
     result.parameters = parameters;
     result.points = points_mm.size();
@@ -82,9 +104,7 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
             points.scale_mm() * um_per_mm *
             expandedUncertaintyOfWidth(points, fit, *parameters.probe_uncertainty_um / um_per_mm / points.scale_mm(),
                                        progress.part(0.9, 1));
-    if (parameters.tolerance_um)
-        result.verdict = judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um, *parameters.tolerance_um,
-                               parameters.decision);
+    judge(result, parameters);
 
     const SectionStack stack =
         sectionsAlong(points_mm, result.LSCY.axis_point_mm, result.LSCY.axis_direction, progress);

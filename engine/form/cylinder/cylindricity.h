@@ -49,6 +49,13 @@ struct CylindricityResult {
     Notes notes;  ///< axisStraightnessUnknown, with fewer than 3 sections
 };
 
+/// Do `a` and `b` differ in nothing but what judge() takes: tolerance and decision rule?
+bool sameButVerdict(const CylindricityParameters& a, const CylindricityParameters& b);
+
+/// Takes tolerance and decision rule from `parameters` into the result and decides anew. Error valueNotUnderstood
+/// (guarded without an uncertainty).
+void judge(CylindricityResult& result, const CylindricityParameters& parameters);
+
 /// Points of a cylindrical surface in any order and any pose. The verdict is MZCY's.
 /// Errors: tooFewPoints (6), pointsDegenerate (`found`: in one place, on a line, in a plane),
 /// notConverged, coordinateTooLarge, valueNotUnderstood (guarded without an uncertainty). Throws Cancelled.

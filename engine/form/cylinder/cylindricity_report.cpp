@@ -1,5 +1,8 @@
+#include "engine/form/cylinder/cylindricity_report.h"
+
 #include <cmath>
 
+#include "engine/form/cylinder/cylindricity_plots.h"
 #include "engine/form/cylinder/cylindricity_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/form/verify/form_verification.h"
@@ -76,23 +79,27 @@ report::Section cylindricitySummary(const CylindricityResult& result, const Lang
     return section;
 }
 
-report::Document cylindricityReport(const CylindricityResult& result, const std::vector<InputFile>& inputs,
-                                    const Language& language)
+report::Document cylindricityReport(const CylindricityResult& result, const CylinderSurface* surface,
+                                    const std::vector<InputFile>& inputs, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Cylindricity");
     document.verification = {&formVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
-    document.sections = {
-        cylindricitySummary(result, language),
+    document.sections.push_back(cylindricitySummary(result, language));
+    if (surface)
+        document.sections.push_back(
+            {LT_TEXT("Engine", "Surface"),
+             {unrolledCylinder(*surface), radiusAlongAxis(*surface, result.parameters), centresAlongAxis(*surface)}});
+    document.sections.push_back(
         {LT_TEXT("Engine", "Method and parameters"),
          {report::Paragraph{
               LT_TEXT("Engine",
                       "ISO 12180: CYLt is the largest minus the smallest distance of the points from the axis of "
                       "the reference cylinder. The minimum zone is locally optimal, found from several starts."),
               {}},
-          axesTable(result), report::parametersTable(result.parameters, language)}}};
+          axesTable(result), report::parametersTable(result.parameters, language)}});
     return document;
 }
 

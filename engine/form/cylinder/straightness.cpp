@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/core/core_codes.h"
-#include "engine/form/circle/circle_simple.h"
+#include "engine/form/circle/circle_enclosing.h"
 #include "engine/form/cylinder/axis_frame.h"
 #include "engine/form/linear_minimax.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/utf8.h"
+#include "engine/form/roundness/roundness_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
 
 namespace lathelier::form {
@@ -34,11 +35,17 @@ std::string partOf(const std::vector<RoundnessResult>& results)
     return part.empty() ? "roundness" : part;
 }
 
+const QuantityOf<RoundnessResult>& deviationBy(ReferenceCircle circle)
+{
+    return quantityOf<RoundnessResult>("RONt_" + std::string(name(circle)) + "_um");
+}
+
 io::QdasCharacteristic& characteristicFor(const RoundnessResult& result, ReferenceCircle circle, io::QdasFile& file)
 {
+    const QuantityInfo& info = deviationBy(circle).info;
     io::QdasCharacteristic wanted;
-    wanted.description = "RONt(" + std::string(name(circle)) + ") " + filterName(bandOf(result.parameters));
-    wanted.unit = "µm";
+    wanted.description = std::string(info.label.english) + " " + filterName(bandOf(result.parameters));
+    wanted.unit = info.unit.english;
     wanted.nominal = 0;
     wanted.lower_limit = 0;
     wanted.lower_is_natural = true;
@@ -62,7 +69,7 @@ io::QdasFile qdasFile(const std::vector<RoundnessResult>& results, const std::ve
         for (const ReferenceCircle circle :
              {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
             io::QdasCharacteristic& characteristic = characteristicFor(results[i], circle, file);
-            characteristic.values.push_back(results[i].circles.of(circle).RONt_um);
+            characteristic.values.push_back(std::get<double>(deviationBy(circle).get(results[i])));
             characteristic.measured.push_back(i < measured.size() && !measured[i].empty() ? measured[i] : now);
         }
     return file;

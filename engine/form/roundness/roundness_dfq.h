@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/form/roundness/roundness.h"
+#include "engine/io/qdas/dfq.h"
 #include "engine/io/qdas/dfq_writer.h"
 
 namespace lathelier::form {

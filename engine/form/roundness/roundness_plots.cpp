@@ -1,3 +1,5 @@
+#include "engine/form/roundness/roundness_plots.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -111,9 +111,11 @@ const std::vector<QuantityOf<MethodRow>>& quantitiesOf(const MethodRow*)
 const std::vector<QuantityOf<RoundnessHint>>& quantitiesOf(const RoundnessHint*)
 {
     using H = RoundnessHint;
-    static const auto all =
-        describedBy<H>(quantity<H>("upr", &H::upr), quantity<H>("amplitude_um", &H::amplitude_um),
-                       quantity<H>("share_percent", &H::share_percent), quantity<H>("meaning", &H::meaning));
+    static const auto all = describedBy<H>(
+        quantity<H>("upr", &H::upr, {{"UPR"}, {}, 0}),
+        quantity<H>("amplitude_um", &H::amplitude_um, {LT_TEXT("Engine", "Amplitude"), um}),
+        quantity<H>("share_percent", &H::share_percent, {LT_TEXT("Engine", "Share"), LT_TEXT("Engine", "%"), 0}),
+        quantity<H>("meaning", &H::meaning, {LT_TEXT("Engine", "Usual cause"), {}, 0}));
     return all;
 }
 

@@ -1,4 +1,5 @@
 #include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/roundness_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -28,21 +29,6 @@ Text fullName(ReferenceCircle circle)
         case ReferenceCircle::MCCI: return LT_TEXT("Engine", "minimum circumscribed (MCCI)");
     }
     return {};
-}
-
-report::Table circlesTable(const RoundnessResult& result)
-{
-    std::vector<FittedCircle> circles;
-    circles.reserve(allCircles.size());
-    for (const ReferenceCircle which : allCircles) circles.push_back(result.circles.of(which));
-    report::Table table = report::listTable<FittedCircle>(
-        LT_TEXT("Engine", "Roundness deviation by reference circle"), circles,
-        {"RONt_um", "centre_x_mm", "centre_y_mm", "inner_radius_mm", "outer_radius_mm", "certified_gap_um"});
-    table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "circle"));
-    table.decimals.insert(table.decimals.begin(), 0);
-    for (std::size_t i = 0; i < allCircles.size(); ++i)
-        table.rows[i].insert(table.rows[i].begin(), fullName(allCircles[i]));
-    return table;
 }
 
 report::QuantityTable leastSquaresTable(const RoundnessResult& result)
@@ -133,6 +119,21 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
 }
 
 }  // namespace
+
+report::Table circlesTable(const RoundnessResult& result)
+{
+    std::vector<FittedCircle> circles;
+    circles.reserve(allCircles.size());
+    for (const ReferenceCircle which : allCircles) circles.push_back(result.circles.of(which));
+    report::Table table = report::listTable<FittedCircle>(
+        LT_TEXT("Engine", "Roundness deviation by reference circle"), circles,
+        {"RONt_um", "centre_x_mm", "centre_y_mm", "inner_radius_mm", "outer_radius_mm", "certified_gap_um"});
+    table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "circle"));
+    table.decimals.insert(table.decimals.begin(), 0);
+    for (std::size_t i = 0; i < allCircles.size(); ++i)
+        table.rows[i].insert(table.rows[i].begin(), fullName(allCircles[i]));
+    return table;
+}
 
 int decimalsFor(double uncertainty_um)
 {

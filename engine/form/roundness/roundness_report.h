@@ -3,9 +3,7 @@
 
 #include <vector>
 
-#include "engine/form/cylinder/cylindricity.h"
 #include "engine/form/roundness/roundness.h"
-#include "engine/form/roundness/superimpose.h"
 #include "engine/report/document.h"
 
 namespace lathelier::form {
@@ -13,31 +11,18 @@ namespace lathelier::form {
 /// "RONt(MZCI) 5.3 µm · G 1-50 UPR · within 8 µm ✓": the same on the command line, in the panel and in the report. The
 /// filter is part of the result's name.
 report::Answer answer(const RoundnessResult& result, const Language& language = {});
-report::Answer answer(const CylindricityResult& result, const Language& language = {});
 
 /// Answer, deviations by the four circles, verdict and notes: what the command line prints.
 report::Section roundnessSummary(const RoundnessResult& result, const Language& language = {});
-report::Section cylindricitySummary(const CylindricityResult& result, const Language& language = {});
 
 /// Everything a result holds, the most wanted first: headline, deviations by the four circles, verdict, notes; polar
 /// plot with the circles and the contact points of the chosen one; spectrum and what it means; method table; sizes; how
 /// sure; method and parameters. Several results begin with a table of all.
 report::Document roundnessReport(const std::vector<RoundnessResult>& results, const std::vector<InputFile>& inputs,
                                  const Language& language = {});
-report::Document cylindricityReport(const CylindricityResult& result, const std::vector<InputFile>& inputs,
-                                    const Language& language = {});
 
-/// Two profiles laid on one another: figures, both as deviations around the first's circle, and their difference.
-report::Section superimposeSection(const SuperimposeResult& result, const Language& language = {});
-
-/// Blocks that other reports share.
-report::Table harmonicsTable(const RoundnessResult& result);
-report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& language = {});
-
-/// Amplitudes from 2 undulations a turn on, with what they usually mean and the cut-offs; all of them, although only
-/// the range with the strong ones is shown at first.
-report::Plot spectrumPlot(const RoundnessResult& result, const Language& language = {});
-report::Table methodTable(const RoundnessResult& result, const Language& language = {});
+/// Deviation, centre, radii and proof by each reference circle.
+report::Table circlesTable(const RoundnessResult& result);
 
 /// "no filter", "G 1-50 UPR", "G 15-500 UPR": the filter as part of a result's name.
 std::string filterName(const signal::TransmissionBand& band, const Language& language = {});

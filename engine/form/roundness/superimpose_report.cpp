@@ -1,3 +1,5 @@
+#include "engine/form/roundness/superimpose_report.h"
+
 #include "engine/form/roundness/roundness_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/report/quantity_table.h"

@@ -1,4 +1,6 @@
 // Wavefront OBJ: vertices, normals and polygons; everything about looks is passed over.
+#include "engine/io/cloud/obj_reader.h"
+
 #include <array>
 
 #include "engine/io/cloud/mesh_faces.h"

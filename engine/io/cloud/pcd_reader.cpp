@@ -1,4 +1,6 @@
 // PCD files of the Point Cloud Library, versions 0.5 to 0.7: ascii, binary and binary_compressed.
+#include "engine/io/cloud/pcd_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>

@@ -1,4 +1,6 @@
 // PLY files: ascii and binary in both byte orders.
+#include "engine/io/cloud/ply_reader.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -49,11 +49,4 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
 /// end and the filling of a disk's cluster.
 void refuseMoreBytes(std::string_view bytes, std::size_t end);
 
-RawScan readTextScan(const ScanSource& source);
-RawScan readPly(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`
-RawScan readPcd(const ScanSource& source);  ///< ascii from `text`, binary from `bytes`
-RawScan readBinaryStl(const ScanSource& source);
-RawScan readAsciiStl(const ScanSource& source);
-RawScan readObj(const ScanSource& source);
-
 }  // namespace lathelier::io

@@ -6,8 +6,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/io/cloud/obj_reader.h"
+#include "engine/io/cloud/pcd_reader.h"
 #include "engine/io/cloud/ply_header.h"
+#include "engine/io/cloud/ply_reader.h"
 #include "engine/io/cloud/raw_scan.h"
+#include "engine/io/cloud/stl_reader.h"
+#include "engine/io/cloud/text_reader.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/text/number.h"

@@ -1,4 +1,6 @@
 // STL files: ascii with one or several solids, and binary.
+#include "engine/io/cloud/stl_reader.h"
+
 #include <array>
 #include <cmath>
 #include <cstring>

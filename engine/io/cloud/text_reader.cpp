@@ -1,4 +1,6 @@
 // Clouds in text tables: XYZ, ASC, CSV, TXT, PTS.
+#include "engine/io/cloud/text_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,8 @@
 #include "engine/io/probe/probe_columns.h"
 #include "engine/io/table/column_names.h"
 #include "engine/io/table/table_facts.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
+#include "engine/io/table/table_rows.h"
 #include "engine/io/text/readable_text.h"
 
 namespace lathelier::io {

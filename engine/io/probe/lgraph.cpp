@@ -1,4 +1,6 @@
 // An L-Graph pair as a probe record: samples in frames, channels in volts.
+#include "engine/io/probe/lgraph.h"
+
 #include <cmath>
 #include <cstring>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
 #include "engine/io/text/quantity.h"
 
 namespace lathelier::io {

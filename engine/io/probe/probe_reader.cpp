@@ -1,5 +1,7 @@
 // The entry for probe records: a recorder's pair of files, or a table?
 #include "engine/io/probe/probe_reader.h"
+#include "engine/io/probe/lgraph.h"
+#include "engine/io/probe/probe_table.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -66,13 +66,4 @@ ProbeFile readProbeRecord(const std::string& path, const ImportOptions& options 
 ProbeFile readProbeRecord(const std::string& path, std::string_view bytes, InputFiles& inputs,
                           const ImportOptions& options, const RecorderOptions& recorder, const Progress& progress);
 
-/// An L-Graph pair from memory; `name` stands for the path of the .par in messages, `datName` for that of the .dat.
-ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
-                     const RecorderOptions& recorder = {}, const Progress& progress = {},
-                     const std::string& datName = {});
-
-/// A table from memory. `parsed` hears from time to time how many of the bytes are not needed any more.
-ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},
-                         const Progress& progress = {}, const std::function<void(std::size_t)>& parsed = {});
-
 }  // namespace lathelier::io

@@ -1,10 +1,14 @@
-// The two shapes of probe records in text tables.
+// Probe records in text tables, of two shapes.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/io/probe/probe_columns.h"
 #include "engine/io/probe/probe_reader.h"
+#include "engine/io/table/table_rows.h"
 
 namespace lathelier::io {
 
@@ -39,5 +43,9 @@ std::optional<QuantityUnit> displacementUnit(const ProbeTable& table);
 
 /// Error malformed at a row, for a value that fits no record.
 Error malformedRow(const ProbeTable& table, std::size_t row, std::size_t k, Text expected);
+
+/// A table from memory. `parsed` hears from time to time how many of the bytes are not needed any more.
+ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const ImportOptions& options = {},
+                         const Progress& progress = {}, const std::function<void(std::size_t)>& parsed = {});
 
 }  // namespace lathelier::io

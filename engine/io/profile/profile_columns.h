@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/io/profile/profile_reader.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
 
 namespace lathelier::io {
 

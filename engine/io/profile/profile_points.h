@@ -3,7 +3,8 @@
 
 #include "engine/io/profile/profile_columns.h"
 #include "engine/io/profile/profile_reader.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
+#include "engine/io/table/table_rows.h"
 
 namespace lathelier::io {
 

@@ -1,11 +1,13 @@
 // Q-DAS ASCII back into values: one K-field a line.
+#include "engine/io/qdas/dfq_reader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
 
 #include "engine/io/io_codes.h"
-#include "engine/io/qdas/dfq_writer.h"
+#include "engine/io/qdas/dfq.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/readable_text.h"

@@ -1,4 +1,5 @@
 #include "engine/io/qdas/dfq_writer.h"
+#include "engine/io/qdas/dfq.h"
 
 #include <fmt/format.h>
 

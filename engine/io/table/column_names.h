@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
 
 namespace lathelier::io {
 

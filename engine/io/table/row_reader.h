@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
+#include "engine/io/table/table_rows.h"
 #include "engine/io/text/text_lines.h"
 
 namespace lathelier::io {

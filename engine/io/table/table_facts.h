@@ -4,7 +4,8 @@
 #include <span>
 
 #include "engine/core/error.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
+#include "engine/io/table/table_rows.h"
 
 namespace lathelier::io {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
 
 namespace lathelier::io {
 

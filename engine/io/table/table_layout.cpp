@@ -1,10 +1,11 @@
 // Finding out how a table is written: separator, decimal mark, columns, and where its rows begin.
+#include "engine/io/table/table_layout.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "engine/io/io_codes.h"
 #include "engine/io/table/table_headings.h"
-#include "engine/io/table/text_table.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"

@@ -1,4 +1,6 @@
 // Reading the rows of a table in chunks on all cores.
+#include "engine/io/table/table_rows.h"
+
 #include <algorithm>
 #include <atomic>
 #include <numeric>
@@ -6,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/table/row_reader.h"
-#include "engine/io/table/text_table.h"
+#include "engine/io/table/table_layout.h"
 
 namespace lathelier::io {
 namespace {

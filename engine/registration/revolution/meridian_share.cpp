@@ -1,3 +1,5 @@
+#include "engine/registration/revolution/meridian_share.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,6 @@
 #include "engine/registration/revolution/revolution_axis.h"
+#include "engine/registration/revolution/revolution_guess.h"
+#include "engine/registration/revolution/revolution_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include "engine/core/statistics.h"
 #include "engine/registration/drawn_places.h"
 #include "engine/registration/revolution/meridian_bins.h"
+#include "engine/registration/revolution/meridian_share.h"
 #include "engine/registration/revolution/revolution_step.h"
 
 namespace lathelier::registration {

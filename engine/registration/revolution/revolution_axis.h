@@ -60,17 +60,6 @@ struct RevolutionFit {
     }
 };
 
-/// Starts for the axis, best first, and how far neighbouring points scatter about a plane (noise, and some curvature).
-struct AxisCandidates {
-    std::vector<Eigen::Isometry3d> axis_T_scan;  ///< best first: the axis is z
-    double noise_mm = 0;                         ///< scatter of neighbouring points about a plane
-};
-
-/// Starting directions and places of the axis. `points` are 1000 to 30 000 spread over the surface.
-/// Normal lines of a surface of revolution meet its axis: the linear complex of Pottmann and Wallner,
-/// "Computational Line Geometry", 2001, section 4.2, solved with robust weights; and the principal axes.
-AxisCandidates findAxisCandidates(const std::vector<Eigen::Vector3d>& points, const Progress& progress);
-
 /// Robust least squares (Tukey weights) over the axis's four parameters with the radius free in every bin.
 /// Starts from each candidate on a sample and finishes on all points, or two million of a larger cloud, drawn evenly
 /// from it. Points: at least 50, finite, not all in a plane. The covariance is never less than that of independent
@@ -81,12 +70,7 @@ RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Pr
 /// True when the fit shows a body of revolution.
 bool isBodyOfRevolution(const RevolutionFit& fit);
 
-/// Judges the fit: nearly all points on one profile, enough of them at its side and around it, one axis, not bent, and
-/// a scatter that looks like noise. Fills `coverage_deg` and gives the first reason against. `noise_mm` as in
-/// AxisCandidates.
-NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Eigen::Vector3d>& sample, double noise_mm);
-
-/// The same with z reversed: the frame turned by 180° about its x axis.
+/// The same fit with z reversed: the frame turned by 180° about its x axis.
 RevolutionFit reversed(const RevolutionFit& fit);
 
 }  // namespace lathelier::registration

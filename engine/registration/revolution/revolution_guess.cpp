@@ -1,3 +1,5 @@
+#include "engine/registration/revolution/revolution_guess.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -8,7 +10,6 @@
 #include "engine/core/random.h"
 #include "engine/core/statistics.h"
 #include "engine/registration/neighbours/neighbours.h"
-#include "engine/registration/revolution/revolution_axis.h"
 
 namespace lathelier::registration {
 namespace {

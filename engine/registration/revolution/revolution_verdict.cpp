@@ -1,3 +1,5 @@
+#include "engine/registration/revolution/revolution_verdict.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,4 +1,6 @@
 #include "engine/form/roundness/roundness_report.h"
+#include "engine/form/roundness/roundness_plots.h"
+#include "engine/form/roundness/superimpose_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // Q-DAS files: what is written comes back, bit for bit.
+#include "engine/io/qdas/dfq.h"
 #include "engine/core/core_codes.h"
+#include "engine/io/qdas/dfq_reader.h"
 #include "engine/io/qdas/dfq_writer.h"
 
 #include <gtest/gtest.h>

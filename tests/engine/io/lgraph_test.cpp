@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "engine/io/file_kind.h"
+#include "engine/io/probe/lgraph.h"
 #include "engine/io/probe/lgraph_header.h"
 #include "engine/io/probe/probe_reader.h"
 #include "tests/engine/io/reading.h"

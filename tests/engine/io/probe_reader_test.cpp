@@ -2,6 +2,7 @@
 #include "engine/io/probe/probe_reader.h"
 #include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/probe/probe_table.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

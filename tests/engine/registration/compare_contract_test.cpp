@@ -8,7 +8,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/registration/compare.h"
-#include "engine/registration/compare_json.h"
+#include "engine/registration/compare_quantities.h"
 #include "engine/registration/registration_codes.h"
 #include "tests/engine/core/code_of_error.h"
 #include "tests/engine/registration/synthetic_pair.h"

@@ -11,7 +11,7 @@
 #include "engine/core/parallel.h"
 #include "engine/io/cloud/scan_reader.h"
 #include "engine/io/file.h"
-#include "engine/registration/compare_json.h"
+#include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/report/plain_text.h"

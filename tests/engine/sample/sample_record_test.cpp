@@ -7,6 +7,7 @@
 
 #include "engine/form/circle/circles.h"
 #include "engine/io/probe/probe_reader.h"
+#include "engine/io/probe/probe_table.h"
 
 namespace lathelier {
 namespace {

@@ -356,7 +356,7 @@ private slots:
         settle();
         QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Sygnały"));
         QVERIFY(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->horizontalHeaderItem(0)->text() ==
-                "Przekrój");
+                "przekrój");
         languages.use("en");
         settle();
         QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Signals"));

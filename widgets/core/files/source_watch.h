@@ -11,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/project/project.h"
 #include "widgets/core/files/stores.h"
-#include "widgets/core/task/worker.h"
+#include "widgets/core/task/task.h"
 
 namespace lathelier {
 
@@ -45,16 +45,14 @@ private:
         Note note;          ///< sourceChangedSince or sourceGone
     };
     using Findings = std::map<std::string, Finding>;  ///< by path
-    struct Answer;
 
-    void collect();
+    static Findings changesOf(const Stores& stores, const Findings& known, const Progress& progress);
+    void take(const Findings& now);
 
     std::shared_ptr<Stores> stores_;
     Findings findings_;
     QTimer turn_;
-    QTimer poll_;
-    bool comparing_ = false;
-    Worker worker_;
+    Task task_;
 };
 
 }  // namespace lathelier

@@ -14,10 +14,11 @@
 
 namespace lathelier {
 
-void writeReport(const QString& path, report::Document document)
+void writeReport(const QString& path, report::Document document, const Progress& progress)
 {
     if (document.created.empty()) document.created = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
-    verify::quoteVerification(document);
+    verify::quoteVerification(document, progress.part(0, 0.8));
+    progress.report(0.8);
     const bool pdf = QFileInfo(path).suffix().compare("pdf", Qt::CaseInsensitive) == 0;
     io::writeFile(path.toStdString(),
                   pdf ? toPdf(document, screenLanguage()) : report::toHtml(document, screenLanguage()));

@@ -4,14 +4,16 @@
 #include <QString>
 #include <optional>
 
+#include "engine/core/progress.h"
 #include "engine/report/document.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier {
 
 /// Writes `document` with the date and what "Verify installation" says now, as HTML or PDF, by the suffix of `path`,
-/// and its results beside it as JSON. Each file is written whole or not at all. Error fileNotWritable.
-void writeReport(const QString& path, report::Document document);
+/// and its results beside it as JSON. Each file is written whole or not at all. In any thread: the verification takes
+/// seconds. Error fileNotWritable. Throws Cancelled.
+void writeReport(const QString& path, report::Document document, const Progress& progress = {});
 
 /// The JSON file beside a report: "shaft.html" → "shaft_result.json".
 QString resultFile(const QString& report);

@@ -1,8 +1,8 @@
-// Least-squares and minimum-zone cylinders.
+// The least-squares cylinder, from wherever the points lie.
 // Source: ISO 12180-1; Forbes, "Least-squares best-fit geometric elements", NPL report DITC 140/89.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "engine/form/cylinder/cylinder_points.h"
 
@@ -30,15 +30,5 @@ CylinderGuess guessCylinder(std::span<const Eigen::Vector3d> points_mm, const Pr
 /// Geometric least squares by damped Gauss-Newton from an axis near z.
 LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const LeastSquaresCylinder& start,
                                           const Progress& progress);
-
-struct MinimumZoneCylinder {
-    AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
-    double inner = 0, outer = 0;                   ///< smallest and largest distance of a point from the axis
-    std::vector<std::size_t> contacts;             ///< indices of the points that hold the zone, ascending
-};
-
-/// The narrowest zone between coaxial cylinders near `start`: the best local optimum from several starts.
-MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const AxisParameters& start,
-                                        const Progress& progress);
 
 }  // namespace lathelier::form

@@ -1,0 +1,22 @@
+// Cylindricity as a report, and as one sentence.
+#pragma once
+
+#include <vector>
+
+#include "engine/form/cylinder/cylinder_surface.h"
+#include "engine/report/document.h"
+
+namespace lathelier::form {
+
+/// "CYLt(MZCY) 12.1 µm · within 20 µm ✓": the same on the command line, in the panel and in the report.
+report::Answer answer(const CylindricityResult& result, const Language& language = {});
+
+/// Answer, deviations, verdict and notes: what the command line prints.
+report::Section cylindricitySummary(const CylindricityResult& result, const Language& language = {});
+
+/// Answer, deviations, verdict, notes; the pictures of the surface, where it is given (null: none); method, axes and
+/// parameters.
+report::Document cylindricityReport(const CylindricityResult& result, const CylinderSurface* surface,
+                                    const std::vector<InputFile>& inputs, const Language& language = {});
+
+}  // namespace lathelier::form

@@ -1,0 +1,119 @@
+#include "widgets/cylindricity/cylindricity_panel.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/form/cylinder/cylindricity_plots.h"
+#include "engine/form/cylinder/cylindricity_quantities.h"
+#include "engine/form/cylinder/cylindricity_report.h"
+#include "engine/io/file.h"
+#include "engine/report/chart_csv.h"
+#include "engine/report/result_json.h"
+#include "widgets/core/language.h"
+#include "widgets/cylindricity/cylindricity_views.h"
+
+namespace lathelier::cylindricity_panel {
+namespace {
+
+PanelInputs panelInputs()
+{
+    InputRole points;
+    points.role = "points";
+    points.label = LT_TEXT("Engine", "Points");
+    points.hint =
+        LT_TEXT("Engine", "Points of one cylindrical surface: a scan, or sections measured one above the other.");
+    points.kinds = {&io::scanFiles()};
+    points.takes_next = true;
+    PanelInputs inputs;
+    inputs.roles = {points};
+    inputs.fields = infos<form::CylindricityParameters>();
+    inputs.defaults = toValues(form::CylindricityParameters{});
+    inputs.invitation = LT_TEXT("Engine", "Drop the points of a cylindrical surface here.");
+    return inputs;
+}
+
+report::Document reportOf(const CylindricityPicture& picture, const Language& language)
+{
+    form::CylindricityResult result = *picture.result;
+    result.notes = picture.notes;  // those of the file as well
+    report::Document document = cylindricityReport(result, picture.surface.get(), picture.inputs, language);
+    document.synthetic = picture.synthetic;
+    document.results = {report::toText(report::wholeResult("cylindricity", picture.inputs, toValues(result.parameters),
+                                                           nestedJson(describedValues(result)), result.notes))};
+    return document;
+}
+
+}  // namespace
+
+PanelFacts cylindricityPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "cylindricity";
+    facts.title = LT_TEXT("Engine", "Cylindricity");
+    facts.icon = "cylindricity";
+    facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
+    facts.kinds = {&io::scanFiles()};
+    facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };
+    facts.missing = missingOf(panelInputs().roles);
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
+        return reportOf(LastCylinder().find(state, *stores.of<ScanStore>(), progress), language);
+    };
+    return facts;
+}
+
+CylindricityPanel::CylindricityPanel(Session& session, QWidget* parent)
+    : Panel(session, cylindricityPanelFacts(), panelInputs(), parent),
+      views_(new CylindricityViews),
+      last_(std::make_shared<LastCylinder>())
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &CylindricityViews::notWritten, this, &CylindricityPanel::sayNotWritten);
+}
+
+CylindricityPanel::Compute CylindricityPanel::compute(const project::PanelState& state) const
+{
+    fromValues<form::CylindricityParameters>(state.parameters);  // refuses now what is out of range
+    return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
+        return last->find(state, *scans, progress);
+    };
+}
+
+void CylindricityPanel::showResult(const std::shared_ptr<const CylindricityPicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+report::Answer CylindricityPanel::answer(const CylindricityPicture& picture) const
+{
+    return form::answer(*picture.result, screenLanguage());
+}
+
+Notes CylindricityPanel::notes(const CylindricityPicture& picture) const
+{
+    return picture.notes;
+}
+
+report::Document CylindricityPanel::document(const CylindricityPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> CylindricityPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    return {{tr("Local radius and axis along the length (CSV)…"), tr("Table (*.csv)"), "csv",
+             [picture](const QString& path) {
+                 report::Plot plot = radiusAlongAxis(*picture->surface, picture->result->parameters);
+                 for (report::Curve& curve : centresAlongAxis(*picture->surface).curves)
+                     plot.curves.push_back(std::move(curve));
+                 io::writeFile(path.toStdString(), report::toCsv(plot));
+             }}};
+}
+
+void CylindricityPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::cylindricity_panel

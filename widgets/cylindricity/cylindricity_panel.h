@@ -1,0 +1,36 @@
+// The panel "Cylindricity": how far is this surface from a cylinder, where, and is its axis straight?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/cylindricity/cylindricity_picture.h"
+
+namespace lathelier::cylindricity_panel {
+
+class CylindricityViews;
+
+/// The panel's line of the panel table.
+PanelFacts cylindricityPanelFacts();
+
+class CylindricityPanel : public Panel<CylindricityPicture> {
+    Q_OBJECT
+
+public:
+    explicit CylindricityPanel(Session& session, QWidget* parent = nullptr);
+
+    CylindricityViews& views() const { return *views_; }
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const CylindricityPicture>& picture) override;
+    report::Answer answer(const CylindricityPicture& picture) const override;
+    Notes notes(const CylindricityPicture& picture) const override;
+    report::Document document(const CylindricityPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void retranslate() override;
+
+private:
+    CylindricityViews* views_;
+    std::shared_ptr<LastCylinder> last_;
+};
+
+}  // namespace lathelier::cylindricity_panel

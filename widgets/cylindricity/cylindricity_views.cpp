@@ -1,0 +1,178 @@
+#include "widgets/cylindricity/cylindricity_views.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "engine/form/cylinder/cylindricity_plots.h"
+#include "engine/form/cylinder/cylindricity_report.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::cylindricity_panel {
+namespace {
+
+/// How many times larger the part is drawn with its error: 1, 2 or 5 times a power of ten; the zone takes an eighth of
+/// the radius at most.
+double magnificationOf(const form::FittedCylinder& cylinder)
+{
+    const double most = 0.125 * cylinder.radius_mm * 1000 / std::max(cylinder.CYLt_um, 1e-6);
+    if (most < 1) return 1;
+    const double power = std::pow(10.0, std::floor(std::log10(most)));
+    for (const double factor : {5.0, 2.0})
+        if (factor * power <= most) return factor * power;
+    return power;
+}
+
+}  // namespace
+
+CylindricityViews::CylindricityViews(QWidget* parent)
+    : QWidget(parent),
+      remark_(new QLabel),
+      synthetic_(new QLabel),
+      scene_(new scene::SceneView),
+      map_(new plot::MapView),
+      radius_(new plot::ChartView),
+      axis_(new plot::ChartView),
+      numbers_(new CopyTable),
+      heroes_(new HeroViews)
+{
+    scene_->setObjectName("scene");
+    map_->setObjectName("map");
+    radius_->setObjectName("radius");
+    axis_->setObjectName("axis");
+    numbers_->setObjectName("numbers");
+    remark_->setObjectName("remark");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* row = new QHBoxLayout;
+    row->addWidget(remark_);
+    row->addStretch(1);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    row->addWidget(synthetic_);
+    layout->addLayout(row);
+    heroes_->add("part", scene_);
+    heroes_->add("map", map_);
+    heroes_->add("radius", radius_);
+    heroes_->add("axis", axis_);
+    heroes_->add("tables", numbers_);
+    layout->addWidget(heroes_, 1);
+
+    connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
+        const Eigen::Vector2d place =
+            placeAbout(*picture_->surface, picture_->scan().points_mm[static_cast<std::size_t>(point)]);
+        markPlace(place.x(), place.y());
+    });
+    connect(scene_, &scene::SceneView::surfacePicked, this, [this](int, const scene::PickedPlace& on) {
+        Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < 3; ++i)
+            point_mm += on.weights[static_cast<Eigen::Index>(i)] * picture_->scan().points_mm[on.corners[i]];
+        const Eigen::Vector2d place = placeAbout(*picture_->surface, point_mm);
+        markPlace(place.x(), place.y());
+    });
+    connect(map_, &plot::PlotCanvas::clicked, this, &CylindricityViews::markPlace);
+    for (plot::ChartView* chart : {radius_, axis_})
+        connect(chart, &plot::PlotCanvas::clicked, this,
+                [this](double z_mm, double) { markPlace(z_mm, place_ ? place_->y() : 90); });
+    connect(scene_, &scene::SceneView::limitEdited, this, [this](double limit_mm) { recolour(1000 * limit_mm); });
+    connect(map_, &plot::MapView::limitEdited, this, &CylindricityViews::recolour);
+    for (plot::PlotCanvas* canvas : {static_cast<plot::PlotCanvas*>(map_), static_cast<plot::PlotCanvas*>(radius_),
+                                     static_cast<plot::PlotCanvas*>(axis_)})
+        connect(canvas, &plot::PlotCanvas::notWritten, this, &CylindricityViews::notWritten);
+    connect(scene_, &scene::SceneView::notWritten, this, &CylindricityViews::notWritten);
+    retranslate();
+}
+
+void CylindricityViews::setPicture(const std::shared_ptr<const CylindricityPicture>& picture)
+{
+    const bool new_surface = !picture_ || picture_->surface != picture->surface;
+    picture_ = picture;
+    if (new_surface) {
+        place_.reset();
+        showPart();
+        recolour(colourLimit_um(*picture->surface));
+    }
+    showCharts();
+    showPlace();
+}
+
+void CylindricityViews::showPart()
+{
+    const form::CylinderSurface& surface = *picture_->surface;
+    const double factor = magnificationOf(surface.cylinder);
+    auto outward = std::make_shared<std::vector<float>>(surface.deviation_mm.size());
+    for (std::size_t i = 0; i < outward->size(); ++i)
+        (*outward)[i] = static_cast<float>(factor - 1) * surface.deviation_mm[i];
+    scene::SceneObject part;
+    part.name = tr("Points");
+    part.scan = ScanPtr(picture_->points, &picture_->scan());
+    part.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
+    part.values = std::shared_ptr<const std::vector<float>>(picture_->surface, &surface.deviation_mm);
+    part.outward_mm = std::move(outward);
+    scene_->setLongAxis(scene::SceneAxis{surface.cylinder.axis_point_mm, surface.cylinder.axis_direction});
+    scene_->setObjects({part});
+    remark_->setText(tr("Error drawn × %1").arg(screenNumber(factor, 0)));
+}
+
+void CylindricityViews::showCharts()
+{
+    const form::CylinderSurface& surface = *picture_->surface;
+    map_->setData(unrolledCylinder(surface));
+    radius_->setData(radiusAlongAxis(surface, picture_->result->parameters));
+    axis_->setData(centresAlongAxis(surface));
+    numbers_->setQuantities(cylindricityReport(*picture_->result, nullptr, picture_->inputs, screenLanguage()));
+    synthetic_->setVisible(picture_->synthetic);
+}
+
+void CylindricityViews::recolour(double limit_um)
+{
+    map_->setColours({limit_um, {}});
+    scene_->setColours({limit_um / 1000, {}});
+}
+
+void CylindricityViews::markPlace(double z_mm, double angle_deg)
+{
+    if (!picture_) return;
+    place_ = QPointF(z_mm, std::clamp(angle_deg, 0.0, 359.999));
+    showPlace();
+}
+
+void CylindricityViews::showPlace()
+{
+    if (!place_) {
+        scene_->setMarker({});
+        map_->setMarker({});
+        for (plot::ChartView* chart : {radius_, axis_}) chart->setMarker({});
+        return;
+    }
+    const double z_mm = place_->x(), angle_deg = place_->y();
+    const double deviation_um = unrolledCylinder(*picture_->surface).at(z_mm, angle_deg);
+    QStringList lines;
+    if (std::isfinite(deviation_um))
+        lines << tr("deviation %1").arg((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm");
+    lines << tr("along the axis %1 mm, angle %2°").arg(screenNumber(z_mm, 2), screenNumber(angle_deg, 1));
+    scene_->setMarker(placeOnCylinder(*picture_->surface, z_mm, angle_deg), lines.join('\n'));
+    map_->setMarker(place_);
+    for (plot::ChartView* chart : {radius_, axis_}) chart->setMarker(z_mm);
+}
+
+void CylindricityViews::retranslate()
+{
+    heroes_->setTitle("part", tr("Part"));
+    heroes_->setTitle("map", tr("Map"));
+    heroes_->setTitle("radius", tr("Local radius"));
+    heroes_->setTitle("axis", tr("Axis"));
+    heroes_->setTitle("tables", tr("Numbers"));
+    numbers_->setAccessibleName(tr("Numbers"));
+    synthetic_->setText(tr("Synthetic data"));
+    synthetic_->setToolTip(tr("These points were computed, not measured."));
+    scene_->setScaleTitle(tr("Deviation (mm)"));
+    if (!picture_) return;
+    showPart();
+    showCharts();
+    showPlace();
+}
+
+}  // namespace lathelier::cylindricity_panel

@@ -2620,10 +2620,6 @@
         <translation>Czułość</translation>
     </message>
     <message>
-        <source>Of displacement channels recorded in volts; others need none.</source>
-        <translation>Kanałów przemieszczeń zapisanych w woltach; inne jej nie potrzebują.</translation>
-    </message>
-    <message>
         <source>µm/V</source>
         <translation>µm/V</translation>
     </message>
@@ -4015,6 +4011,102 @@
         <source>Share</source>
         <translation>Udział</translation>
     </message>
+    <message>
+        <source>Date, signature</source>
+        <translation>Data, podpis</translation>
+    </message>
+    <message>
+        <source>Company</source>
+        <translation>Firma</translation>
+    </message>
+    <message>
+        <source>That measured.</source>
+        <translation>Która mierzyła.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Część</translation>
+    </message>
+    <message>
+        <source>What it is called.</source>
+        <translation>Jak się nazywa.</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Rysunek</translation>
+    </message>
+    <message>
+        <source>Number and revision of the drawing.</source>
+        <translation>Numer i wydanie rysunku.</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numer seryjny</translation>
+    </message>
+    <message>
+        <source>Of this part, or of its batch.</source>
+        <translation>Tej części albo jej partii.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Zlecenie</translation>
+    </message>
+    <message>
+        <source>Number of the order.</source>
+        <translation>Numer zlecenia.</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Klient</translation>
+    </message>
+    <message>
+        <source>For whom it is.</source>
+        <translation>Dla kogo jest.</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Przyrząd</translation>
+    </message>
+    <message>
+        <source>What measured, with its number.</source>
+        <translation>Czym mierzono, z numerem.</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Wzorcowano</translation>
+    </message>
+    <message>
+        <source>Date of the instrument&apos;s calibration, as its certificate states it.</source>
+        <translation>Data wzorcowania przyrządu, jak podaje świadectwo.</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Kontroler</translation>
+    </message>
+    <message>
+        <source>Who measured and evaluated.</source>
+        <translation>Kto mierzył i oceniał.</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Whatever else belongs on the first page.</source>
+        <translation>Co jeszcze należy na pierwszą stronę.</translation>
+    </message>
+    <message>
+        <source>{path}: the sensitivity of the probes is not given; assumed {sensitivity_um_per_V} µm/V. Every length in the result follows from it.</source>
+        <translation>{path}: nie podano czułości czujników; przyjęto {sensitivity_um_per_V} µm/V. Zależy od niej każda długość w wyniku.</translation>
+    </message>
+    <message>
+        <source>Of displacement channels recorded in volts; others need none. Not given: 50 is assumed.</source>
+        <translation>Kanałów przemieszczeń zapisanych w woltach; inne jej nie wymagają. Gdy nie podano, przyjmuje się 50.</translation>
+    </message>
+    <message>
+        <source>The project has no “{item}” of the kind {kind}: keep it again, or choose a file.</source>
+        <translation>Projekt nie ma „{item}” rodzaju {kind}: zachowaj to ponownie albo wybierz plik.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -4194,6 +4286,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Use what another panel made as “%1”</source>
         <translation>Użyj wyniku innego panelu jako „%1”</translation>
+    </message>
+    <message>
+        <source>%1 (required)</source>
+        <translation>%1 (wymagane)</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4507,34 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Writing the report…</source>
         <translation>Zapisywanie raportu…</translation>
+    </message>
+    <message>
+        <source>&amp;Title block of the reports…</source>
+        <translation>&amp;Tabliczka raportów…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwórz</translation>
+    </message>
+    <message>
+        <source>Opens the report that was saved last</source>
+        <translation>Otwiera ostatnio zapisany raport</translation>
+    </message>
+    <message>
+        <source>Change the title block</source>
+        <translation>Zmiana tabliczki</translation>
+    </message>
+    <message>
+        <source>Save as &amp;recipe…</source>
+        <translation>Zapisz jako &amp;recepturę…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part…</source>
+        <translation>&amp;Następna część…</translation>
+    </message>
+    <message>
+        <source>Use “%1”</source>
+        <translation>Użycie „%1”</translation>
     </message>
 </context>
 <context>
@@ -4662,6 +4786,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Kept on %1, with %2.</source>
         <translation>Zachowano %1, z plikami: %2.</translation>
     </message>
+    <message>
+        <source>Save as recipe</source>
+        <translation>Zapis receptury</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::RowsEdit</name>
@@ -4719,6 +4847,17 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Theme</source>
         <translation>Motyw</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::TitleBlockDialog</name>
+    <message>
+        <source>Title block</source>
+        <translation>Tabliczka</translation>
+    </message>
+    <message>
+        <source>What is filled in stands on the first page of every report of this project.</source>
+        <translation>Co tu wypełniono, stoi na pierwszej stronie każdego raportu tego projektu.</translation>
     </message>
 </context>
 <context>
@@ -4800,6 +4939,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Reference and copy change places</source>
         <translation>Oryginał i kopia zamieniają się miejscami</translation>
+    </message>
+    <message>
+        <source>%1, z %2 mm</source>
+        <translation>%1, z %2 mm</translation>
     </message>
 </context>
 <context>
@@ -4900,6 +5043,30 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>How many times larger part and meridian draw the deviation</source>
         <translation>Ile razy większą odchyłkę rysują część i zarys osiowy</translation>
     </message>
+    <message>
+        <source>Roundness here</source>
+        <translation>Okrągłość tutaj</translation>
+    </message>
+    <message>
+        <source>Cuts the marked section out of the copy and opens it in the panel Roundness</source>
+        <translation>Wycina zaznaczony przekrój z kopii i otwiera go w panelu Okrągłość</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Kształt</translation>
+    </message>
+    <message>
+        <source>Colours of the error: red too large, blue too small</source>
+        <translation>Barwy błędu: czerwona za dużo, niebieska za mało</translation>
+    </message>
+    <message>
+        <source>Pass/fail</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Green within the tolerance, red above it, blue below it</source>
+        <translation>Zielona w tolerancji, czerwona powyżej, niebieska poniżej</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::StatisticsTable</name>
@@ -4932,6 +5099,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1, z %2 mm</source>
+        <translation>%1, z %2 mm</translation>
     </message>
 </context>
 <context>
@@ -4983,6 +5154,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Deviation (mm)</source>
         <translation>Odchyłka (mm)</translation>
+    </message>
+    <message>
+        <source>Roundness of this section</source>
+        <translation>Okrągłość tego przekroju</translation>
+    </message>
+    <message>
+        <source>Cuts the marked section out of the points and opens it in the panel Roundness</source>
+        <translation>Wycina zaznaczony przekrój z punktów i otwiera go w panelu Okrągłość</translation>
     </message>
 </context>
 <context>

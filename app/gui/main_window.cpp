@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUrl>
 #include <algorithm>
 
@@ -43,6 +44,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       log_(new MessageLog),
       logDock_(new QDockWidget(this)),
       status_(new QLabel),
+      openSaved_(new QToolButton),
       ordinaryFont_(QApplication::font())
 {
     setAcceptDrops(true);
@@ -53,6 +55,8 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     status_->setTextFormat(Qt::PlainText);
     status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(status_, 1);
+    openSaved_->setObjectName("openSaved");
+    statusBar()->addWidget(openSaved_);
     makeDocks(panels);
     makeActions();
     makeMenus();
@@ -61,7 +65,10 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
     connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
-    connect(&session_, &Session::changed, status_, &QLabel::clear);  // what it said was of the state before
+    connect(&session_, &Session::changed, this, [this] {  // what it said was of the state before
+        status_->clear();
+        openSaved_->hide();
+    });
     connect(&session_, &Session::workspaceChanged, this, [this] { enterWorkspace(session_.project().workspace); });
     connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
@@ -107,8 +114,31 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
         files_.openSample();
         enterWorkspace(here);  // where it was asked for, whatever workspace the sample was saved in
     });
+    connect(panel, &PanelBase::itemOffered, this, &MainWindow::useItem);
     connect(panel, &PanelBase::reportWanted, this,
             [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
+}
+
+/// Keeps the item in the project, gives it to the first panel that takes its kind, and shows that panel: one undo step.
+void MainWindow::useItem(const std::string& name, const project::Item& item, bool synthetic)
+{
+    const auto taker = std::find_if(docks_.begin(), docks_.end(), [&](const PanelDock* dock) {
+        return dock->facts().item_inputs.count(item.kind) > 0;
+    });
+    session_.edit(tr("Use “%1”").arg(QString::fromStdString(name)), [&](project::Project& project) {
+        project.items[name] = item;
+        if (taker == docks_.end()) return;
+        const PanelFacts& facts = (*taker)->facts();
+        project::Source source;
+        source.item = name;
+        source.synthetic = synthetic;
+        project.panels[facts.stateKey()].inputs[facts.item_inputs.at(item.kind)] = source;
+    });
+    if (taker == docks_.end()) return;
+    const std::string& workspace = (*taker)->facts().workspaces.front().id;
+    lastActive_[workspace] = *taker;
+    enterWorkspace(workspace);
+    showDock(*taker);
 }
 
 void MainWindow::enterWorkspace(const std::string& id)
@@ -182,6 +212,7 @@ void MainWindow::askForFiles()
 void MainWindow::announce(const Message& message)
 {
     log_->add(message);
+    openSaved_->hide();
     status_->setText(shortText(message));
     status_->setToolTip(screenText(message));
     // What concerns no panel has no message line to appear in.

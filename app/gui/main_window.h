@@ -16,6 +16,7 @@
 #include "widgets/core/panel/message_log.h"
 
 class QLabel;
+class QToolButton;
 
 namespace lathelier {
 
@@ -67,7 +68,9 @@ private:
     void fillRecent();
     void askForFiles();
     void goWhereItBelongs(const FoundFile& file);
+    void useItem(const std::string& name, const project::Item& item, bool synthetic);
     void askForSettings();
+    void askForTitleBlock();
     void showPalette();
     void showHelp();
     void writeReport(const std::vector<PanelDock*>& docks, const QString& suffix);
@@ -89,6 +92,7 @@ private:
     std::map<QString, QMenu*> menus_;
     QToolBar* bar_ = nullptr;
     QLabel* status_ = nullptr;
+    QToolButton* openSaved_ = nullptr;  ///< beside a message that a report was saved
     HelpWindow* help_ = nullptr;
     bool presenting_ = false;
     bool wasFullScreen_ = false;

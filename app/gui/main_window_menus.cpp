@@ -41,6 +41,19 @@ void MainWindow::makeActions()
     makeAction("sample", "sample", {}, [this] { files_.openSample(); });
     makeAction("save", "save", {QKeySequence::Save}, [this] { files_.save(); });
     makeAction("saveAs", "", {QKeySequence("Ctrl+Shift+S")}, [this] { files_.saveAs(); });
+    makeAction("saveRecipe", "", {}, [this] {
+        project::PartInputs parts;
+        for (const PanelDock* dock : docks_) {
+            std::vector<std::string>& roles = parts[dock->facts().stateKey()];
+            const std::vector<std::string>& own = dock->facts().part_inputs;
+            roles.insert(roles.end(), own.begin(), own.end());
+        }
+        files_.saveRecipe(parts);
+    });
+    makeAction("nextPart", "open", {QKeySequence("Ctrl+Shift+O")}, [this] {
+        if (activeDock()) activeDock()->panel().askForFiles();
+    });
+    makeAction("titleBlock", "", {}, [this] { askForTitleBlock(); });
     makeAction("reportHtml", "report", {}, [this] { writeProjectReport("html"); });
     makeAction("reportPdf", "report", {QKeySequence("Ctrl+P")}, [this] { writeProjectReport("pdf"); });
     makeAction("quit", "", {QKeySequence("Ctrl+Q")}, [this] { close(); });
@@ -95,7 +108,8 @@ void MainWindow::makeMenus()
                 menus_[entry] = menu->addMenu(QString());
         }
     };
-    add("file", {"new", "open", "recent", "sample", "", "save", "saveAs", "", "reportHtml", "reportPdf", "", "quit"});
+    add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "titleBlock",
+                 "reportHtml", "reportPdf", "", "quit"});
     add("edit", {"undo", "redo", "", "settings"});
     add("view", {"workspaces", ""});
     for (PanelDock* dock : docks_) menus_["view"]->addAction(&dock->showAction());
@@ -176,6 +190,9 @@ void MainWindow::retranslate()
     word("sample", tr("Open the sa&mple"));
     word("save", tr("&Save"));
     word("saveAs", tr("Save &as…"));
+    word("saveRecipe", tr("Save as &recipe…"));
+    word("nextPart", tr("Ne&xt part…"));
+    word("titleBlock", tr("&Title block of the reports…"));
     word("reportHtml", tr("Project report as &HTML…"));
     word("reportPdf", tr("Project report as &PDF…"));
     word("quit", tr("&Quit"));
@@ -203,6 +220,9 @@ void MainWindow::retranslate()
     bar_->setWindowTitle(tr("Workspaces"));
     logDock_->setWindowTitle(tr("Messages"));
     status_->clear();
+    openSaved_->setText(tr("Open"));
+    openSaved_->setToolTip(tr("Opens the report that was saved last"));
+    openSaved_->hide();
     updateTitle();
 }
 

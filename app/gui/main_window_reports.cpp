@@ -1,11 +1,17 @@
 // Report files out of the window: of one panel, or of all panels in the project's report.
 #include <QCoreApplication>
+#include <QDate>
+#include <QDesktopServices>
+#include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
+#include <QToolButton>
+#include <QUrl>
 
 #include "app/gui/main_window.h"
+#include "app/gui/title_block_dialog.h"
 #include "app/gui/waiting.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/report/report_files.h"
@@ -60,22 +66,43 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
         announce({Phrase{LT_TEXT("Engine", "There is no result to report yet."), {}}, {}});
         return;
     }
-    QFileDialog dialog(this, tr("Write the report"), QFileInfo(session_.path()).completeBaseName() + "." + suffix,
+    const report::TitleBlock block = titleBlockOf(session_.project());
+    const QString projectName = QFileInfo(session_.path()).completeBaseName();
+    std::string otherwise = projectName.toStdString();
+    if (otherwise.empty() && docks.size() == 1) otherwise = docks.front()->facts().id;
+    const std::string name = reportFileName(block, otherwise, QDate::currentDate().toString(Qt::ISODate).toStdString());
+    QFileDialog dialog(this, tr("Write the report"),
+                       QFileInfo(session_.path()).dir().filePath(QString::fromStdString(name) + "." + suffix),
                        suffix == "pdf" ? tr("PDF (*.pdf)") : tr("HTML (*.html)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
-    const QString title = session_.path().isEmpty() ? tr("Report") : QFileInfo(session_.path()).completeBaseName();
-    const Worker::Outcome outcome = waitFor(
-        this, tr("Writing the report…"),
-        [path, document = joined(parts, title.toStdString())](const Progress& progress) -> std::shared_ptr<const void> {
-            lathelier::writeReport(path, document, progress);
-            return nullptr;
-        });
+    report::Document document = joined(parts, (projectName.isEmpty() ? tr("Report") : projectName).toStdString());
+    document.title_block = rowsOf(block);
+    const Worker::Outcome outcome =
+        waitFor(this, tr("Writing the report…"),
+                [path, document = std::move(document)](const Progress& progress) -> std::shared_ptr<const void> {
+                    lathelier::writeReport(path, document, progress);
+                    return nullptr;
+                });
     if (const auto* error = std::get_if<Error>(&outcome)) announce({*error, {}});
-    if (std::holds_alternative<std::shared_ptr<const void>>(outcome))
-        announce({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
+    if (!std::holds_alternative<std::shared_ptr<const void>>(outcome)) return;
+    announce({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
+    openSaved_->disconnect();
+    connect(openSaved_, &QToolButton::clicked, this,
+            [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath())); });
+    openSaved_->show();
+}
+
+void MainWindow::askForTitleBlock()
+{
+    TitleBlockDialog dialog(titleBlockOf(session_.project()), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const report::TitleBlock block = dialog.block();
+    TitleBlockDialog::keep(block);
+    session_.edit(tr("Change the title block"),
+                  [&](project::Project& project) { project.title_block = toValues(block); });
 }
 
 }  // namespace lathelier

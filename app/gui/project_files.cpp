@@ -1,5 +1,6 @@
 #include "app/gui/project_files.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -94,6 +95,26 @@ bool ProjectFiles::saveAs()
     return dialog.exec() == QDialog::Accepted && write(dialog.selectedFiles().value(0));
 }
 
+void ProjectFiles::saveRecipe(const project::PartInputs& part_inputs)
+{
+    takeOverTyping(window_);
+    QFileDialog dialog(window_, tr("Save as recipe"), QFileInfo(session_.path()).dir().path(), filter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().value(0);
+    session_.collectViews();
+    try {
+        session_.saveRecipe(path, part_inputs);
+    } catch (const Error& error) {
+        emit messageRaised({error, {}});
+        return;
+    }
+    addRecentFile(path);
+    emit recentChanged();
+    emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, {}});
+}
+
 bool ProjectFiles::write(const QString& path)
 {
     if (QFileInfo(path) == QFileInfo(session_.path()) && session_.isOvertaken()) {
@@ -161,6 +182,7 @@ void ProjectFiles::offerLostWork()
 void ProjectFiles::keepAside()
 {
     if (!recovery_) return;
+    session_.collectViews();
     try {
         recovery_->keep(session_);
     } catch (const Error& error) {

@@ -22,7 +22,8 @@ public:
     void open(const QString& path);  ///< asks about unsaved work first
     bool save();                     ///< asks for a name when there is none; false: not saved
     bool saveAs();
-    void openSample();  ///< makes it when it is not there yet
+    void saveRecipe(const project::PartInputs& part_inputs);  ///< asks for a name
+    void openSample();                                        ///< makes it when it is not there yet
 
     /// True when nothing is lost by going on: saved, or the user said so.
     bool mayLeave();

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "engine/core/failure.h"
+#include "engine/report/title_block.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report/report_files.h"
@@ -79,7 +80,9 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
             say(screenText(LT_TEXT("Engine", "The project has nothing to report.")));
             return code == 0 ? exitCode(ErrorKind::NoAnswer) : code;
         }
-        writeReport(file, joined(parts, QFileInfo(project).completeBaseName().toStdString()));
+        report::Document document = joined(parts, QFileInfo(project).completeBaseName().toStdString());
+        document.title_block = rowsOf(fromValues<report::TitleBlock>(opened.title_block));
+        writeReport(file, std::move(document));
     } catch (const std::exception& failure) {
         code = 0;  // that nothing was written matters more than what is missing in it
         refuse(toError(failure));

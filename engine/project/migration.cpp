@@ -7,7 +7,8 @@ namespace lathelier::project {
 const std::vector<MigrationStep>& migrationSteps()
 {
     static const std::vector<MigrationStep> steps{[](Json& json) { json["items"] = Json::object(); },
-                                                  [](Json& json) { json["views"] = Json::object(); }};
+                                                  [](Json& json) { json["views"] = Json::object(); },
+                                                  [](Json& json) { json["title_block"] = Json::object(); }};
     return steps;
 }
 

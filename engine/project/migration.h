@@ -8,13 +8,13 @@
 namespace lathelier::project {
 
 /// The format version this program writes. Raise it, and add a step, whenever an older program would misread the file.
-inline constexpr int projectVersion = 3;
+inline constexpr int projectVersion = 4;
 
 /// Turns one format version into the next.
 using MigrationStep = void (*)(Json&);
 
 /// The steps of this program: the first turns version 1 into 2, and so on. Version 1 is the first one; 2 has items, and
-/// inputs that are items.
+/// inputs that are items; 3 what panels show; 4 a title block.
 const std::vector<MigrationStep>& migrationSteps();
 
 /// Applies the steps from version `from` on and sets "version" to where they lead.

@@ -52,6 +52,8 @@ struct Project {
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
     std::map<std::string, Item> items;         ///< by name
+    Values title_block;                        ///< of its reports, by key (report::TitleBlock)
+    bool recipe = false;                       ///< opened, it begins a new project (recipe.h)
     std::map<std::string, Values> views;       ///< by panel id: what is looked at, and how; computes nothing
     friend bool operator==(const Project&, const Project&) = default;
 };

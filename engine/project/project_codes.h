@@ -18,6 +18,10 @@ inline constexpr ErrorCode sourceReplaced{
             "The file is no longer the one that was read: SHA-256 was {read}…, is {now}…. Compute again "
             "(F5) to take the new file.")};
 
+inline constexpr ErrorCode itemNotThere{
+    "item_not_there", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The project has no “{item}” of the kind {kind}: keep it again, or choose a file.")};
+
 }  // namespace errors
 
 namespace notes {

@@ -127,10 +127,15 @@ Project parseBody(const io::JsonCursor& cursor, const fs::path& folder)
             member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& view) {
                 project.views[id] = view.values();
             });
+        else if (key == "recipe")
+            project.recipe = member.flag();
+        else if (key == "title_block")
+            project.title_block = member.values();
         else if (key == "report")
             member.items(mostPanels, [&](const io::JsonCursor& id) { project.report.push_back(id.string()); });
         else if (key != "format" && key != "version")
-            member.reject(oneOf("format | version | title | workspace | panels | items | views | report"));
+            member.reject(
+                oneOf("format | version | title | workspace | panels | items | views | title_block | recipe | report"));
     });
     return project;
 }
@@ -205,6 +210,8 @@ std::string toJsonText(const Project& project, const fs::path& folder)
     for (const auto& [name, item] : project.items) json["items"][name] = toJson(item);
     json["views"] = Json::object();
     for (const auto& [id, view] : project.views) json["views"][id] = toJson(view);
+    json["title_block"] = toJson(project.title_block);
+    if (project.recipe) json["recipe"] = true;
     json["report"] = project.report;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

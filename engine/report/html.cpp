@@ -145,6 +145,18 @@ public:
                "</th><th>SHA-256</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n</section>\n";
     }
 
+    /// Names and values, and a place to sign.
+    std::string titleBlock(const std::vector<Quantity>& rows) const
+    {
+        if (rows.empty()) return {};
+        std::string result;
+        for (const Quantity& row : rows)
+            result += "<div><dt>" + caption(row.name) + "</dt><dd>" + cell(row.value, row.decimals) + "</dd></div>\n";
+        result += "<div class=\"signature\"><dt>" + phrase(LT_TEXT("Engine", "Date, signature")) +
+                  "</dt><dd>&nbsp;</dd></div>\n";
+        return "<dl class=\"title-block\">\n" + result + "</dl>\n";
+    }
+
     std::string phrase(Text words) const { return escaped(text(words, language_)); }
     std::string caption(const Caption& words) const { return escaped(captionText(words, language_)); }
 
@@ -190,7 +202,7 @@ std::string toHtml(const Document& document, const Language& language)
     if (!document.created.empty())
         result += "<br><time datetime=\"" + escaped(document.created) + "\">" + escaped(readable(document.created)) +
                   "</time>";
-    result += "</p></header>\n";
+    result += "</p></header>\n" + writer.titleBlock(document.title_block);
     for (const Section& section : document.sections) result += writer.section(section);
     return result + writer.inputs(document.inputs) + "</body>\n</html>\n";
 }

@@ -19,6 +19,10 @@ p { margin: 8px 0; }
 .origin { text-align: right; margin: 0; color: #52606d; white-space: nowrap; }
 .synthetic { display: inline-block; margin: 8px 0 0; padding: 2px 10px; border: 1px solid #b7791f; border-radius: 3px;
   background: #fff8e6; color: #7b4a00; font-size: 14px; }
+.title-block { display: grid; grid-template-columns: 1fr 1fr; margin: 0 0 18px; border: 1px solid #cbd2d9; font-size: 14px; }
+.title-block div { display: flex; gap: 10px; padding: 3px 10px; border-bottom: 1px solid #e4e7eb; }
+.title-block dt { flex: 0 0 9em; color: #52606d; } .title-block dd { margin: 0; font-weight: 600; overflow-wrap: anywhere; }
+.title-block .signature { min-height: 2.6em; }
 .answer { margin: 0 0 18px; padding: 14px 18px; background: #f0f4f8; border-left: 6px solid #829ab1; break-inside: avoid; }
 .answer .head { font-size: 21px; line-height: 1.35; font-weight: 600; margin: 0; }
 .answer .limit { font-size: 15px; font-weight: 400; color: #52606d; margin-left: 8px; }
@@ -60,7 +64,7 @@ figcaption { color: #52606d; font-size: 13px; margin-top: 4px; }
   h1 { font-size: 17pt; } h2 { font-size: 12.5pt; break-after: avoid; } h3 { break-after: avoid; }
   .answer .head { font-size: 13.5pt; } table { font-size: 9pt; } .digest { font-size: 7.5pt; }
   .grid { grid-template-columns: 1fr 1fr; gap: 6px 24px; }
-  figure, .notes, .quantities, tr { break-inside: avoid; }
+  figure, .notes, .quantities, .title-block, tr { break-inside: avoid; }
 }
 )css";
 

@@ -175,6 +175,7 @@ ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters
                                               {"found", static_cast<std::int64_t>(map.reference)},
                                               {"reason", LT_TEXT("Engine", "it holds no angles")},
                                               {"channels", static_cast<std::int64_t>(record.channels.size())}});
+    bool in_volts = false;
     for (std::size_t probe = 0; probe < map.probes.size(); ++probe) {
         const Entry& entry = entries[probe];
         ProbePlace& place = map.probes[probe];
@@ -183,10 +184,14 @@ ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters
             if (place.channel == (other == probe ? map.reference : map.probes[other].channel))
                 reject(std::string(signalNames[probe]) + "=" + entry.channel, entry.column,
                        LT_TEXT("Engine", "each channel once"));
-        place.um_per_value = toMicrometres(record, place.channel, signalNames[probe], parameters.sensitivity_um_per_V) *
+        in_volts = in_volts || record.channels[place.channel].unit == io::ProbeChannel::Unit::Volt;
+        place.um_per_value = toMicrometres(record, place.channel, signalNames[probe],
+                                           parameters.sensitivity_um_per_V.value_or(assumedSensitivity_um_per_V)) *
                              (entry.turned ? -1 : 1);
         noteStandstill(record.channels[place.channel], signalNames[probe], notes);
     }
+    if (in_volts && !parameters.sensitivity_um_per_V)
+        notes.push_back({notes::sensitivityAssumed, {{"sensitivity_um_per_V", assumedSensitivity_um_per_V}}});
     return map;
 }
 

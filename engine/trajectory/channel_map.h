@@ -20,13 +20,16 @@ struct ChannelMap {
     std::array<ProbePlace, 4> probes{};  ///< in the order of Probe
 };
 
+/// What a probe in volts is taken for when nobody says.
+inline constexpr double assumedSensitivity_um_per_V = 50;
+
 /// Reads `parameters.channels`: entries "X3=1" for marker or angle, X3, Y3, Xp, Yp; a channel by its place (from 0) or
 /// its name; "-X3=1" turns the sign. With the default map a record whose headings name all of them is mapped by name,
 /// and a channel in degrees in the marker's place is an encoder's angle.
-/// Values in volts are multiplied by the sensitivity, those in µm and mm only brought to µm; without any unit they are
-/// refused. Signals that stand still or are cut off at the ends of their range are noted.
-/// Errors: valueNotUnderstood (`parameter` channels, `column` in it), channelsUnknown (`signal`, `found`, `reason`),
-/// channelUnitMissing.
+/// Values in volts are multiplied by the sensitivity (not given: assumedSensitivity_um_per_V, with the note
+/// sensitivityAssumed), those in µm and mm only brought to µm; without any unit they are refused. Signals that stand
+/// still or are cut off at the ends of their range are noted. Errors: valueNotUnderstood (`parameter` channels,
+/// `column` in it), channelsUnknown (`signal`, `found`, `reason`), channelUnitMissing.
 ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
 
 /// "X3", "Y3", "Xp", "Yp".

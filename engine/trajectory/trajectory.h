@@ -29,10 +29,10 @@ struct TrajectoryParameters {
     std::optional<double> channel_skew_s;                   ///< default: the record's own, else 0
     std::string channels = "marker=0,X3=1,Y3=2,Xp=3,Yp=4";  ///< places among the record's channels; "angle=0" too;
                                                             ///< "-X3=1" turns a sign
-    double sensitivity_um_per_V = 50;                       ///< of displacement channels in volts
-    std::optional<double> marker_threshold_V;               ///< default: half way between its levels
-    Rotation rotation = Rotation::Same;                     ///< sense of the body angle against the recorded one
-    std::string z_mm;                                       ///< "5,10,15": one for each record
+    std::optional<double> sensitivity_um_per_V;  ///< of displacement channels in volts; none: assumed, with a note
+    std::optional<double> marker_threshold_V;    ///< default: half way between its levels
+    Rotation rotation = Rotation::Same;          ///< sense of the body angle against the recorded one
+    std::string z_mm;                            ///< "5,10,15": one for each record
     std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece. Default: as the
                                         ///< record itself says when it states both feed_mm_rev and sections
     int sections = 20;

@@ -72,6 +72,12 @@ inline constexpr NoteCode displacementsLarge{"displacements_large", Severity::Wa
                                                      "{path}: {signal} reaches {largest_um} µm, more than a probe "
                                                      "measures; check the sensitivity and the channels.")};
 
+inline constexpr NoteCode sensitivityAssumed{
+    "sensitivity_assumed", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: the sensitivity of the probes is not given; assumed {sensitivity_um_per_V} µm/V. Every length in "
+            "the result follows from it.")};
+
 inline constexpr NoteCode skewUnknown{
     "skew_unknown", Severity::Warning,
     LT_TEXT("Engine", "{path}: the delay from channel to channel is not known; taken as none.")};

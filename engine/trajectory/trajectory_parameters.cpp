@@ -50,7 +50,9 @@ const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParamet
                         true}),
             field("sensitivity_um_per_V", &P::sensitivity_um_per_V, Range{1e-6, 1e6},
                   Label{LT_TEXT("Engine", "Sensitivity"),
-                        LT_TEXT("Engine", "Of displacement channels recorded in volts; others need none."),
+                        LT_TEXT(
+                            "Engine",
+                            "Of displacement channels recorded in volts; others need none. Not given: 50 is assumed."),
                         LT_TEXT("Engine", "µm/V"), true}),
             field("marker_threshold_V", &P::marker_threshold_V, Range{-1000, 1000},
                   Label{LT_TEXT("Engine", "Marker threshold"),

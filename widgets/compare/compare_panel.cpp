@@ -1,9 +1,12 @@
 #include "widgets/compare/compare_panel.h"
 
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/profile_item.h"
+#include "engine/form/roundness/section_of_points.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -50,6 +53,7 @@ PanelFacts comparePanelFacts()
     facts.icon = "compare";
     facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
     facts.kinds = {&io::scanFiles()};
+    facts.part_inputs = {"copy"};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     facts.missing = missingOf(panelInputs().roles);
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
@@ -76,7 +80,29 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
             QString("compare/tolerance/drag%1").arg(drags_));
         drags_ += dropped;
     });
+    connect(views_, &CompareViews::sectionWanted, this, &ComparePanel::offerSection);
     connect(views_, &CompareViews::notWritten, this, &ComparePanel::sayNotWritten);
+}
+
+/// A slice of the copy two bins of the meridian thick, a millimetre at least.
+void ComparePanel::offerSection(double z_mm)
+{
+    const ComparePicture& picture = *result();
+    const registration::CompareResult& compared = *picture.result;
+    const std::vector<double>& bins_mm = compared.meridian->z_mm;
+    const double step_mm = bins_mm.size() > 1 ? bins_mm[1] - bins_mm[0] : 0;
+    try {
+        Profile profile = form::sectionOfPoints(picture.copyScan().points_mm,
+                                                *compared.axis_T_reference * compared.alignment.reference_T_copy,
+                                                {z_mm, std::max(1.0, 2 * step_mm)});
+        profile.name =
+            tr("%1, z %2 mm")
+                .arg(screenFileName(QString::fromStdString(picture.inputs.back().path)), screenNumber(z_mm, 2))
+                .toStdString();
+        offerItem(profile.name, profileItem, toValues(profile), picture.synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
 }
 
 void ComparePanel::addSwapButton()
@@ -142,6 +168,16 @@ std::vector<PanelExport> ComparePanel::exports() const
     };
     return {{tr("Deviations of all points (PLY)…"), tr("Point cloud (*.ply)"), "ply", write},
             {tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", write}};
+}
+
+Values ComparePanel::view() const
+{
+    return views_->view();
+}
+
+void ComparePanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
 }
 
 void ComparePanel::retranslate()

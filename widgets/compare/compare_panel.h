@@ -32,10 +32,13 @@ protected:
     Notes notes(const ComparePicture& picture) const override;
     report::Document document(const ComparePicture& picture) const override;
     std::vector<PanelExport> exports() const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
     void retranslate() override;
 
 private:
     void addSwapButton();
+    void offerSection(double z_mm);
 
     CompareViews* views_;
     QToolButton* swap_ = nullptr;

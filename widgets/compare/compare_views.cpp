@@ -127,7 +127,7 @@ const std::optional<ComparePlace>& CompareViews::place() const
 double CompareViews::limit_mm() const
 {
     if (parts_->chosenLimit) return *parts_->chosenLimit;
-    return parts_->picture ? colourLimit_mm(parts_->result()) : 1;
+    return parts_->picture ? colourLimit_mm(parts_->result(), parts_->greenWithin().has_value()) : 1;
 }
 
 void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& picture)
@@ -136,16 +136,17 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
     const bool sameScans = p.picture && p.picture->reference == picture->reference && p.picture->copy == picture->copy;
     const bool sameValues = sameScans && p.picture->local_mean_mm == picture->local_mean_mm;
     p.picture = picture;
-    if (!sameScans) {
+    if (!sameScans && !p.restored) {
         p.chosenLimit.reset();
         p.chosenFactor.reset();
-        p.place.reset();
     }
+    if (!sameScans) p.place.reset();
+    p.restored = false;
     p.synthetic->setVisible(picture->synthetic);
     arrange();
     showCharts();
     if (sameValues)
-        recolour(p.tolerance());  // only the verdict is new: nothing has to be uploaded
+        recolour(p.greenWithin());  // only the verdict is new: nothing has to be uploaded
     else
         showSurface();
     if (p.place && p.place->point)
@@ -154,6 +155,43 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
         setPlace(placeOnMesh(*picture, *p.place->surface));
     else
         setPlace(p.place);
+}
+
+Values CompareViews::view() const
+{
+    const Parts& p = *parts_;
+    Values kept{{"colours", std::string(p.passFail->isChecked() ? "pass_fail" : "form")},
+                {"surface", std::string(p.overlay->isChecked() ? "overlay" : "deviation")},
+                {"local_mean", p.smooth->isChecked()},
+                {"scale_limit_mm", p.chosenLimit ? Value(*p.chosenLimit) : Value()},
+                {"magnification", p.chosenFactor ? Value(*p.chosenFactor) : Value()}};
+    if (std::vector<double> camera = p.scene->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void CompareViews::restoreView(const Values& kept)
+{
+    Parts& p = *parts_;
+    const auto is = [&kept](const char* key, const Value& value) {
+        const Value* const there = lathelier::find(kept, key);
+        return there && *there == value;
+    };
+    const auto number = [&kept](const char* key) -> std::optional<double> {
+        const Value* const there = lathelier::find(kept, key);
+        const auto* const given = there ? std::get_if<double>(there) : nullptr;
+        return given && *given > 0 ? std::optional(*given) : std::nullopt;
+    };
+    const QSignalBlocker quiet[]{QSignalBlocker(p.passFail), QSignalBlocker(p.form), QSignalBlocker(p.overlay),
+                                 QSignalBlocker(p.deviation), QSignalBlocker(p.smooth)};
+    (is("colours", std::string("pass_fail")) ? p.passFail : p.form)->setChecked(true);
+    (is("surface", std::string("overlay")) ? p.overlay : p.deviation)->setChecked(true);
+    p.smooth->setChecked(!is("local_mean", false));
+    p.chosenLimit = number("scale_limit_mm");
+    p.chosenFactor = number("magnification");
+    p.restored = true;
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) p.scene->setView(*numbers);
+    if (p.picture) setPicture(p.picture);
 }
 
 void CompareViews::showCharts()
@@ -172,7 +210,7 @@ void CompareViews::showCharts()
     const double factor = p.factor->value();
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
     p.along->setData(deviationAlongAxis(result, screenLanguage()));
-    p.map->setData(unrolledMap(result, p.tolerance().has_value()));
+    p.map->setData(unrolledMap(result, p.greenWithin().has_value()));
 }
 
 /// Both limits stand where the pointer holds one of them.
@@ -208,7 +246,7 @@ void CompareViews::showSurface()
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
-    recolour(p.tolerance());
+    recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
 }
 
@@ -222,13 +260,14 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
 void CompareViews::setLimit(std::optional<double> limit_mm)
 {
     parts_->chosenLimit = limit_mm;
-    recolour(parts_->tolerance());
+    recolour(parts_->greenWithin());
 }
 
 void CompareViews::setPlace(const std::optional<ComparePlace>& place)
 {
     Parts& p = *parts_;
     p.place = place;
+    p.section->setEnabled(place && place->z_mm && p.hasAxis());
     if (!place) {
         p.scene->setMarker({});
         p.map->setMarker({});

@@ -37,12 +37,17 @@ public:
 
     HeroViews* heroes() const;
 
+    /// Colours, scale, magnification of the error and camera, to be kept with the project.
+    Values view() const;
+    void restoreView(const Values& kept);
+
     /// Marks a place along the axis, at the angle (90° when there is none).
     void markAlong(double z_mm, std::optional<double> angle_deg);
 
     void retranslate();
 
 signals:
+    void sectionWanted(double z_mm);  ///< the user wants the roundness of the copy in the marked section
     void toleranceDragged(double tolerance_mm, bool dropped);  ///< a limit of the histogram is dragged there
     void notWritten(const QString& path);                      ///< the system refused to write this file
 

@@ -40,6 +40,17 @@ void CompareViews::buildBar()
     connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
 
     row->addSpacing(12);
+    auto* colours = new QButtonGroup(this);
+    p.form = choice(colours, 0, row, "form");
+    p.passFail = choice(colours, 1, row, "passFail");
+    p.form->setChecked(true);
+    connect(colours, &QButtonGroup::idToggled, this, [this](int, bool on) {
+        if (!on || !parts_->picture) return;
+        showCharts();
+        recolour(parts_->greenWithin());
+    });
+
+    row->addSpacing(12);
     p.factorLabel = new QLabel;
     p.factor = new QDoubleSpinBox;
     p.factor->setObjectName("magnification");
@@ -54,6 +65,15 @@ void CompareViews::buildBar()
         parts_->chosenFactor = factor;
         showSurface();
         if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
+    });
+    row->addSpacing(12);
+    p.section = new QToolButton;
+    p.section->setObjectName("roundnessOfSection");
+    p.section->setAutoRaise(true);
+    p.section->setEnabled(false);
+    row->addWidget(p.section);
+    connect(p.section, &QToolButton::clicked, this, [this] {
+        if (parts_->place && parts_->place->z_mm) emit sectionWanted(*parts_->place->z_mm);
     });
     row->addStretch(1);
     p.synthetic = new QLabel;
@@ -76,6 +96,12 @@ void CompareViews::arrange()
     }
     if (!axis && zones) p.tabs->removeTab(0);
     p.smooth->setVisible(axis);
+    p.section->setVisible(axis);
+    // Pass and fail need a tolerance.
+    const bool limited = p.picture && p.result().parameters.tolerance_mm;
+    p.form->setEnabled(limited);
+    p.passFail->setEnabled(limited);
+    if (!limited && p.picture) p.form->setChecked(true);
 }
 
 void CompareViews::retranslate()
@@ -92,11 +118,17 @@ void CompareViews::retranslate()
     p.overlay->setToolTip(tr("The original blue, the copy red"));
     p.deviation->setText(tr("Deviation"));
     p.deviation->setToolTip(tr("The copy, coloured by its distance from the original's surface"));
+    p.form->setText(tr("Form"));
+    p.form->setToolTip(tr("Colours of the error: red too large, blue too small"));
+    p.passFail->setText(tr("Pass/fail"));
+    p.passFail->setToolTip(tr("Green within the tolerance, red above it, blue below it"));
     p.smooth->setText(tr("Local mean"));
     p.smooth->setToolTip(tr("Each point has the mean of its surroundings, as in the map; off: every point by itself"));
     p.factorLabel->setText(tr("Error ×"));
     p.factor->setToolTip(tr("How many times larger part and meridian draw the deviation"));
     p.factor->setAccessibleName(p.factor->toolTip());
+    p.section->setText(tr("Roundness here"));
+    p.section->setToolTip(tr("Cuts the marked section out of the copy and opens it in the panel Roundness"));
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
     p.synthetic->setVisible(p.picture && p.picture->synthetic);

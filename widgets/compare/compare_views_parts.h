@@ -31,6 +31,7 @@ struct CompareViews::Parts {
     std::optional<ComparePlace> place;              ///< the marked place; none: no place
     std::optional<double> chosenLimit;   ///< end of the colour scale that the user chose, in mm; none: from the result
     std::optional<double> chosenFactor;  ///< likewise, magnification of the meridian's error
+    bool restored = false;               ///< the choices above are those of the project that is being opened
     std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
     scene::SceneView* scene = nullptr;     ///< reference and copy in space
@@ -45,14 +46,21 @@ struct CompareViews::Parts {
 
     QToolButton* overlay = nullptr;    ///< button: both parts in plain colours
     QToolButton* deviation = nullptr;  ///< button: the copy coloured by its deviation
+    QToolButton* form = nullptr;       ///< button: the colours show the form of the error
+    QToolButton* passFail = nullptr;   ///< button: they show what is within the tolerance
     QCheckBox* smooth = nullptr;       ///< colours by the mean of the map's cell, not by each point
     QLabel* factorLabel = nullptr;     ///< label of `factor`
     QDoubleSpinBox* factor = nullptr;  ///< magnification of the meridian's error
+    QToolButton* section = nullptr;    ///< button: roundness of the marked section
     QLabel* synthetic = nullptr;       ///< label of synthetic data; hidden for measured ones
 
     const registration::CompareResult& result() const { return *picture->result; }
     bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
-    std::optional<double> tolerance() const { return picture ? result().parameters.tolerance_mm : std::nullopt; }
+    /// What is drawn green; none: the colours show the form alone.
+    std::optional<double> greenWithin() const
+    {
+        return picture && passFail->isChecked() ? result().parameters.tolerance_mm : std::nullopt;
+    }
 };
 
 }  // namespace lathelier::compare_panel

@@ -94,6 +94,7 @@ void Session::replace(project::ProjectFile file, const QString& path)
     const bool anyNew = stores_->forgetChanged();  // another project, or this one afresh: of the files that are there
     watch_->clear();
     undo_.clear();
+    ++opened_;
     project_ = std::move(file.project);
     path_ = path;
     sha256_ = std::move(file.sha256);
@@ -112,7 +113,13 @@ void Session::reset()
 
 void Session::open(const QString& path)
 {
-    replace(project::readProject(path.toStdString()), path);
+    project::ProjectFile file = project::readProject(path.toStdString());
+    if (file.project.recipe) {
+        file.project.recipe = false;
+        replace({std::move(file.project), {}}, {});
+    } else {
+        replace(std::move(file), path);
+    }
     watch_->compareWithSaved(project_);
 }
 
@@ -127,10 +134,16 @@ void Session::recover(const QString& projectPath, const QString& original, const
 
 void Session::save(const QString& path)
 {
+    collectViews();
     sha256_ = project::writeProject(path.toStdString(), forDisk());
     path_ = path;
     undo_.setClean();
     emit pathChanged();
+}
+
+void Session::saveRecipe(const QString& path, const project::PartInputs& part_inputs) const
+{
+    project::writeProject(path.toStdString(), recipeOf(forDisk(), part_inputs));
 }
 
 bool Session::isOvertaken() const

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "engine/project/project.h"
+#include "engine/project/recipe.h"
 #include "widgets/core/files/source_watch.h"
 #include "widgets/core/files/stores.h"
 
@@ -34,6 +35,10 @@ public:
     void setView(const std::string& id, const std::string& key, const Value& value);
     Value view(const std::string& id, const std::string& key) const;  ///< not given when nothing was kept
 
+    /// Asks all panels what they show, so that what is written next has it (viewsWanted()).
+    void collectViews() { emit viewsWanted(); }
+    int projectsOpened() const { return opened_; }  ///< grows with each project that takes the place of another
+
     /// Each step's undo text is that of edit(); its text() is the locale that was spoken then.
     QUndoStack& undoStack() { return undo_; }
     const std::string& savedSha256() const { return sha256_; }  ///< of the project file as it was opened or saved here
@@ -45,7 +50,8 @@ public:
     /// An empty project. Does not ask about unsaved changes: that is the window's business.
     void reset();
 
-    /// Opens a project. What became of its sources since it was saved is told by watch(). Throws Error.
+    /// Opens a project; a recipe begins a new one. What became of its sources since it was saved is told by watch().
+    /// Throws Error.
     void open(const QString& path);
 
     /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file), which
@@ -54,6 +60,9 @@ public:
 
     /// Writes the project, with the digests of the sources read so far. Throws Error and keeps the modified state.
     void save(const QString& path);
+
+    /// Writes the project as a recipe: this one stays what it is. Throws Error.
+    void saveRecipe(const QString& path, const project::PartInputs& part_inputs) const;
 
     /// Whether somebody else has written the project's file since it was opened or saved here. Reads the file.
     bool isOvertaken() const;
@@ -78,7 +87,8 @@ signals:
     void pathChanged();  ///< opened, saved under a name, or reset
     void modifiedChanged(bool modified);
     void workspaceChanged();
-    void filesTaken();  ///< by takeNewFiles()
+    void filesTaken();   ///< by takeNewFiles()
+    void viewsWanted();  ///< panels give what they show by setView()
     void stopWanted(const std::string& state);
 
 private:
@@ -90,6 +100,7 @@ private:
     project::Project project_;
     QString path_;
     std::string sha256_;  ///< of the project file as it was opened or saved here
+    int opened_ = 0;
     QUndoStack undo_;
     std::shared_ptr<Stores> stores_;
     SourceWatch* watch_;

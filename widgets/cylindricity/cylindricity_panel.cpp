@@ -1,10 +1,14 @@
 #include "widgets/cylindricity/cylindricity_panel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/profile_item.h"
 #include "engine/form/cylinder/cylindricity_plots.h"
 #include "engine/form/cylinder/cylindricity_quantities.h"
 #include "engine/form/cylinder/cylindricity_report.h"
+#include "engine/form/roundness/section_of_points.h"
 #include "engine/io/file.h"
 #include "engine/report/chart_csv.h"
 #include "engine/report/result_json.h"
@@ -52,6 +56,7 @@ PanelFacts cylindricityPanelFacts()
     facts.icon = "cylindricity";
     facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
     facts.kinds = {&io::scanFiles()};
+    facts.part_inputs = {"points"};
     facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };
     facts.missing = missingOf(panelInputs().roles);
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
@@ -67,7 +72,33 @@ CylindricityPanel::CylindricityPanel(Session& session, QWidget* parent)
       last_(std::make_shared<LastCylinder>())
 {
     setViews(views_, views_->heroes());
+    connect(views_, &CylindricityViews::sectionWanted, this, &CylindricityPanel::offerSection);
     connect(views_, &CylindricityViews::notWritten, this, &CylindricityPanel::sayNotWritten);
+}
+
+/// Measured sections are taken alone; of a scan a thin slice.
+void CylindricityPanel::offerSection(double z_mm)
+{
+    const CylindricityPicture& picture = *result();
+    const form::CylinderSurface& surface = *picture.surface;
+    const bool in_sections = picture.result->sections > 1;
+    form::SectionCut cut{z_mm, std::max(1.0, picture.result->length_mm / 200)};
+    if (in_sections) {
+        const auto nearest = std::min_element(surface.z_mm.begin(), surface.z_mm.end(), [z_mm](double a, double b) {
+            return std::abs(a - z_mm) < std::abs(b - z_mm);
+        });
+        cut = {*nearest, surface.z_step_mm / 2};
+    }
+    try {
+        Profile profile = sectionOfPoints(picture.scan().points_mm, surface.axis_T_points, cut);
+        profile.name =
+            tr("%1, z %2 mm")
+                .arg(screenFileName(QString::fromStdString(picture.inputs.front().path)), screenNumber(cut.z_mm, 2))
+                .toStdString();
+        offerItem(profile.name, profileItem, toValues(profile), picture.synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
 }
 
 CylindricityPanel::Compute CylindricityPanel::compute(const project::PanelState& state) const

@@ -29,6 +29,8 @@ protected:
     void retranslate() override;
 
 private:
+    void offerSection(double z_mm);
+
     CylindricityViews* views_;
     std::shared_ptr<LastCylinder> last_;
 };

@@ -28,6 +28,7 @@ double magnificationOf(const form::FittedCylinder& cylinder)
 CylindricityViews::CylindricityViews(QWidget* parent)
     : QWidget(parent),
       remark_(new QLabel),
+      section_(new QToolButton),
       synthetic_(new QLabel),
       scene_(new scene::SceneView),
       map_(new plot::MapView),
@@ -47,6 +48,11 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     layout->setSpacing(4);
     auto* row = new QHBoxLayout;
     row->addWidget(remark_);
+    row->addSpacing(12);
+    section_->setObjectName("roundnessOfSection");
+    section_->setAutoRaise(true);
+    section_->setEnabled(false);
+    row->addWidget(section_);
     row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
@@ -60,6 +66,9 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     heroes_->add("tables", numbers_);
     layout->addWidget(heroes_, 1);
 
+    connect(section_, &QToolButton::clicked, this, [this] {
+        if (place_) emit sectionWanted(place_->x());
+    });
     connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
         const Eigen::Vector2d place =
             placeAbout(*picture_->surface, picture_->scan().points_mm[static_cast<std::size_t>(point)]);
@@ -141,6 +150,7 @@ void CylindricityViews::markPlace(double z_mm, double angle_deg)
 
 void CylindricityViews::showPlace()
 {
+    section_->setEnabled(place_.has_value());
     if (!place_) {
         scene_->setMarker({});
         map_->setMarker({});
@@ -166,6 +176,8 @@ void CylindricityViews::retranslate()
     heroes_->setTitle("axis", tr("Axis"));
     heroes_->setTitle("tables", tr("Numbers"));
     numbers_->setAccessibleName(tr("Numbers"));
+    section_->setText(tr("Roundness of this section"));
+    section_->setToolTip(tr("Cuts the marked section out of the points and opens it in the panel Roundness"));
     synthetic_->setText(tr("Synthetic data"));
     synthetic_->setToolTip(tr("These points were computed, not measured."));
     scene_->setScaleTitle(tr("Deviation (mm)"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -32,6 +33,7 @@ public:
     void retranslate();
 
 signals:
+    void sectionWanted(double z_mm);       ///< the user wants the roundness of the marked section
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 private:
@@ -43,6 +45,7 @@ private:
     std::shared_ptr<const CylindricityPicture> picture_;
     std::optional<QPointF> place_;
     QLabel* remark_;
+    QToolButton* section_;
     QLabel* synthetic_;
     scene::SceneView* scene_;
     plot::MapView* map_;

@@ -49,6 +49,7 @@ struct SceneView::Parts {
     QTimer rest;                      ///< expires some time after the last motion: all points are drawn again
     bool moving = false;              ///< thinned sets are drawn
     bool aimed = false;               ///< the camera has been set for the present objects
+    std::optional<SceneCamera> kept;  ///< camera for the objects that come next; none: a standard viewpoint
     std::optional<QPoint> pressedAt;  ///< place of the pointer when a button went down; none: no button is down
     QPoint movedTo;                   ///< last place of the pointer with a button down
     bool dragging = false;            ///< the pointer has moved further than in a click

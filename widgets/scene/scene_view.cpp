@@ -144,10 +144,45 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
     p.legend->setVisible(valued);
     shareBudget();
     applySection();
-    if (!p.aimed)
-        setViewpoint(SceneViewpoint::Oblique);
-    else
-        render();
+    if (!p.aimed && !p.kept) return setViewpoint(SceneViewpoint::Oblique);
+    if (!p.aimed) {
+        p.aim(*p.kept);
+        p.aimed = true;
+        p.kept.reset();
+    }
+    render();
+}
+
+std::vector<double> SceneView::view() const
+{
+    if (!canDraw() || !parts_->aimed) return {};
+    const SceneCamera camera = parts_->camera();
+    std::vector<double> numbers;
+    for (Eigen::Index row = 0; row < 3; ++row)
+        for (Eigen::Index column = 0; column < 4; ++column) numbers.push_back(camera.view_T_scene(row, column));
+    numbers.insert(numbers.end(), {camera.distance_mm, camera.halfHeight_mm, camera.parallel ? 1.0 : 0.0});
+    return numbers;
+}
+
+void SceneView::setView(const std::vector<double>& view)
+{
+    constexpr std::size_t count = 15;
+    SceneCamera camera;
+    if (view.size() != count || !canDraw()) return;
+    for (std::size_t i = 0; i < 12; ++i)
+        camera.view_T_scene(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = view[i];
+    camera.distance_mm = view[12];
+    camera.halfHeight_mm = view[13];
+    camera.parallel = view[14] != 0;
+    const bool turns = camera.view_T_scene.linear().isUnitary(1e-6) && camera.view_T_scene.matrix().allFinite();
+    if (!turns || !(camera.distance_mm > 0) || !(camera.halfHeight_mm > 0)) return;
+    Parts& p = *parts_;
+    p.kept = camera;
+    if (p.objects.empty()) return;
+    p.aim(camera);
+    p.aimed = true;
+    p.kept.reset();
+    render();
 }
 
 void SceneView::setLongAxis(const std::optional<SceneAxis>& axis)

@@ -36,6 +36,13 @@ public:
     void setParallel(bool parallel);
     bool isParallel() const;
 
+    /// Camera as numbers that can be kept: rows of rotation and shift into view coordinates, distance and half height
+    /// in mm, 1 for parallel projection. Empty where nothing is drawn.
+    std::vector<double> view() const;
+
+    /// Looks from there, at the present objects or the next ones. Numbers that view() has not given are ignored.
+    void setView(const std::vector<double>& view);
+
     /// Cuts away what lies before `share` (0…1) of the extent along the scene axis 0, 1 or 2 (x, y, z).
     void setSection(int sceneAxis, double share);
     void clearSection();

@@ -30,4 +30,9 @@ protected:
                          const Progress& progress) const override;
 };
 
+/// A profile that another panel made, as if it had been read. Error itemNotThere when the project has it no longer, or
+/// its values are not those of a profile.
+LoadedProfilePtr profileFromItem(const project::Source& source, const std::string& role,
+                                 const project::PanelState& state);
+
 }  // namespace lathelier::trajectory_common

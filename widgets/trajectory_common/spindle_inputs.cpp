@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "engine/core/profile_item.h"
 #include "widgets/core/form/input_column.h"
 
 namespace lathelier::trajectory_common {
@@ -29,6 +30,7 @@ const InputRole& profileRole()
         result.hint = LT_TEXT("Engine", "x and y, or angle and radius, of one section; goes before the record");
         result.required = false;
         result.kinds = {&io::profileFiles()};
+        result.item_kind = profileItem;
         return result;
     }();
     return role;

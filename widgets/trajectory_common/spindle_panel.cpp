@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/core/profile_item.h"
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/profile/profile_reader.h"
 #include "widgets/core/form/input_box.h"
@@ -48,7 +49,11 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.state = spindleState;
     const bool roundness = want == SpindleWant::Roundness;
     facts.kinds = {&io::probeRecordFiles()};
-    if (roundness) facts.kinds.push_back(&io::profileFiles());
+    if (roundness) {
+        facts.kinds.push_back(&io::profileFiles());
+        facts.item_inputs = {{profileItem, profileRole().role}};
+    }
+    facts.part_inputs = {"record", "profile"};
     facts.hasWork = [roundness](const project::PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };
@@ -112,7 +117,8 @@ Worker::Job SpindlePanel::makeReadingJob(const project::PanelState& state) const
     return [profiles = session().stores().of<ProfileStore>(),
             state](const Progress& progress) -> std::shared_ptr<const void> {
         for (const InputRole* role : {&profileRole(), &traceRole()})
-            for (const project::Source& source : sourcesOf(state, *role)) profiles->load(source, progress);
+            for (const project::Source& source : sourcesOf(state, *role))
+                if (source.item.empty()) profiles->load(source, progress);
         return nullptr;
     };
 }

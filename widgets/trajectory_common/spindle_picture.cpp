@@ -67,10 +67,16 @@ public:
     }
 
 private:
+    LoadedProfilePtr load(const project::Source& source, const InputRole& role, const Progress& progress)
+    {
+        if (!source.item.empty()) return profileFromItem(source, role.role, state_);
+        return stores_.of<ProfileStore>()->load(source, progress);
+    }
+
     void readProfile(const project::Source& source)
     {
         picture_.profile =
-            stores_.of<ProfileStore>()->load(source, progress_.part(0, 0.3, LT_TEXT("Engine", "Reading the profile")));
+            load(source, profileRole(), progress_.part(0, 0.3, LT_TEXT("Engine", "Reading the profile")));
         const auto parameters = fromValues<form::RoundnessParameters>(state_.parameters);
         profileKey_ = keyOf(picture_.profile, source);
         picture_.profileRoundness = answers_->profiles.find(
@@ -142,8 +148,7 @@ private:
 
     void layOver(const project::Source& source)
     {
-        picture_.trace =
-            stores_.of<ProfileStore>()->load(source, progress_.part(0.9, 0.95, LT_TEXT("Engine", "Reading the trace")));
+        picture_.trace = load(source, traceRole(), progress_.part(0.9, 0.95, LT_TEXT("Engine", "Reading the trace")));
         const trajectory::TrajectorySection* section = picture_.chosenSection();
         const Profile* first = nullptr;
         if (picture_.profile)

@@ -27,6 +27,13 @@ TEST(ProjectVersions, EachHasAFileThatIsRead)
     }
 }
 
+TEST(ProjectVersions, TheFourthHasATitleBlock)
+{
+    const project::Project project = project::readProject(keptProject(4)).project;
+    EXPECT_EQ(*find(project.title_block, "drawing"), Value(std::string("LT-0042 B")));
+    EXPECT_TRUE(project::readProject(keptProject(3)).project.title_block.empty());
+}
+
 TEST(ProjectItems, AreReadByTheirDescription)
 {
     const project::Project project = project::readProject(keptProject(2)).project;

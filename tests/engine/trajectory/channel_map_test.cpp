@@ -39,6 +39,21 @@ TEST(ChannelMap, SensitivityBelongsToVoltsOnly)
     EXPECT_FALSE(map.is_angle);
 }
 
+TEST(ChannelMap, ASensitivityNobodyGaveIsAssumedAndSaidSo)
+{
+    Notes notes;
+    EXPECT_EQ(mapChannels(volts, asking("marker=0,X3=1,Y3=2,Xp=3,Yp=4"), notes).probes[0].um_per_value, 50);
+    EXPECT_TRUE(contains(notes, notes::sensitivityAssumed));
+    notes.clear();
+    TrajectoryParameters given = asking("marker=0,X3=1,Y3=2,Xp=3,Yp=4");
+    given.sensitivity_um_per_V = 50;
+    mapChannels(volts, given, notes);
+    EXPECT_FALSE(contains(notes, notes::sensitivityAssumed));
+    const Unit um = Unit::Micrometre;
+    mapChannels(recordWith({Unit::Volt, um, um, um, um}), asking("marker=0,X3=1,Y3=2,Xp=3,Yp=4"), notes);
+    EXPECT_FALSE(contains(notes, notes::sensitivityAssumed));
+}
+
 TEST(ChannelMap, ChannelsGoByPlaceOrName)
 {
     io::ProbeRecord record = volts;
@@ -120,7 +135,7 @@ TEST(ChannelMap, ADeadOrSaturatedProbeIsNoted)
     for (int i = 0; i < 100; ++i) record.channels[3].values[static_cast<std::size_t>(i)] = -i;
     Notes notes;
     mapChannels(record, {}, notes);
-    ASSERT_EQ(notes.size(), 2u);
+    ASSERT_EQ(notes.size(), 3u);
     EXPECT_EQ(notes[0].code, notes::channelStandsStill);
     EXPECT_EQ(notes[1].code, notes::channelCutOff);
 }

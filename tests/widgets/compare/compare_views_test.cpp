@@ -32,6 +32,52 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
+    void coloursShowTheFormOrPassAndFail()
+    {
+        dropBoth();
+        auto* passFail = part<QToolButton>("passFail");
+        QVERIFY(!passFail->isEnabled());  // without a tolerance there is nothing to pass
+        setTolerance(0.1);
+        QVERIFY(passFail->isEnabled());
+        const auto isGreen = [](const QColor& colour) {
+            return colour.green() > colour.red() && colour.green() > colour.blue();
+        };
+        const auto* map = part<plot::MapView>("map");
+        QVERIFY(map->colourAt(60, 100).isValid() && !isGreen(map->colourAt(60, 100)));
+        passFail->click();
+        QVERIFY(isGreen(map->colourAt(60, 100)));
+        setTolerance(0.2);  // stays as the user chose it
+        QVERIFY(isGreen(map->colourAt(60, 100)));
+        part<QToolButton>("form")->click();
+        QVERIFY(!isGreen(map->colourAt(60, 100)));
+    }
+
+    void whatIsShownComesBackWithTheProject()
+    {
+        dropBoth();
+        setTolerance(0.1);
+        part<QToolButton>("passFail")->click();
+        part<QDoubleSpinBox>("magnification")->setValue(77);
+        part<scene::SceneView>("scene")->turn(30, 20);
+        const std::vector<double> camera = part<scene::SceneView>("scene")->view();
+        QCOMPARE(camera.size(), std::size_t{15});
+        const QString path = folder_.filePath("views.lathelier");
+        session_->save(path);
+
+        end();
+        begin();
+        session_->open(path);
+        settle();
+        QVERIFY(part<QToolButton>("passFail")->isChecked());
+        QCOMPARE(part<QDoubleSpinBox>("magnification")->value(), 77.0);
+        const std::vector<double> again = part<scene::SceneView>("scene")->view();
+        QCOMPARE(again.size(), camera.size());
+        for (std::size_t i = 0; i < camera.size(); ++i) QVERIFY(std::abs(again[i] - camera[i]) < 1e-3);
+
+        session_->reset();  // the next project begins as all do
+        QVERIFY(part<QToolButton>("form")->isChecked());
+    }
+
     void toleranceIsDraggedInTheHistogram()
     {
         dropBoth();

@@ -127,6 +127,24 @@ private slots:
         QCOMPARE(other.undoStack().count(), 0);
     }
 
+    void aRecipeBeginsANewProject()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("shafts.lathelier");
+        Session session;
+        session.edit("open", [](project::Project& project) {
+            project.panels["compare"].inputs["reference"].path = "/scans/master.ply";
+            project.panels["compare"].inputs["copy"].path = "/scans/part.ply";
+        });
+        session.saveRecipe(path, {{"compare", {"copy"}}});
+        QVERIFY(session.path().isEmpty() && session.isModified());  // it stays what it was
+        session.open(path);
+        QVERIFY(session.path().isEmpty());  // saving asks for a name: the recipe stays
+        QVERIFY(!session.isModified());
+        QVERIFY(!session.project().recipe);
+        QCOMPARE(session.panel("compare").inputs.size(), std::size_t{1});
+    }
+
     void anotherWindowsSaveIsSeen()
     {
         const QTemporaryDir folder;

@@ -4,8 +4,11 @@
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
 
+#include "engine/core/profile_item.h"
+#include "engine/form/roundness/roundness.h"
 #include "engine/io/io_codes.h"
 #include "engine/sample/cylinder_sample.h"
 #include "tests/widgets/core/drop_files.h"
@@ -89,6 +92,27 @@ private slots:
         QVERIFY(marker);
         const Eigen::Vector2d back = placeAbout(*panel_->result()->surface, *marker);
         QVERIFY(std::abs(back.x() - 60) < 1e-6 && std::abs(back.y() - 90) < 1e-6);
+    }
+
+    void aSectionIsOfferedToTheRoundnessPanel()
+    {
+        auto* button = panel_->findChild<QToolButton*>("roundnessOfSection");
+        QVERIFY(!button->isEnabled());
+        panel_->views().markPlace(61, 0);
+        std::optional<Profile> offered;
+        bool synthetic = false;
+        connect(panel_.get(), &PanelBase::itemOffered, this,
+                [&](const std::string&, const project::Item& item, bool made) {
+                    QCOMPARE(item.kind, std::string(profileItem));
+                    QCOMPARE(item.origin.panel, std::string("cylindricity"));
+                    offered = profileOf(item.values);
+                    synthetic = made;
+                });
+        button->click();
+        QVERIFY(offered && synthetic);
+        QCOMPARE(offered->points_mm.size(), std::size_t{180});  // of the section at 60 mm, and of no other
+        const form::RoundnessResult roundness = form::roundness(*offered);
+        QVERIFY(std::abs(roundness.circles.MZCI.RONt_um - 3) < 1);  // three lobes of 1.5 µm, and some noise
     }
 
     void theReportHasThePicturesOfTheSurface()

@@ -146,6 +146,8 @@ QString understoodText(const io::FileFacts& facts, const QString& amount)
 void InputBox::refresh()
 {
     const bool there = !sources_.empty();
+    const QString label = screenText(role_.label);
+    title_->setText(role_.required && !there ? tr("%1 (required)").arg(label) : label);
     QStringList names, paths;
     for (const project::Source& source : sources_) {
         const QString item = QString::fromStdString(source.item);
@@ -184,7 +186,6 @@ void InputBox::refresh()
 void InputBox::retranslate()
 {
     const QString label = screenText(role_.label);
-    title_->setText(label);
     title_->setToolTip(screenText(role_.hint));
     open_->setToolTip(tr("Open a file as “%1”").arg(label));
     open_->setAccessibleName(open_->toolTip());

@@ -46,6 +46,10 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
     connect(&session_, &Session::filesTaken, this, &PanelBase::request);
+    connect(&session_, &Session::viewsWanted, this, [this] {
+        if (!asked_ || opened_ != session_.projectsOpened()) return;  // it shows another project still, or none
+        for (const auto& [key, value] : view()) session_.setView(facts_.id, key, value);
+    });
     connect(&session_.watch(), &SourceWatch::changed, this, &PanelBase::showAnswer);
     connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
         if (state == facts_.stateKey()) worker_.cancel();
@@ -119,6 +123,11 @@ void PanelBase::readProject()
         const auto* key = std::get_if<std::string>(&hero);
         heroes_->setHero(key ? QString::fromStdString(*key) : heroes_->keys().value(0));
         keptHero_ = hero;
+    }
+    if (opened_ != session_.projectsOpened()) {
+        opened_ = session_.projectsOpened();
+        const auto kept = session_.project().views.find(facts_.id);
+        restoreView(kept == session_.project().views.end() ? Values() : kept->second);
     }
     progress_->setInReport(std::find(report.begin(), report.end(), facts_.id) != report.end());
     column_->showItems(session_.project());

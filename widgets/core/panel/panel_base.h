@@ -58,6 +58,8 @@ public:
     virtual void setPresenting(bool presenting);
 
 signals:
+    /// "Roundness of this section": the user wants this in the panel that takes items of its kind.
+    void itemOffered(const std::string& name, const lathelier::project::Item& item, bool synthetic);
     void busyChanged(bool busy);
     void resultShown();
     void messageRaised(const lathelier::Message& message);
@@ -78,6 +80,9 @@ protected:
     /// undo step.
     void keepItem(const std::string& name, const std::string& kind, const Values& values);
 
+    /// Announces itemOffered() with what the panel made; `synthetic`: of data that were made by a program.
+    void offerItem(const std::string& name, const std::string& kind, const Values& values, bool synthetic);
+
     /// The system refused to write a picture or the data of a plot.
     void sayNotWritten(const QString& path);
 
@@ -94,6 +99,13 @@ protected:
 
     /// Marks a place of the answer in the panel's views.
     virtual void showPlace(const report::Place&) {}
+
+    /// What the panel's views show and how, to be kept with the project: colours, scale, camera. PanelBase keeps which
+    /// view is large.
+    virtual Values view() const { return {}; }
+
+    /// Another project was opened: shows what was kept with it. What is not in `kept` goes back to its default.
+    virtual void restoreView(const Values& kept) { (void)kept; }
 
     /// Everything the panel says in its own views, again, in the language of the screen.
     virtual void retranslate() {}
@@ -146,6 +158,7 @@ private:
     bool stopped_ = false;       ///< the newest request was cancelled
     project::PanelState state_;  ///< what was asked last
     bool asked_ = false;
+    int opened_ = 0;  ///< projectsOpened() of the project whose views are shown
 
     InputColumn* column_ = nullptr;
     QSplitter* splitter_ = nullptr;

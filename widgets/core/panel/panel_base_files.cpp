@@ -77,6 +77,12 @@ void PanelBase::keepItem(const std::string& name, const std::string& kind, const
     });
 }
 
+void PanelBase::offerItem(const std::string& name, const std::string& kind, const Values& values, bool synthetic)
+{
+    emit itemOffered(name, {kind, values, project::originOf(session_.project(), facts_.stateKey(), LATHELIER_VERSION)},
+                     synthetic);
+}
+
 void PanelBase::takeSources(const InputRole& role, const std::vector<project::Source>& sources, const QString& step)
 {
     editState(step, [&](project::PanelState& state) { setSources(state, role, sources); });

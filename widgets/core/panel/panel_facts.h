@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,12 @@ struct PanelFacts {
 
     /// Whether the state holds files that this panel works on; none: when it holds any.
     std::function<bool(const project::PanelState&)> hasWork = {};
+
+    /// The input that takes what another panel made, by the kind of the item.
+    std::map<std::string, std::string> item_inputs = {};
+
+    /// Roles of the inputs that change from part to part: left out of a recipe.
+    std::vector<std::string> part_inputs = {};
 
     const std::string& stateKey() const { return state.empty() ? id : state; }
 };

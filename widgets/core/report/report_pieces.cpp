@@ -1,5 +1,7 @@
 #include "widgets/core/report/report_pieces.h"
 
+#include <QStringList>
+
 #include "engine/core/texts.h"
 #include "engine/core/visible.h"
 #include "engine/report/cells.h"
@@ -150,6 +152,22 @@ private:
     const Language& language_;
 };
 
+/// Two columns of names and values, and a place to sign.
+Piece titleBlock(const std::vector<report::Quantity>& rows, const Maker& maker, const Language& language)
+{
+    QStringList cells;
+    for (const report::Quantity& row : rows)
+        cells << QString("<td width='17%' style='%1 color:#52606d;'>%2</td><td width='33%' style='%1'><b>%3</b></td>")
+                     .arg(cellLine, maker.caption(row.name),
+                          escaped(report::cellText(row.value, row.decimals, language)));
+    cells << QString("<td style='%1 color:#52606d;'>%2<br>&nbsp;</td><td style='%1'></td>")
+                 .arg(cellLine, maker.phrase(LT_TEXT("Engine", "Date, signature")));
+    QString html = "<table width='100%' cellspacing='0' cellpadding='4' bgcolor='#f7f9fb'>";
+    for (int i = 0; i < cells.size(); i += 2)
+        html += "<tr>" + cells[i] + (i + 1 < cells.size() ? cells[i + 1] : QString("<td></td><td></td>")) + "</tr>";
+    return Maker::text(html + tableEnd);
+}
+
 Piece inputsTable(const std::vector<InputFile>& inputs, const Maker& maker, const Language& language)
 {
     Piece piece;
@@ -182,6 +200,7 @@ std::vector<Piece> piecesOf(const report::Document& document, const Language& la
             Maker::text("<table cellpadding='4' bgcolor='#fff3d6'><tr><td><b>⚠ " +
                         maker.phrase(LT_TEXT("Engine", "Synthetic data: made by a program, not measured")) +
                         "</b></td></tr></table>"));
+    if (!document.title_block.empty()) pieces.push_back(titleBlock(document.title_block, maker, language));
     for (const report::Section& section : document.sections) {
         pieces.push_back(Maker::title(maker.caption(section.title)));
         for (const report::Block& block : section.blocks) {

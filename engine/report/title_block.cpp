@@ -1,0 +1,67 @@
+#include "engine/report/title_block.h"
+
+#include <algorithm>
+
+#include "engine/core/utf8.h"
+
+namespace lathelier::report {
+namespace {
+
+constexpr std::size_t longestName_bytes = 120;
+
+}  // namespace
+
+const std::vector<Field<TitleBlock>>& fieldsOf(const TitleBlock*)
+{
+    using T = TitleBlock;
+    static const std::vector<Field<T>> all{
+        field("company", &T::company, Label{LT_TEXT("Engine", "Company"), LT_TEXT("Engine", "That measured.")}),
+        field("part", &T::part, Label{LT_TEXT("Engine", "Part"), LT_TEXT("Engine", "What it is called.")}),
+        field("drawing", &T::drawing,
+              Label{LT_TEXT("Engine", "Drawing"), LT_TEXT("Engine", "Number and revision of the drawing.")}),
+        field("serial", &T::serial,
+              Label{LT_TEXT("Engine", "Serial number"), LT_TEXT("Engine", "Of this part, or of its batch.")}),
+        field("order", &T::order, Label{LT_TEXT("Engine", "Order"), LT_TEXT("Engine", "Number of the order.")}),
+        field("customer", &T::customer, Label{LT_TEXT("Engine", "Customer"), LT_TEXT("Engine", "For whom it is.")}),
+        field("instrument", &T::instrument,
+              Label{LT_TEXT("Engine", "Instrument"), LT_TEXT("Engine", "What measured, with its number.")}),
+        field("calibration_date", &T::calibration_date,
+              Label{LT_TEXT("Engine", "Calibrated"),
+                    LT_TEXT("Engine", "Date of the instrument's calibration, as its certificate states it.")}),
+        field("inspector", &T::inspector,
+              Label{LT_TEXT("Engine", "Inspector"), LT_TEXT("Engine", "Who measured and evaluated.")}),
+        field("remark", &T::remark,
+              Label{LT_TEXT("Engine", "Remark"), LT_TEXT("Engine", "Whatever else belongs on the first page.")}),
+    };
+    return all;
+}
+
+std::vector<Quantity> rowsOf(const TitleBlock& block)
+{
+    std::vector<Quantity> rows;
+    const Values values = toValues(block);
+    for (const FieldInfo& info : infos<TitleBlock>())
+        if (const auto* given = std::get_if<std::string>(find(values, info.key)); given && !given->empty())
+            rows.push_back({info.label, *given, {}});
+    return rows;
+}
+
+std::string reportFileName(const TitleBlock& block, const std::string& otherwise, const std::string& date)
+{
+    std::string name = block.part.empty() ? otherwise : block.part;
+    if (!block.serial.empty()) name.append("_").append(block.serial);
+    name = std::string(firstBytes(name, longestName_bytes));
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) {
+            return static_cast<unsigned char>(c) < 32 ||
+                   std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+        },
+        '_');
+    const std::size_t first = name.find_first_not_of(" .");  // a leading dot hides the file
+    name = first == std::string::npos ? std::string() : name.substr(first);
+    if (name.empty()) name = "report";
+    return name.append("_").append(date);
+}
+
+}  // namespace lathelier::report

@@ -78,7 +78,9 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
     dialog.setDefaultSuffix(suffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
-    report::Document document = joined(parts, (projectName.isEmpty() ? tr("Report") : projectName).toStdString());
+    std::string title = block.part.empty() ? projectName.toStdString() : block.part;
+    if (title.empty()) title = tr("Report").toStdString();
+    report::Document document = joined(parts, title);
     document.title_block = rowsOf(block);
     const Worker::Outcome outcome =
         waitFor(this, tr("Writing the report…"),

@@ -80,8 +80,10 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
             say(screenText(LT_TEXT("Engine", "The project has nothing to report.")));
             return code == 0 ? exitCode(ErrorKind::NoAnswer) : code;
         }
-        report::Document document = joined(parts, QFileInfo(project).completeBaseName().toStdString());
-        document.title_block = rowsOf(fromValues<report::TitleBlock>(opened.title_block));
+        const auto block = fromValues<report::TitleBlock>(opened.title_block);
+        report::Document document =
+            joined(parts, block.part.empty() ? QFileInfo(project).completeBaseName().toStdString() : block.part);
+        document.title_block = rowsOf(block);
         writeReport(file, std::move(document));
     } catch (const std::exception& failure) {
         code = 0;  // that nothing was written matters more than what is missing in it

@@ -156,10 +156,7 @@ report::Section whereSection(const CompareResult& result, const Language& langua
     for (report::Picture& picture : pictures) section.blocks.push_back(std::move(picture));
     if (result.unrolled && result.parameters.tolerance_mm) section.blocks.push_back(unrolledMap(result, true));
     if (result.unrolled) section.blocks.push_back(unrolledMap(result, false));
-    if (result.meridian) {
-        section.blocks.push_back(deviationAlongAxis(result, language));
-        section.blocks.push_back(magnifiedMeridian(result, language));
-    }
+    if (result.meridian) section.blocks.push_back(magnifiedMeridian(result, language));
     section.blocks.push_back(histogramPlot(result, language));
     if (!result.zones.empty()) section.blocks.push_back(zonesTable(result));
     return section;
@@ -280,8 +277,9 @@ report::Answer answer(const CompareResult& result, const Language& language)
 
 report::Section compareSummary(const CompareResult& result, const Language& language)
 {
-    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language), verdictTable(result)}};
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
     if (!result.findings.empty()) section.blocks.push_back(findingsTable(result));
+    section.blocks.push_back(verdictTable(result));  // beside the next one on paper
     section.blocks.push_back(statisticsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
@@ -295,7 +293,10 @@ report::Document compareReport(const CompareResult& result, const std::vector<In
     document.verification = {&registrationVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
-    document.sections = {compareSummary(result, language),
+    report::Section summary = compareSummary(result, language);
+    if (result.meridian)  // what the answer is about, seen at once
+        summary.blocks.insert(summary.blocks.begin() + 1, deviationAlongAxis(result, language));
+    document.sections = {std::move(summary),
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),
                          {LT_TEXT("Engine", "Method and parameters"),

@@ -111,7 +111,9 @@ private slots:
         second.inputs = {{"b", 2, "y"}, {"c", 3, "z"}};
         second.synthetic = true;
         const report::Document both = joined({first, second}, "Both");
-        QCOMPARE(both.sections.size(), std::size_t{2});
+        QCOMPARE(both.sections.size(), std::size_t{4});  // each under its title
+        QVERIFY(both.sections[0].title == first.title && both.sections[0].blocks.empty());
+        QVERIFY(both.sections[2].title == second.title);
         QCOMPARE(both.inputs.size(), std::size_t{3});
         QVERIFY(both.synthetic);
         QCOMPARE(report::captionText(both.title), std::string("Both"));

@@ -23,7 +23,8 @@ QString resultFile(const QString& report);
 report::Document partWithoutAnswer(const PanelFacts& facts, const project::PanelState& state,
                                    const std::optional<Error>& error);
 
-/// One document out of the panels' parts: sections and inputs in their order, an input named once.
+/// One document out of the panels' parts: sections and inputs in their order, each part under its title, an input named
+/// once.
 report::Document joined(const std::vector<report::Document>& parts, const std::string& title);
 
 }  // namespace lathelier

@@ -1,6 +1,7 @@
-// A project as JSON text. Format version 1:
-//   {"format": "lathelier-project", "version": 1, "title", "workspace",
-//    "panels": {id: {"inputs": {role: {"path", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
+// A project as JSON text. Format version 4:
+//   {"format": "lathelier-project", "version": 4, "title", "workspace",
+//    "panels": {id: {"inputs": {role: {"path" | "item", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
+//    "items": {name: {"kind", "values": {…}, "origin": {…}}}, "views": {id: {…}}, "title_block": {…}, "recipe": true,
 //    "report": [id…]}
 // Everything but format and version may be missing. A key that is not known is refused, so that a slip of the pen in a
 // file written by hand does not go unnoticed; names inside "import" and "parameters" belong to the panels and are kept.

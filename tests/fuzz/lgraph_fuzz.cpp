@@ -1,4 +1,5 @@
 // L-Graph pairs: the first two bytes say how long the .par is, the rest is the .dat.
+#include "engine/io/probe/lgraph.h"
 #include "tests/fuzz/check_record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,4 +1,5 @@
 // PCD files, binary and ascii.
+#include "engine/io/cloud/pcd_reader.h"
 #include "tests/fuzz/check_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

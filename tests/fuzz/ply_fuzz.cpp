@@ -1,4 +1,5 @@
 // PLY files, binary and ascii.
+#include "engine/io/cloud/ply_reader.h"
 #include "tests/fuzz/check_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,4 +1,5 @@
 // Probe records as tables, with all options.
+#include "engine/io/probe/probe_table.h"
 #include "tests/fuzz/check_record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

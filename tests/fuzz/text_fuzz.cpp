@@ -1,4 +1,5 @@
 // Text tables as clouds, with all options.
+#include "engine/io/cloud/text_reader.h"
 #include "tests/fuzz/check_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -158,7 +158,7 @@ void CylindricityViews::showPlace()
         return;
     }
     const double z_mm = place_->x(), angle_deg = place_->y();
-    const double deviation_um = unrolledCylinder(*picture_->surface).at(z_mm, angle_deg);
+    const double deviation_um = map_->data().at(z_mm, angle_deg);
     QStringList lines;
     if (std::isfinite(deviation_um))
         lines << tr("deviation %1").arg((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm");

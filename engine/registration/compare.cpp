@@ -358,10 +358,20 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         left_out.far += result.used[i] ? 0 : 1;
     }
     if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
+    // The noise of a scan is no deviation of its surface from itself: single points keep theirs, local means are 0.
+    const bool is_same = reference_scan.points_mm == copy_scan.points_mm;
+    std::vector<float> own_noise;
+    if (is_same) {
+        result.notes.push_back({notes::samePoints, {}});
+        own_noise = result.deviation_mm;
+        for (float& deviation : result.deviation_mm)
+            if (!std::isnan(deviation)) deviation = 0;
+    }
     SurfaceWindows windows = line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
                                   : generalWindows(moved_copy, direction, result, measuring);
     if (line && detail == CompareDetail::Full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
     result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
+    if (is_same) result.deviation_mm = std::move(own_noise);
     summariseDeviations(result, left_out, reach_mm, detail, measuring);
     if (detail == CompareDetail::Summary) {
         progress.report(1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/registration/surface_form.h"
 #include "engine/report/colours.h"
 
 namespace lathelier::registration {
@@ -43,21 +44,60 @@ std::string signedNumber(double value, const Language& language)
     return (value < 0 ? "−" : "+") + text(Value(std::abs(value)), language);
 }
 
+/// Zones with their names and their own limits, and what is left out.
+void addZones(report::Plot& plot, const CompareParameters& parameters)
+{
+    for (const Interval& left_out : parameters.exclude_z_mm)
+        plot.regions.push_back(report::stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, left_out,
+                                               report::ColourRole::Neutral));
+    for (const ZoneLimits& zone : parameters.zones) {
+        plot.regions.push_back(report::stretch(Text{}, {zone.z_start_mm, zone.z_end_mm}, report::ColourRole::Original));
+        const double middle = (zone.z_start_mm + zone.z_end_mm) / 2;
+        if (!zone.lower_mm) {
+            plot.marks.push_back({middle, 0, zone.name});
+            continue;
+        }
+        for (const double limit_mm : {*zone.lower_mm, *zone.upper_mm}) {
+            report::Curve line{{}, {zone.z_start_mm, zone.z_end_mm}, {limit_mm, limit_mm}};
+            line.style = report::Curve::Style::Dashed;
+            line.colour = report::ColourRole::Limit;
+            line.spoken = false;
+            plot.curves.push_back(std::move(line));
+        }
+        plot.marks.push_back({middle, *zone.upper_mm, zone.name});
+    }
+}
+
 }  // namespace
 
 double colourLimit_mm(const CompareResult& result, bool with_tolerance)
 {
-    double wanted =
-        result.unrolled ? quantileOfSize(result.unrolled->mean_mm, ordinaryShare) : result.statistics.p95_abs_mm;
+    double wanted = result.windows ? formReach_mm(*result.windows, ordinaryShare) : 0;
+    if (!(wanted > 0))
+        wanted =
+            result.unrolled ? quantileOfSize(result.unrolled->mean_mm, ordinaryShare) : result.statistics.p95_abs_mm;
     // With a tolerance the band takes at most half of the scale.
     if (with_tolerance && result.parameters.tolerance_mm)
         wanted = std::max(wanted, 2 * *result.parameters.tolerance_mm);
     return report::niceLimit(std::isfinite(wanted) && wanted > 0 ? wanted : 0.01);
 }
 
-report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
+double sureOfColours_mm(const CompareResult& result)
+{
+    return kSureShareOfScale * colourLimit_mm(result, false);
+}
+
+std::vector<float> localMeansOfMap(const CompareResult& result, const Progress& progress)
+{
+    if (!result.windows || result.windows->windows.empty()) return result.unrolled->mean_mm;
+    return meansOf(*result.windows, windowsOfMap(result, progress), sureOfColours_mm(result));
+}
+
+report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, std::span<const float> form_mm)
 {
     const UnrolledMap& source = *result.unrolled;
+    const std::vector<float> computed = form_mm.empty() ? localMeansOfMap(result) : std::vector<float>();
+    const std::span<const float> values = form_mm.empty() ? std::span<const float>(computed) : form_mm;
     report::ColourMap map;
     map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
                                : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
@@ -73,10 +113,14 @@ report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance)
     const auto rows = static_cast<std::size_t>(map.rows);
     map.values.resize(columns * rows);
     for (std::size_t z = 0; z < columns; ++z)
-        for (std::size_t angle = 0; angle < rows; ++angle)
-            map.values[angle * columns + z] = source.mean_mm[z * rows + angle];
+        for (std::size_t angle = 0; angle < rows; ++angle) map.values[angle * columns + z] = values[z * rows + angle];
     map.limit = colourLimit_mm(result, with_tolerance);
-    if (with_tolerance) map.tolerance = result.parameters.tolerance_mm;
+    if (with_tolerance)
+        map.tolerance = result.parameters.tolerance_mm;
+    else {
+        map.steps = kContourSteps;
+        map.marked = result.parameters.tolerance_mm;
+    }
     return map;
 }
 
@@ -104,7 +148,10 @@ report::Plot deviationAlongAxis(const CompareResult& result, const Language& lan
         for (const double limit_mm : {-*tolerance_mm, *tolerance_mm})
             plot.limits.push_back({report::Limit::Direction::Horizontal, limit_mm, signedNumber(limit_mm, language)});
     }
+    for (const ZoneLimits& zone : result.parameters.zones)
+        if (zone.lower_mm) edge = std::max({edge, std::abs(*zone.lower_mm), std::abs(*zone.upper_mm)});
     if (edge > 0) plot.y.range = Interval{-1.15 * edge, 1.15 * edge};
+    addZones(plot, result.parameters);
     return plot;
 }
 
@@ -121,7 +168,7 @@ double magnification(const CompareResult& result)
     const double typical_mm = quantileOfSize(meridian.deviation_mm, 0.95);
     if (!(high >= low) || !(typical_mm > 0)) return 1;
     // Large enough to be seen beside the radii, small enough not to hide the shape.
-    const double room_mm = 0.12 * std::max(high - low, 0.1 * high);
+    const double room_mm = 0.35 * std::max(high - low, 0.1 * high);
     const double most = room_mm / typical_mm;
     if (most < 1) return 1;
     const double power = std::pow(10.0, std::floor(std::log10(most)));

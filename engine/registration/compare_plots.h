@@ -1,14 +1,21 @@
 // The pictures of a comparison: map, curves along the axis, histogram.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 
 namespace lathelier::registration {
 
-/// Deviations over length and angle: with the tolerance band in green, or plain, which shows the form of the error also
-/// within the band. result.unrolled has to be there.
-report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance);
+/// Deviations over length and angle, as local means that are sure (surface_form.h): with the tolerance band in green,
+/// or plain, which shows the form of the error also within the band. result.unrolled has to be there. `form_mm`:
+/// localMeansOfMap(result), where they are known already.
+report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, std::span<const float> form_mm = {});
+
+/// What the map shows in its cells, z slow; NaN where it has no colour. result.unrolled has to be there.
+std::vector<float> localMeansOfMap(const CompareResult& result, const Progress& progress = {});
 
 /// Mean deviation along the axis with its scatter and the tolerance. result.meridian has to be there.
 report::Plot deviationAlongAxis(const CompareResult& result, const Language& language = {});
@@ -28,7 +35,13 @@ double magnification(const CompareResult& result);
 report::Plot histogramPlot(const CompareResult& result, const Language& language = {},
                            std::optional<double> limit_mm = {});
 
-/// The limit of the colour scale: readable, most deviations of the map within it, and room beyond the tolerance band.
+/// Contours of the form on each side of 0.
+inline constexpr int kContourSteps = 6;
+
+/// The limit of the colour scale: readable, most local means within it, and room beyond the tolerance band.
 double colourLimit_mm(const CompareResult& result, bool with_tolerance = true);
+
+/// Standard uncertainty up to which a local mean has a colour: small against the scale without tolerance.
+double sureOfColours_mm(const CompareResult& result);
 
 }  // namespace lathelier::registration

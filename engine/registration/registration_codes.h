@@ -53,6 +53,12 @@ inline constexpr NoteCode outliersExcluded{
 inline constexpr NoteCode zonesExcluded{"zones_excluded", Severity::Info,
                                         LT_TEXT("Engine", "Points in the excluded zones, left out: {count}.")};
 
+inline constexpr NoteCode samePoints{
+    "same_points", Severity::Warning,
+    LT_TEXT("Engine",
+            "Reference and copy are the same points in the same order: the surfaces differ nowhere, and nothing was "
+            "measured.")};
+
 inline constexpr NoteCode signUndetermined{
     "sign_undetermined", Severity::Warning,
     LT_TEXT("Engine", "Inside and outside are not known (no normals, no closed surface): the deviation has no sign.")};

@@ -30,6 +30,7 @@ struct Finding {
     Values values;                   ///< that the braces of the pattern name
     std::optional<Verdict> verdict;  ///< against its limit; nullopt: there is none
     Place place;                     ///< for the views
+    Values offer{};                  ///< parameters that it proposes, by key; empty: it proposes nothing
 };
 
 struct Answer {

@@ -114,6 +114,8 @@ struct ColourMap {
     std::vector<float> values{};                        ///< row-major, rows along y; NaN is left blank
     double limit = 1;                                   ///< the scale runs from -limit to +limit
     std::optional<double> tolerance{};                  ///< green inside
+    int steps = 0;                                      ///< contours on each side of 0; 0: colours run over
+    std::optional<double> marked{};                     ///< shown in the scale
 
     bool empty() const { return columns <= 0 || rows <= 0; }
     /// The value of the cell at a place; NaN outside and where there are no data.
@@ -135,15 +137,24 @@ struct PolarPlot {
                deviation_um = 0;  ///< centre from that of the base circle, radius minus the base radius
         ChartColour colour{};     ///< what it stands for, or its place in the palette
         bool dashed = false;      ///< drawn in dashes
+        std::string asked{};      ///< not empty: drawn only when a person asks for it by this key; never on paper
+    };
+    struct Ring {        ///< shaded between two circles of one centre
+        Caption name{};  ///< for the legend
+        double x_um = 0, y_um = 0, inner_um = 0,
+               outer_um = 0;   ///< centre from that of the base circle, radii minus the base radius
+        ChartColour colour{};  ///< what it stands for, or its place in the palette
     };
     struct Mark {
         double angle_deg = 0, deviation_um = 0;  ///< from the base circle
         bool outer = true;                       ///< shape of the mark
+        Caption name{};                          ///< said beside it
     };
     Caption title{};                       ///< above the chart
     double base_radius_mm = 0;             ///< of the base circle, about whose centre angles and deviations are given
     std::vector<Trace> traces{};           ///< profiles
     std::vector<ReferenceLine> circles{};  ///< reference circles
+    std::vector<Ring> rings{};             ///< zones between two circles; drawn below everything else
     std::vector<Mark> contacts{};          ///< points that the reference circle rests on
     /// So many times a deviation is drawn larger than the base circle's radius. Default: a round one that fits.
     std::optional<double> magnification{};

@@ -95,6 +95,10 @@ Rgb insideColour(double share)
 
 Rgb DeviationColours::operator()(double value) const
 {
+    if (!tolerance && steps > 0 && std::isfinite(value)) {
+        const double share = std::clamp(value / limit, -1.0, 1.0);
+        return divergingColour(std::round(share * steps) / steps);
+    }
     if (!tolerance) return divergingColour(value / limit);
     const double beyond = std::abs(value) - *tolerance;
     if (!(beyond > 0)) return insideColour(*tolerance > 0 ? value / *tolerance : 0);

@@ -57,8 +57,12 @@ Rgb insideColour(double share);
 /// What is drawn from -limit to +limit, and green where |value| <= tolerance, if there is one.
 /// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
 struct DeviationColours {
-    double limit = 1;                 ///< > 0
-    std::optional<double> tolerance;  ///< >= 0
+    double limit = 1;                   ///< > 0
+    std::optional<double> tolerance{};  ///< >= 0
+    /// Contours without a tolerance: so many steps on each side of a middle one about 0. 0: the colours run into each
+    /// other.
+    int steps = 0;
+    std::optional<double> marked{};  ///< a limit that the scale shows as lines at both signs, and that colours nothing
 
     Rgb operator()(double value) const;
     friend bool operator==(const DeviationColours&, const DeviationColours&) = default;

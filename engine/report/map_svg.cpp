@@ -37,7 +37,7 @@ std::uint8_t indexOf(const ColourMap& map, double value)
 
 std::vector<Rgb> paletteOf(const ColourMap& map)
 {
-    const DeviationColours colour{map.limit, map.tolerance};
+    const DeviationColours colour{map.limit, map.tolerance, map.steps, map.marked};
     std::vector<Rgb> result;
     result.reserve(256);
     for (int level = 0; level < levels; ++level) result.push_back(colour(levelValue(map, level)));

@@ -26,6 +26,7 @@ constexpr std::string_view gridColour = "#e3e7eb";
 constexpr std::string_view baseColour = "#9aa5b1";
 constexpr std::string_view markColour = "#1f2933";
 constexpr std::string_view dashes = "7 4";
+constexpr double ringOpacity = 0.16;
 
 std::string strokeOf(const ChartColour& colour, std::size_t position)
 {
@@ -50,6 +51,7 @@ Interval reachOf(const PolarPlot& plot)
     for (const PolarPlot::Trace& trace : plot.traces)
         std::for_each(trace.deviation_um.begin(), trace.deviation_um.end(), add);
     for (const PolarPlot::ReferenceLine& circle : plot.circles) {
+        if (!circle.asked.empty()) continue;
         const double off = std::hypot(circle.x_um, circle.y_um);
         add(circle.deviation_um + off);
         add(circle.deviation_um - off);
@@ -136,6 +138,32 @@ std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& ci
     return data + "Z";
 }
 
+/// What lies between the two circles of a ring, for filling.
+std::string ringPath(const Polar& polar, const PolarPlot::Ring& ring)
+{
+    const auto way = [&](double deviation_um, bool back) {
+        std::string data;
+        for (int step = 0; step < 360; step += 2) {
+            const int angle = back ? 358 - step : step;
+            data += (step ? 'L' : 'M') +
+                    polar.point(angle * degree, deviationAt({{}, ring.x_um, ring.y_um, deviation_um}, angle * degree));
+        }
+        return data + "Z";
+    };
+    return way(ring.outer_um, false) + way(ring.inner_um, true);  // against each other: the middle stays clear
+}
+
+/// The words at a contact: outside the profile at an outer one, else inside.
+void nameContact(Svg& svg, const Polar& polar, const PolarPlot::Mark& mark, const std::string& words)
+{
+    if (words.empty()) return;
+    const double a = mark.angle_deg * degree;
+    const double radius = polar.radius(mark.deviation_um) + (mark.outer ? 22 : -22);
+    const double half = textWidth(words, 11) / 2;
+    const double x = centreX + radius * std::cos(a) + (mark.outer ? half : -half) * std::cos(a);
+    svg.text(x, centreY - radius * std::sin(a) + 4, Svg::Anchor::Middle, 11, words, true);
+}
+
 /// A triangle whose tip touches the profile, from outside or from inside.
 std::string markPath(double angle_rad, double radius_px, bool outer)
 {
@@ -173,7 +201,7 @@ std::vector<PolarPlace> drawnPlaces(const Polar& polar, const PolarPlot& plot)
                 places.push_back(polar.place(trace.angle_deg[i] * degree, trace.deviation_um[i]));
     }
     for (const PolarPlot::ReferenceLine& circle : plot.circles)
-        for (int angle = 0; angle < 360; ++angle)
+        for (int angle = 0; angle < 360 && circle.asked.empty(); ++angle)
             places.push_back(polar.place(angle * degree, deviationAt(circle, angle * degree)));
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
@@ -212,6 +240,12 @@ public:
     void line(const std::string& name, std::string_view colour, double width, std::string_view pattern = {})
     {
         svg_.line(legendX, y_ - 4, legendX + 30, y_ - 4, colour, width, pattern);
+        label(name);
+    }
+    void patch(const std::string& name, std::string_view colour)
+    {
+        svg_.path(fmt::format("M{} {}h30v12h-30Z", coordinate(legendX), coordinate(y_ - 11)), "none", 0, colour,
+                  ringOpacity);
         label(name);
     }
     void mark(const std::string& name, bool outer)
@@ -253,8 +287,12 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
     }
     for (std::size_t i = 0; i < plot.circles.size(); ++i) {
         const PolarPlot::ReferenceLine& circle = plot.circles[i];
-        const std::string name = captionText(circle.name, language);
+        const std::string name = circle.asked.empty() ? captionText(circle.name, language) : std::string();
         if (!name.empty()) legend.line(name, strokeOf(circle.colour, i + 1), 1.6, circle.dashed ? dashes : "");
+    }
+    for (std::size_t i = 0; i < plot.rings.size(); ++i) {
+        const std::string name = captionText(plot.rings[i].name, language);
+        if (!name.empty()) legend.patch(name, strokeOf(plot.rings[i].colour, i));
     }
     for (const bool outer : {true, false})
         if (std::any_of(plot.contacts.begin(), plot.contacts.end(),
@@ -375,17 +413,23 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     svg.text(20, 24, Svg::Anchor::Start, titleSize, title, true);
     drawGrid(svg, polar, divisions, language);
     drawScale(svg, polar, plot, divisions, language);
+    for (std::size_t i = 0; i < plot.rings.size(); ++i)
+        svg.path(ringPath(polar, plot.rings[i]), "none", 0, strokeOf(plot.rings[i].colour, i), ringOpacity);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         const std::string data = tracePath(polar, plot.traces[i]);
         if (!data.empty()) svg.path(data, strokeOf(plot.traces[i].colour, i), plot.traces[i].thin ? 0.5 : 1.6);
     }
     for (std::size_t i = 0; i < plot.circles.size(); ++i)
-        svg.path(referencePath(polar, plot.circles[i]), strokeOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
-                 plot.circles[i].dashed ? dashes : "");
+        if (plot.circles[i].asked.empty())
+            svg.path(referencePath(polar, plot.circles[i]), strokeOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
+                     plot.circles[i].dashed ? dashes : "");
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
             svg.path(markPath(mark.angle_deg * degree, polar.radius(mark.deviation_um), mark.outer), "none", 0,
                      markColour);
+    for (const PolarPlot::Mark& mark : plot.contacts)
+        if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
+            nameContact(svg, polar, mark, captionText(mark.name, language));
     drawLegend(svg, plot, magnification, divisions, language);
     return svg.finish();
 }

@@ -28,6 +28,21 @@ Text usualCause(int upr)
     return LT_TEXT("Engine", "short waves: chatter, or the trace of the tool's feed");
 }
 
+Text shortCause(int upr)
+{
+    switch (upr) {
+        case 2: return LT_TEXT("Engine", "oval");
+        case 3: return LT_TEXT("Engine", "three-jaw chuck?");
+        case 4: return LT_TEXT("Engine", "four-jaw chuck?");
+        case 5: return LT_TEXT("Engine", "five lobes");
+        case 6: return LT_TEXT("Engine", "six lobes");
+        default: break;
+    }
+    if (upr <= 14) return LT_TEXT("Engine", "bearing or drive?");
+    if (upr <= 50) return LT_TEXT("Engine", "vibration?");
+    return LT_TEXT("Engine", "chatter or feed?");
+}
+
 std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
 {
     double variance = 0;

@@ -14,4 +14,7 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result);
 /// What waves of `upr` undulations per revolution usually come from.
 Text usualCause(int upr);
 
+/// The same in a word, beside a number: "2 oval". Empty where there is none.
+Text shortCause(int upr);
+
 }  // namespace lathelier::form

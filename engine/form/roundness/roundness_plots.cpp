@@ -1,11 +1,13 @@
 #include "engine/form/roundness/roundness_plots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "engine/form/roundness/prepared_profile.h"
+#include "engine/form/roundness/roundness_hints.h"
 #include "engine/form/roundness/roundness_report.h"
 
 namespace lathelier::form {
@@ -14,6 +16,9 @@ namespace {
 constexpr double um_per_mm = 1000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int leastOrders = 50;  ///< shown of a spectrum
+/// Waves run about the least-squares circle, which the plot has first.
+constexpr std::array leastSquaresFirst{ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI,
+                                       ReferenceCircle::MCCI};
 
 /// Numbers of the series' colours.
 constexpr int profileColour = 0, leastSquaresColour = 2, zoneColour = 1, inscribedColour = 4, circumscribedColour = 3;
@@ -76,6 +81,53 @@ report::PolarPlot::ReferenceLine lineOf(const RoundnessResult& result, const Fit
     return {name, off.x(), off.y(), um_per_mm * (radius_mm - base.radius_mm), colour, dashed};
 }
 
+int colourOf(ReferenceCircle circle)
+{
+    switch (circle) {
+        case ReferenceCircle::LSCI: return leastSquaresColour;
+        case ReferenceCircle::MZCI: return zoneColour;
+        case ReferenceCircle::MICI: return inscribedColour;
+        case ReferenceCircle::MCCI: return circumscribedColour;
+    }
+    return zoneColour;
+}
+
+/// Two circles as far apart as the tolerance allows, about the middle of the zone; none where they would leave the
+/// profile no room.
+void addToleranceRing(const RoundnessResult& result, report::PolarPlot& plot, const Language& language)
+{
+    constexpr double mostZones = 3;  // a wider ring says no more than the words do
+    const FittedCircle& base = baseOf(result);
+    const std::optional<double>& tolerance_um = result.parameters.tolerance_um;
+    if (!tolerance_um || *tolerance_um > mostZones * base.RONt_um) return;
+    const double middle_um = um_per_mm * ((base.inner_radius_mm + base.outer_radius_mm) / 2 - base.radius_mm);
+    const std::string words =
+        fill(text(LT_TEXT("Engine", "tolerance {tolerance} µm"), language), {{"tolerance", *tolerance_um}}, language);
+    for (const int side : {1, -1}) {
+        plot.circles.push_back({side > 0 ? words : std::string(), 0, 0, middle_um + side * *tolerance_um / 2,
+                                report::ColourRole::Limit, true});
+    }
+}
+
+/// The strongest waves, named where they stand.
+void nameStrongest(report::Plot& plot, const report::Curve& bars, const Language& language)
+{
+    constexpr std::size_t most = 3;
+    std::vector<std::size_t> order(bars.y.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bars.y[a] > bars.y[b]; });
+    for (std::size_t k = 0; k < std::min(most, order.size()); ++k) {
+        const std::size_t i = order[k];
+        if (!(bars.y[i] > 0.1 * bars.y[order[0]])) break;
+        const double upr = bars.x[i] + 0.5;
+        const Text word = shortCause(static_cast<int>(std::lround(upr)));
+        std::string words = fixed(upr, 0, language);
+        words += ' ';
+        words += text(word, language);
+        plot.marks.push_back({upr, bars.y[i], std::move(words)});
+    }
+}
+
 Text reasonOf(const RoundnessResult& result, int upr)
 {
     for (const RoundnessHint& hint : result.hints)
@@ -88,7 +140,8 @@ Text reasonOf(const RoundnessResult& result, int upr)
 report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Language& language)
 {
     report::PolarPlot plot;
-    plot.title = LT_TEXT("Engine", "Profile and reference circles");
+    plot.title = LT_TEXT("Engine", "Profile and reference circle");
+    const ReferenceCircle chosen = result.parameters.circle;
     const FittedCircle& base = baseOf(result);
     plot.base_radius_mm = base.radius_mm;
     plot.traces = {profileTrace(result, language)};
@@ -98,20 +151,42 @@ report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Langua
         return std::string(name(circle)) + "  RONt " + fixed(result.circles.of(circle).RONt_um, decimals, language) +
                " µm";
     };
-    const ReferenceCircles& c = result.circles;
-    plot.circles = {
-        lineOf(result, c.LSCI, c.LSCI.radius_mm, label(ReferenceCircle::LSCI), leastSquaresColour, false),
-        lineOf(result, c.MZCI, c.MZCI.outer_radius_mm, label(ReferenceCircle::MZCI), zoneColour, false),
-        lineOf(result, c.MZCI, c.MZCI.inner_radius_mm, "", zoneColour, false),
-        lineOf(result, c.MICI, c.MICI.inner_radius_mm, label(ReferenceCircle::MICI), inscribedColour, true),
-        lineOf(result, c.MCCI, c.MCCI.outer_radius_mm, label(ReferenceCircle::MCCI), circumscribedColour, true)};
+    for (const ReferenceCircle which : leastSquaresFirst) {
+        const FittedCircle& circle = result.circles.of(which);
+        const bool is_pair = which == ReferenceCircle::MZCI;
+        const bool is_outer = is_pair || which == ReferenceCircle::MCCI;
+        const double fitted_mm = which == ReferenceCircle::LSCI ? circle.radius_mm
+                                 : is_outer                     ? circle.outer_radius_mm
+                                                                : circle.inner_radius_mm;
+        const int colour = colourOf(which);
+        const auto add = [&](double radius_mm, const std::string& words, bool dashed) {
+            plot.circles.push_back(lineOf(result, circle, radius_mm, words, colour, dashed));
+            if (which != chosen) plot.circles.back().asked = name(which);
+        };
+        add(fitted_mm, label(which), false);
+        if (is_pair) add(circle.inner_radius_mm, "", false);
+        if (which == chosen && !is_pair && !is_outer) add(circle.outer_radius_mm, "", true);
+        if (which == chosen && !is_pair && fitted_mm != circle.inner_radius_mm) add(circle.inner_radius_mm, "", true);
+    }
+    plot.rings = {{LT_TEXT("Engine", "zone"), 0, 0, um_per_mm * (base.inner_radius_mm - base.radius_mm),
+                   um_per_mm * (base.outer_radius_mm - base.radius_mm), colourOf(chosen)}};
+    addToleranceRing(result, plot, language);
     for (const CircleContact& contact : base.contacts) {
         const auto at = std::find(result.evaluated_index.begin(), result.evaluated_index.end(), contact.index);
         if (at == result.evaluated_index.end()) continue;
         const auto i = static_cast<std::size_t>(at - result.evaluated_index.begin());
         const Eigen::Vector2d ray = result.evaluated_mm[i] - base.centre_mm;
-        plot.contacts.push_back({degrees(std::atan2(ray.y(), ray.x())), um_per_mm * (ray.norm() - base.radius_mm),
-                                 contact.side == CircleContact::Side::Outer});
+        report::PolarPlot::Mark mark;
+        mark.angle_deg = degrees(std::atan2(ray.y(), ray.x()));
+        mark.deviation_um = um_per_mm * (ray.norm() - base.radius_mm);
+        mark.outer = contact.side == CircleContact::Side::Outer;
+        const double turned = mark.angle_deg < 0 ? mark.angle_deg + 360 : mark.angle_deg;
+        std::string words = fixed(turned, 0, language);
+        words += "°  ";
+        words += mark.deviation_um < 0 ? "−" : "+";
+        words += fixed(std::abs(mark.deviation_um), decimals, language);
+        mark.name = std::move(words);
+        plot.contacts.push_back(std::move(mark));
     }
     return plot;
 }
@@ -146,6 +221,9 @@ report::Plot spectrumPlot(const RoundnessResult& result, const Language& languag
                                         {{"upr", fixed(*mark, 0, language)}}, language)});
             shown = std::max(shown, 1.2 * *mark);
         }
+    nameStrongest(plot, bars, language);
+    constexpr double roomForNames = 1.15;
+    if (largest > 0) plot.y.range = Interval{0, roomForNames * largest};
     plot.curves = {std::move(bars)};
     plot.x.range = Interval{1.5, std::min(shown, last) + 0.5};
     return plot;

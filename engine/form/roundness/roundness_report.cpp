@@ -17,9 +17,6 @@
 namespace lathelier::form {
 namespace {
 
-constexpr std::array<ReferenceCircle, 4> allCircles{ReferenceCircle::MZCI, ReferenceCircle::LSCI, ReferenceCircle::MICI,
-                                                    ReferenceCircle::MCCI};
-
 Text fullName(ReferenceCircle circle)
 {
     switch (circle) {
@@ -123,15 +120,15 @@ void addSections(const RoundnessResult& result, bool several, const Language& la
 report::Table circlesTable(const RoundnessResult& result)
 {
     std::vector<FittedCircle> circles;
-    circles.reserve(allCircles.size());
-    for (const ReferenceCircle which : allCircles) circles.push_back(result.circles.of(which));
+    circles.reserve(circlesOfTable.size());
+    for (const ReferenceCircle which : circlesOfTable) circles.push_back(result.circles.of(which));
     report::Table table = report::listTable<FittedCircle>(
         LT_TEXT("Engine", "Roundness deviation by reference circle"), circles,
         {"RONt_um", "centre_x_mm", "centre_y_mm", "inner_radius_mm", "outer_radius_mm", "certified_gap_um"});
     table.columns.insert(table.columns.begin(), LT_TEXT("Engine", "circle"));
     table.decimals.insert(table.decimals.begin(), 0);
-    for (std::size_t i = 0; i < allCircles.size(); ++i)
-        table.rows[i].insert(table.rows[i].begin(), fullName(allCircles[i]));
+    for (std::size_t i = 0; i < circlesOfTable.size(); ++i)
+        table.rows[i].insert(table.rows[i].begin(), fullName(circlesOfTable[i]));
     return table;
 }
 
@@ -199,6 +196,27 @@ double withoutOutliers_um(const RoundnessResult& result)
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// What the value would be with the usual filter, where none was chosen.
+void offerFilter(const RoundnessResult& result, report::Answer& answer, const Language& language)
+{
+    constexpr double usual_upr = 50;  // ISO 12181-2 leaves the choice; drawings without one mostly mean this
+    if (!bandOf(result.parameters).isAll()) return;
+    const MethodRow* best = nullptr;  // as near to it as the points carry
+    for (const MethodRow& row : result.methods) {
+        const bool offers = row.outliers == result.parameters.outliers && !row.undersampled && !row.band.low_upr &&
+                            row.band.high_upr && *row.band.high_upr <= usual_upr;
+        if (offers && (!best || *row.band.high_upr > *best->band.high_upr)) best = &row;
+    }
+    const double filtered_um = best ? best->RONt_um[static_cast<std::size_t>(result.parameters.circle)] : std::nan("");
+    if (!std::isfinite(filtered_um)) return;
+    answer.findings.push_back({LT_TEXT("Engine", "No filter was chosen: with 1-{upr} UPR {value} µm"),
+                               {{"upr", static_cast<std::int64_t>(std::lround(*best->band.high_upr))},
+                                {"value", fixed(filtered_um, answer.decimals, language)}},
+                               {},
+                               {},
+                               {{"cutoff_upr", *best->band.high_upr}}});
+}
+
 }  // namespace
 
 report::Answer answer(const RoundnessResult& result, const Language& language)
@@ -227,8 +245,10 @@ report::Answer answer(const RoundnessResult& result, const Language& language)
             {LT_TEXT("Engine", "Points that stand out: {count}; without them {value} µm"),
              {{"count", *find(note.values, "count")}, {"value", fixed(without_um, answer.decimals, language)}},
              {},
-             {}});
+             {},
+             {{"outliers", std::string("hampel")}}});
     }
+    offerFilter(result, answer, language);
     for (const RoundnessHint& hint : result.hints) {
         if (hint.upr <= 1 || answer.findings.size() >= 3) continue;
         report::Place place;

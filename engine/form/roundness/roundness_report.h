@@ -1,6 +1,7 @@
 // Roundness of profiles as a report, and as one sentence.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/form/roundness/roundness.h"
@@ -20,6 +21,10 @@ report::Section roundnessSummary(const RoundnessResult& result, const Language& 
 /// sure; method and parameters. Several results begin with a table of all.
 report::Document roundnessReport(const std::vector<RoundnessResult>& results, const std::vector<InputFile>& inputs,
                                  const Language& language = {});
+
+/// Of the rows of circlesTable().
+inline constexpr std::array circlesOfTable{ReferenceCircle::MZCI, ReferenceCircle::LSCI, ReferenceCircle::MICI,
+                                           ReferenceCircle::MCCI};
 
 /// Deviation, centre, radii and proof by each reference circle.
 report::Table circlesTable(const RoundnessResult& result);

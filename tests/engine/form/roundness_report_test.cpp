@@ -10,6 +10,7 @@
 
 #include "engine/report/html.h"
 #include "engine/report/plain_text.h"
+#include "engine/report/polar_svg.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier::form {
@@ -107,6 +108,74 @@ TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
     EXPECT_NEAR(spectrum.curves[0].y[0], 4, .1);
 }
 
+/// The others wait to be asked for; the zone is as wide as the value says.
+TEST(RoundnessReport, ThePolarPlotShowsTheChosenCircleAndItsZone)
+{
+    for (const ReferenceCircle which :
+         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+        RoundnessParameters parameters;
+        parameters.circle = which;
+        const RoundnessResult result = made(parameters);
+        const report::PolarPlot plot = roundnessPolarPlot(result);
+        std::size_t others = 0;
+        for (const report::PolarPlot::ReferenceLine& line : plot.circles) {
+            if (line.asked.empty()) continue;
+            ++others;
+            EXPECT_NE(line.asked, name(which));
+        }
+        EXPECT_EQ(others, which == ReferenceCircle::MZCI ? 3U : 4U);
+        ASSERT_EQ(plot.rings.size(), 1U);
+        EXPECT_NEAR(plot.rings[0].outer_um - plot.rings[0].inner_um, result.circles.of(which).RONt_um, 1e-6);
+        const std::string svg = report::toSvg(plot);
+        for (const ReferenceCircle other :
+             {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI})
+            EXPECT_EQ(svg.find(std::string(name(other)) + "  RONt") != std::string::npos, other == which);
+    }
+}
+
+TEST(RoundnessReport, TheToleranceIsDrawnUnlessItDwarfsTheForm)
+{
+    const auto limits = [](double tolerance_um) {
+        RoundnessParameters parameters;
+        parameters.tolerance_um = tolerance_um;
+        std::vector<double> found;
+        for (const report::PolarPlot::ReferenceLine& line : roundnessPolarPlot(made(parameters)).circles)
+            if (line.colour.role == report::ColourRole::Limit) found.push_back(line.deviation_um);
+        return found;
+    };
+    ASSERT_EQ(limits(12).size(), 2U);
+    EXPECT_NEAR(limits(12)[0] - limits(12)[1], 12, 1e-9);
+    EXPECT_TRUE(limits(1000).empty());
+}
+
+TEST(RoundnessReport, AFilterIsOfferedWhereNoneWasChosen)
+{
+    const auto offered = [](const report::Answer& answer) -> const report::Finding* {
+        for (const report::Finding& finding : answer.findings)
+            if (find(finding.offer, "cutoff_upr")) return &finding;
+        return nullptr;
+    };
+    const report::Answer plain = answer(made());
+    const report::Finding* finding = offered(plain);
+    ASSERT_TRUE(finding);
+    RoundnessParameters parameters;
+    parameters.cutoff_upr = std::get<double>(*find(finding->offer, "cutoff_upr"));
+    const RoundnessResult filtered = made(parameters);
+    EXPECT_NE(report::findingText(*finding).find(fixed(filtered.circles.MZCI.RONt_um, plain.decimals, {})),
+              std::string::npos)
+        << report::findingText(*finding) << " but " << filtered.circles.MZCI.RONt_um;
+    EXPECT_FALSE(offered(answer(filtered)));
+}
+
+TEST(RoundnessReport, TheStrongestWavesAreNamed)
+{
+    const report::Plot spectrum = spectrumPlot(made());
+    ASSERT_FALSE(spectrum.marks.empty());
+    EXPECT_LE(spectrum.marks.size(), 3U);
+    EXPECT_EQ(spectrum.marks[0].x, 2);
+    EXPECT_EQ(report::captionText(spectrum.marks[0].name), "2 oval");
+}
+
 TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)
 {
     for (const ReferenceCircle which :
@@ -137,7 +206,7 @@ TEST(RoundnessReport, TheLegendOfTheCirclesDoesNotDependOnTheChosenOne)
         result.RONt_expanded_uncertainty_um = which == ReferenceCircle::LSCI ? 0.5 : 0.005;
         std::vector<std::string> names;
         for (const report::PolarPlot::ReferenceLine& line : roundnessPolarPlot(result).circles)
-            names.push_back(report::captionText(line.name));
+            if (std::string words = report::captionText(line.name); !words.empty()) names.push_back(std::move(words));
         if (first.empty()) first = names;
         EXPECT_EQ(names, first);
     }

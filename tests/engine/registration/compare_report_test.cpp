@@ -58,7 +58,7 @@ TEST(CompareReport, HoldsWhatAnAuditAsksFor)
                              "Roll about the axis is not determined",
                              "Unrolled surface: tolerance",
                              "Meridian",
-                             "error drawn × 10",
+                             "error drawn × 20",
                              "Histogram",
                              "Zones along the axis",
                              "8\u202F785\u202F428"})
@@ -114,11 +114,11 @@ TEST(ComparePlots, MagnificationIsRoundAndShowsTheDeviation)
 {
     CompareResult result = madeResult();
     const double factor = magnification(result);
-    EXPECT_EQ(factor, 10);
+    EXPECT_EQ(factor, 20);
     const report::Plot plot = magnifiedMeridian(result);
     EXPECT_NEAR(plot.curves[3].y[200] - plot.curves[2].y[200], factor * result.meridian->deviation_mm[200], 1e-9);
     for (double& deviation_mm : result.meridian->deviation_mm) deviation_mm /= 100;
-    EXPECT_EQ(magnification(result), 1000);
+    EXPECT_EQ(magnification(result), 2000);
     for (double& deviation_mm : result.meridian->deviation_mm) deviation_mm = 0;
     EXPECT_EQ(magnification(result), 1);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -99,6 +100,34 @@ TEST(Compare, WithItselfIsTheIdentity)
     EXPECT_NEAR(result.statistics.std_mm, 0.05, 0.0015);
     EXPECT_NEAR(result.cloud_to_cloud_rmse_mm, 0, 1e-6);
     EXPECT_FALSE(contains(result.notes, notes::endForEnd));
+    EXPECT_TRUE(contains(result.notes, notes::samePoints));
+    // The same points in another order are another measurement, as far as can be told.
+    Scan turned = pair.reference;
+    std::reverse(turned.points_mm.begin(), turned.points_mm.end());
+    const CompareResult other = compare(pair.reference, turned);
+    EXPECT_FALSE(contains(other.notes, notes::samePoints));
+}
+
+TEST(Compare, TheSurfaceOfACloudDiffersNowhereFromItselfByAnyMethod)
+{
+    const Scan scan = makePair(2, {.angle_step_deg = 9}).reference;
+    for (const CompareMethod method :
+         {CompareMethod::Auto, CompareMethod::Revolution, CompareMethod::Plane, CompareMethod::Point})
+        for (const Symmetry symmetry : {Symmetry::Auto, Symmetry::None}) {
+            if (method == CompareMethod::Revolution && symmetry == Symmetry::None) continue;
+            CompareParameters asked;
+            asked.method = method;
+            asked.symmetry = symmetry;
+            asked.tolerance_mm = 0.001;
+            asked.decision = DecisionRule::Guarded;
+            const CompareResult result = compare(scan, scan, asked);
+            ASSERT_TRUE(result.worst);
+            EXPECT_EQ(result.worst->deviation_mm, 0);
+            EXPECT_EQ(result.worst->uncertainty_mm, 0);
+            EXPECT_TRUE(result.findings.empty());
+            EXPECT_GT(result.statistics.std_mm, 0.03) << "the points keep their noise";
+            EXPECT_EQ(result.verdict, Verdict::Pass) << static_cast<int>(method) << static_cast<int>(symmetry);
+        }
 }
 
 TEST(Compare, DoesNotDependOnWhereTheScansLie)

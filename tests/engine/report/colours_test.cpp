@@ -118,6 +118,19 @@ TEST(Colours, GreenOnlyWhereAToleranceIsGiven)
     EXPECT_TRUE(isGreen(report::DeviationColours{0.02, 0}(0)));
 }
 
+TEST(Colours, ContoursAreStepsAboutZero)
+{
+    report::DeviationColours contours{0.06, {}, 6};
+    EXPECT_EQ(contours(0), report::divergingColour(0));
+    EXPECT_EQ(contours(0.0049), contours(-0.0049));
+    EXPECT_EQ(contours(0.0051), contours(0.0149));
+    EXPECT_NE(contours(0.0049), contours(0.0051));
+    EXPECT_EQ(contours(0.06), report::divergingColour(1));
+    EXPECT_EQ(contours(-1), report::divergingColour(-1));
+    contours.tolerance = 0.03;  // the band is green, and nothing is stepped
+    EXPECT_NE(contours(0.0051), contours(0.0149));
+}
+
 TEST(Colours, LimitsAreRoundAndNotBelowTheData)
 {
     EXPECT_DOUBLE_EQ(report::niceLimit(0.1), 0.1);

@@ -81,7 +81,7 @@ TEST(TrajectoryReport, HoldsWhatAnAuditAsksFor)
                              "Cylindricity",
                              "All sections",
                              "within tolerance",
-                             "Profile and reference circles",
+                             "Profile and reference circle",
                              "Trajectories over one turn",
                              "Error motion",
                              "asynchronous",

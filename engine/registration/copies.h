@@ -1,0 +1,36 @@
+// Several copies held against one original: a line for each, and the trend from one to the next.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/registration/compare.h"
+#include "engine/report/document.h"
+
+namespace lathelier::registration {
+
+/// What is kept of one copy's comparison.
+struct CopySummary {
+    std::string name;                ///< what people call it: its file
+    std::optional<Verdict> verdict;  ///< none: nothing was judged
+    std::optional<WorstPlace> worst;
+    double mean_mm = std::numeric_limits<double>::quiet_NaN();     ///< of the signed deviations
+    double rmse_mm = std::numeric_limits<double>::quiet_NaN();     ///< root mean square deviation
+    double scatter_mm = std::numeric_limits<double>::quiet_NaN();  ///< noise of the scans
+    std::optional<Error> error;                                    ///< why there are no numbers
+};
+
+CopySummary summaryOf(std::string name, const CompareResult& result);
+
+/// One row for each copy, in the order of `copies`; what could not be compared says why.
+report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language = {});
+
+/// The worst local deviation with its expanded uncertainty, and the mean, over the number of the copy, with the
+/// tolerance. Copies without numbers leave a gap.
+report::Plot copiesTrend(const std::vector<CopySummary>& copies, const CompareParameters& parameters,
+                         const Language& language = {});
+
+}  // namespace lathelier::registration

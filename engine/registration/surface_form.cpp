@@ -1,0 +1,189 @@
+#include "engine/registration/surface_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "engine/core/parallel.h"
+#include "engine/registration/neighbours/neighbours.h"
+
+namespace lathelier::registration {
+namespace {
+
+constexpr double kOutside_mm = 1;  // a place so far outside a window is still coloured by it
+constexpr double kForm = 4;        // standard uncertainties: more between a window and the next is form
+constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kRun = 256;  // queries that are asked together: neighbours in the file mostly are in space
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
+/// The smallest windows by their places, found again from any place of the surface.
+class SmallestWindows {
+public:
+    SmallestWindows(const SurfaceWindows& all, const Progress& progress) : all_(all), index_(placesOf(all), progress) {}
+
+    /// The windows about places on the reference's surface, in its frame; kNoWindow where none is near.
+    void find(std::span<const Eigen::Vector3d> places_mm, std::span<std::uint32_t> windows) const
+    {
+        std::vector<Neighbours::Found> found(places_mm.size());
+        index_.nearest(places_mm, std::numeric_limits<double>::infinity(), found);
+        for (std::size_t i = 0; i < places_mm.size(); ++i) {
+            windows[i] = kNoWindow;
+            if (found[i].place == Neighbours::Found::none) continue;
+            const std::uint32_t window = 2 * index_.input(found[i].place);
+            if (isNear(all_.windows[window], places_mm[i], std::sqrt(found[i].squared_mm2))) windows[i] = window;
+        }
+    }
+
+private:
+    static std::vector<Eigen::Vector3d> placesOf(const SurfaceWindows& all)
+    {
+        std::vector<Eigen::Vector3d> places;
+        forEachSmallest(all, [&](const SurfaceWindow& w) { places.emplace_back(w.place_mm.cast<double>()); });
+        return places;
+    }
+
+    bool isNear(const SurfaceWindow& window, const Eigen::Vector3d& place_mm, double distance_mm) const
+    {
+        if (!all_.axis_T_reference || window.stretch < 0)
+            return distance_mm <= kOutside_mm + static_cast<double>(window.size_mm);
+        const Eigen::Vector3d along = *all_.axis_T_reference * place_mm;
+        const MeridianStretch& stretch = all_.stretches[static_cast<std::size_t>(window.stretch)];
+        const double beyond = std::max(stretch.start_mm - along.z(), along.z() - stretch.end_mm);
+        const double radius_mm =
+            stretch.radius_mm + stretch.slope * (along.z() - (stretch.start_mm + stretch.end_mm) / 2);
+        return beyond <= kOutside_mm && std::abs(along.head<2>().norm() - radius_mm) <= kOutside_mm + bow(stretch) &&
+               static_cast<double>(window.z_start_mm) - along.z() <=
+                   kOutside_mm + static_cast<double>(window.size_mm) &&
+               along.z() - static_cast<double>(window.z_end_mm) <= kOutside_mm + static_cast<double>(window.size_mm);
+    }
+
+    /// A stretch is no straight line exactly: what its middle may be off, at most.
+    static double bow(const MeridianStretch& stretch) { return 0.1 * (stretch.end_mm - stretch.start_mm); }
+
+    const SurfaceWindows& all_;
+    Neighbours index_;
+};
+
+bool hasSmallest(const SurfaceWindows& all)
+{
+    return !all.windows.empty() && all.windows.front().smallest;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult& result, const Progress& progress)
+{
+    const SurfaceWindows& all = *result.windows;
+    std::vector<std::uint32_t> windows(copy.points_mm.size(), kNoWindow);
+    if (!hasSmallest(all)) return windows;
+    const SmallestWindows smallest(all, progress);
+    const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
+    parallelFor(windows.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<Eigen::Vector3d> places;
+        std::vector<std::uint32_t> numbers, found;
+        const auto flush = [&] {
+            found.resize(places.size());
+            smallest.find(places, found);
+            for (std::size_t k = 0; k < numbers.size(); ++k) windows[numbers[k]] = found[k];
+            places.clear();
+            numbers.clear();
+        };
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!result.used[i]) continue;
+            places.emplace_back(reference_T_copy * copy.points_mm[i]);
+            numbers.push_back(static_cast<std::uint32_t>(i));
+            if (places.size() == kRun) flush();
+        }
+        flush();
+    });
+    return windows;
+}
+
+std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progress& progress)
+{
+    const UnrolledMap& map = *result.unrolled;
+    const auto angles = static_cast<std::size_t>(map.angle_count);
+    std::vector<std::uint32_t> windows(static_cast<std::size_t>(map.z_count) * angles, kNoWindow);
+    if (!result.windows || !hasSmallest(*result.windows) || !result.meridian || !result.axis_T_reference)
+        return windows;
+    const SmallestWindows smallest(*result.windows, progress);
+    const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
+    const Meridian& meridian = *result.meridian;
+    parallelFor(static_cast<std::size_t>(map.z_count), 8, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<Eigen::Vector3d> places(angles);
+        for (std::size_t row = begin; row < end; ++row) {
+            const double z = map.z_start_mm + (static_cast<double>(row) + 0.5) * map.z_step_mm;
+            const auto after = std::lower_bound(meridian.z_mm.begin(), meridian.z_mm.end(), z);
+            const auto bin =
+                std::min(static_cast<std::size_t>(after - meridian.z_mm.begin()), meridian.z_mm.size() - 1);
+            const double radius_mm = meridian.reference_radius_mm[bin];
+            if (std::isnan(radius_mm)) continue;
+            for (std::size_t a = 0; a < angles; ++a) {
+                const double angle =
+                    (static_cast<double>(a) + 0.5) * 2 * std::numbers::pi / static_cast<double>(angles);
+                places[a] =
+                    reference_T_axis * Eigen::Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), z);
+            }
+            smallest.find(places, std::span(windows).subspan(row * angles, angles));
+            // Where the copy has no points the map has no colour, however near the next window is.
+            for (std::size_t a = 0; a < angles; ++a)
+                if (std::isnan(map.mean_mm[row * angles + a])) windows[row * angles + a] = kNoWindow;
+        }
+    });
+    return windows;
+}
+
+float meanOf(const SurfaceWindows& all, std::uint32_t place, double sure_mm)
+{
+    while (place != SurfaceWindow::kNone) {
+        const SurfaceWindow& window = all.windows[place];
+        if (static_cast<double>(window.sigma_mm) <= sure_mm) return window.mean_mm;
+        if (window.wider == SurfaceWindow::kNone) break;
+        const SurfaceWindow& wider = all.windows[window.wider];
+        // The wider window holds the other: the variance of their difference is that of the means' difference.
+        const double variance = std::max(
+            0.0, std::pow(static_cast<double>(window.sigma_mm), 2) - std::pow(static_cast<double>(wider.sigma_mm), 2));
+        const double apart = std::abs(static_cast<double>(wider.mean_mm) - static_cast<double>(window.mean_mm));
+        if (apart > kForm * std::sqrt(variance) && apart > sure_mm) return window.mean_mm;
+        place = window.wider;
+    }
+    return kNothing;
+}
+
+std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uint32_t>& places, double sure_mm)
+{
+    // Each of the smallest windows once, though many places lie in it.
+    std::vector<float> mean(all.windows.size(), kNothing);
+    for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2)
+        mean[i] = meanOf(all, i, sure_mm);
+    std::vector<float> means(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) means[i] = places[i] == kNoWindow ? kNothing : mean[places[i]];
+    return means;
+}
+
+double formReach_mm(const SurfaceWindows& all, double share)
+{
+    // From coarse to fine, until the means are sure against what they reach themselves.
+    double reach_mm = 0;
+    std::vector<float> sizes;
+    for (double sure_mm = std::max(all.scatter_mm, 1e-6); sure_mm > 1e-7; sure_mm /= 2) {
+        sizes.clear();
+        std::size_t places = 0;
+        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) {
+            ++places;
+            const float mean = meanOf(all, i, sure_mm);
+            if (!std::isnan(mean)) sizes.push_back(std::abs(mean));
+        }
+        if (sizes.empty() || sizes.size() * 10 < places * 9) break;  // finer than the data carry
+        const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
+        std::nth_element(sizes.begin(), at, sizes.end());
+        const auto size = static_cast<double>(*at);
+        if (sure_mm <= kSureShareOfScale * size) return size;
+        reach_mm = sure_mm / kSureShareOfScale;
+    }
+    return reach_mm;
+}
+
+}  // namespace lathelier::registration

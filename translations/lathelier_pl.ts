@@ -1944,10 +1944,6 @@
         <translation>profil</translation>
     </message>
     <message>
-        <source>Profile and reference circles</source>
-        <translation>Profil i okręgi odniesienia</translation>
-    </message>
-    <message>
         <source>Harmonics of the unfiltered profile</source>
         <translation>Harmoniczne profilu niefiltrowanego</translation>
     </message>
@@ -4107,6 +4103,121 @@
         <source>The project has no “{item}” of the kind {kind}: keep it again, or choose a file.</source>
         <translation>Projekt nie ma „{item}” rodzaju {kind}: zachowaj to ponownie albo wybierz plik.</translation>
     </message>
+    <message>
+        <source>oval</source>
+        <translation>owal</translation>
+    </message>
+    <message>
+        <source>three-jaw chuck?</source>
+        <translation>uchwyt trójszczękowy?</translation>
+    </message>
+    <message>
+        <source>four-jaw chuck?</source>
+        <translation>uchwyt czteroszczękowy?</translation>
+    </message>
+    <message>
+        <source>five lobes</source>
+        <translation>pięć garbów</translation>
+    </message>
+    <message>
+        <source>six lobes</source>
+        <translation>sześć garbów</translation>
+    </message>
+    <message>
+        <source>bearing or drive?</source>
+        <translation>łożysko lub napęd?</translation>
+    </message>
+    <message>
+        <source>vibration?</source>
+        <translation>drgania?</translation>
+    </message>
+    <message>
+        <source>chatter or feed?</source>
+        <translation>drgania samowzbudne lub posuw?</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance} µm</source>
+        <translation>tolerancja {tolerance} µm</translation>
+    </message>
+    <message>
+        <source>Profile and reference circle</source>
+        <translation>Profil i okrąg odniesienia</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>strefa</translation>
+    </message>
+    <message>
+        <source>No filter was chosen: with 1-{upr} UPR {value} µm</source>
+        <translation>Nie wybrano filtru: z 1-{upr} UPR {value} µm</translation>
+    </message>
+    <message>
+        <source>Averaging the deviation locally</source>
+        <translation>Lokalne uśrednianie odchyłki</translation>
+    </message>
+    <message>
+        <source>Copies of the same original</source>
+        <translation>Kopie tego samego oryginału</translation>
+    </message>
+    <message>
+        <source>worst (mm)</source>
+        <translation>najgorsza (mm)</translation>
+    </message>
+    <message>
+        <source>U (mm)</source>
+        <translation>U (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>mean (mm)</source>
+        <translation>średnia (mm)</translation>
+    </message>
+    <message>
+        <source>RMS (mm)</source>
+        <translation>RMS (mm)</translation>
+    </message>
+    <message>
+        <source>noise (mm)</source>
+        <translation>szum (mm)</translation>
+    </message>
+    <message>
+        <source>Trend of the copies</source>
+        <translation>Przebieg kopii</translation>
+    </message>
+    <message>
+        <source>Number of the copy</source>
+        <translation>Numer kopii</translation>
+    </message>
+    <message>
+        <source>worst local deviation</source>
+        <translation>najgorsza lokalna odchyłka</translation>
+    </message>
+    <message>
+        <source>± U (k = 2)</source>
+        <translation>± U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Further copies</source>
+        <translation>Dalsze kopie</translation>
+    </message>
+    <message>
+        <source>Scans of more parts, judged by the same limits: table and trend</source>
+        <translation>Skany kolejnych części, ocenianych według tych samych granic: tabela i przebieg</translation>
+    </message>
+    <message>
+        <source>Reference and copy are the same points in the same order: the surfaces differ nowhere, and nothing was measured.</source>
+        <translation>Oryginał i kopia to te same punkty w tej samej kolejności: powierzchnie nigdzie się nie różnią i niczego nie zmierzono.</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::AnswerStrip</name>
+    <message>
+        <source>Click: use it. It can be undone.</source>
+        <translation>Kliknięcie: użyj. Można to cofnąć.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::CommandPalette</name>
@@ -4140,6 +4251,45 @@
     <message>
         <source>Unit</source>
         <translation>Jednostka</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::DataColumn</name>
+    <message>
+        <source>Nothing yet: drop files anywhere.</source>
+        <translation>Jeszcze nic: upuść pliki w dowolnym miejscu.</translation>
+    </message>
+    <message>
+        <source>Synthetic data: made by a program, not measured</source>
+        <translation>Dane syntetyczne: z programu, nie z pomiaru</translation>
+    </message>
+    <message>
+        <source>made in %1</source>
+        <translation>powstało w panelu %1</translation>
+    </message>
+    <message>
+        <source>its origin has changed since</source>
+        <translation>jego źródło od tego czasu się zmieniło</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Copy the path</source>
+        <translation>Kopiuj ścieżkę</translation>
+    </message>
+    <message>
+        <source>Remove from the project</source>
+        <translation>Usuń z projektu</translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>Usuń „%1”</translation>
+    </message>
+    <message>
+        <source>Data of the project</source>
+        <translation>Dane projektu</translation>
     </message>
 </context>
 <context>
@@ -4536,6 +4686,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Use “%1”</source>
         <translation>Użycie „%1”</translation>
     </message>
+    <message>
+        <source>Data</source>
+        <translation>Dane</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::MessageLog</name>
@@ -4655,6 +4809,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Use what the answer proposes</source>
+        <translation>Użyj propozycji odpowiedzi</translation>
     </message>
 </context>
 <context>
@@ -4944,6 +5102,30 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>%1, z %2 mm</source>
         <translation>%1, z %2 mm</translation>
     </message>
+    <message>
+        <source>Zone %1</source>
+        <translation>Strefa %1</translation>
+    </message>
+    <message>
+        <source>Leave a zone out</source>
+        <translation>Pomiń strefę</translation>
+    </message>
+    <message>
+        <source>Remove a zone</source>
+        <translation>Usuń strefę</translation>
+    </message>
+    <message>
+        <source>Edit a zone</source>
+        <translation>Zmień strefę</translation>
+    </message>
+    <message>
+        <source>Add a zone</source>
+        <translation>Dodaj strefę</translation>
+    </message>
+    <message>
+        <source>Show another copy</source>
+        <translation>Pokaż inną kopię</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::CompareViews</name>
@@ -5012,10 +5194,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Średnia lokalna</translation>
     </message>
     <message>
-        <source>Each point has the mean of its surroundings, as in the map; off: every point by itself</source>
-        <translation>Każdy punkt ma średnią swojego otoczenia, jak na mapie; wyłączone: każdy punkt osobno</translation>
-    </message>
-    <message>
         <source>Error ×</source>
         <translation>Błąd ×</translation>
     </message>
@@ -5067,12 +5245,67 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Green within the tolerance, red above it, blue below it</source>
         <translation>Zielona w tolerancji, czerwona powyżej, niebieska poniżej</translation>
     </message>
+    <message>
+        <source>left out</source>
+        <translation>pominięto</translation>
+    </message>
+    <message>
+        <source>Each place has the mean of its surroundings, as large as it needs to be sure; grey: not sure; off: every point by itself</source>
+        <translation>Każde miejsce ma średnią otoczenia tak dużego, by była pewna; szare: niepewna; wyłączone: każdy punkt osobno</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Strefa</translation>
+    </message>
+    <message>
+        <source>Draw a zone with limits of its own: drag along the axis in the map, the deviation or the meridian. On a zone that is there: edit it.</source>
+        <translation>Narysuj strefę z własnymi granicami: przeciągnij wzdłuż osi na mapie, odchyłce lub zarysie. Na istniejącej strefie: zmień ją.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Kopie</translation>
+    </message>
+    <message>
+        <source>Double click: show this copy</source>
+        <translation>Podwójne kliknięcie: pokaż tę kopię</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::StatisticsTable</name>
     <message>
         <source>Statistics</source>
         <translation>Statystyka</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::compare_panel::ZoneDialog</name>
+    <message>
+        <source>Zone</source>
+        <translation>Strefa</translation>
+    </message>
+    <message>
+        <source>New zone</source>
+        <translation>Nowa strefa</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Pomiń</translation>
+    </message>
+    <message>
+        <source>The zone has to end beyond its start.</source>
+        <translation>Strefa musi kończyć się za swoim początkiem.</translation>
+    </message>
+    <message>
+        <source>Give both limits, or none.</source>
+        <translation>Podaj obie granice albo żadnej.</translation>
+    </message>
+    <message>
+        <source>The upper limit has to be above the lower one.</source>
+        <translation>Górna granica musi być większa od dolnej.</translation>
     </message>
 </context>
 <context>
@@ -5186,10 +5419,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::longitudinal_panel::LongitudinalViews</name>
     <message>
-        <source>deviation × %1</source>
-        <translation>odchyłka × %1</translation>
-    </message>
-    <message>
         <source>Surface of all sections</source>
         <translation>Powierzchnia wszystkich przekrojów</translation>
     </message>
@@ -5230,6 +5459,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>Sections</source>
         <translation>Przekroje</translation>
+    </message>
+    <message>
+        <source>Error ×</source>
+        <translation>Błąd ×</translation>
     </message>
 </context>
 <context>

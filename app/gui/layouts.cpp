@@ -10,7 +10,7 @@
 namespace lathelier {
 namespace {
 
-constexpr int layoutVersion = 1;  // counts up when docks are renamed
+constexpr int layoutVersion = 2;  // counts up when docks are renamed
 
 QString settingsKey(const std::string& workspace)
 {
@@ -28,8 +28,8 @@ bool isOnAScreen(const QWidget& widget)
 
 }  // namespace
 
-Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log)
-    : window_(window), docks_(docks), log_(log)
+Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log, QDockWidget& data)
+    : window_(window), docks_(docks), log_(log), data_(data)
 {
     for (PanelDock* dock : docks_) {
         window_.addDockWidget(Qt::TopDockWidgetArea, dock);
@@ -37,6 +37,10 @@ Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDoc
     }
     window_.addDockWidget(Qt::BottomDockWidgetArea, &log_);
     log_.hide();
+    window_.setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);  // over the whole height, beside the panels
+    window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window_.addDockWidget(Qt::LeftDockWidgetArea, &data_);
+    data_.hide();
 }
 
 void Layouts::enter(const std::string& id, PanelDock* active)
@@ -74,6 +78,7 @@ void Layouts::hideAll()
 {
     for (PanelDock* dock : docks_) dock->hide();
     log_.hide();
+    data_.hide();
 }
 
 void Layouts::arrangeAsAtFirst()
@@ -100,6 +105,10 @@ void Layouts::arrangeAsAtFirst()
     window_.removeDockWidget(&log_);
     window_.addDockWidget(Qt::BottomDockWidgetArea, &log_);
     log_.hide();
+    data_.setFloating(false);
+    window_.removeDockWidget(&data_);
+    window_.addDockWidget(Qt::LeftDockWidgetArea, &data_);
+    data_.hide();
     if (first) first->raise();
 }
 

@@ -12,7 +12,7 @@ namespace lathelier {
 /// Arranges the docks of a window. Whatever a saved arrangement says, the active panel ends up visible.
 class Layouts {
 public:
-    Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log);
+    Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log, QDockWidget& data);
 
     const std::string& workspace() const { return workspace_; }
 
@@ -35,6 +35,7 @@ private:
     QMainWindow& window_;
     std::vector<PanelDock*> docks_;
     QDockWidget& log_;
+    QDockWidget& data_;
     std::string workspace_;
 };
 

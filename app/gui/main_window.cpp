@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "app/gui/command_palette.h"
+#include "app/gui/data_column.h"
 #include "app/gui/help_window.h"
 #include "app/gui/settings_dialog.h"
 #include "app/gui/theme.h"
@@ -43,6 +44,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       finder_(kindsOf(panels)),
       log_(new MessageLog),
       logDock_(new QDockWidget(this)),
+      dataDock_(new QDockWidget(this)),
       status_(new QLabel),
       openSaved_(new QToolButton),
       ordinaryFont_(QApplication::font())
@@ -52,6 +54,19 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     logDock_->setObjectName("dock_messages");
     logDock_->setWidget(log_);
+    auto* column = new DataColumn(session_, panels);
+    dataDock_->setObjectName("dock_data");
+    dataDock_->setWidget(column);
+    connect(column, &DataColumn::panelWanted, this, [this](const std::string& id) {
+        for (PanelDock* dock : docks_)
+            if (dock->facts().id == id) return showPanel(dock);
+    });
+    connect(column, &DataColumn::itemWanted, this, [this](const std::string& name) {
+        const auto& items = session_.project().items;
+        if (const auto item = items.find(name); item != items.end())
+            for (PanelDock* dock : docks_)
+                if (dock->facts().item_inputs.count(item->second.kind) > 0) return showPanel(dock);
+    });
     status_->setTextFormat(Qt::PlainText);
     status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(status_, 1);
@@ -102,7 +117,7 @@ void MainWindow::makeDocks(const std::vector<PanelFacts>& panels)
             if (seen && layouts_) lastActive_[layouts_->workspace()] = dock;
         });
     }
-    layouts_ = std::make_unique<Layouts>(*this, docks_, *logDock_);
+    layouts_ = std::make_unique<Layouts>(*this, docks_, *logDock_, *dataDock_);
 }
 
 void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
@@ -134,11 +149,17 @@ void MainWindow::useItem(const std::string& name, const project::Item& item, boo
         source.synthetic = synthetic;
         project.panels[facts.stateKey()].inputs[facts.item_inputs.at(item.kind)] = source;
     });
-    if (taker == docks_.end()) return;
-    const std::string& workspace = (*taker)->facts().workspaces.front().id;
-    lastActive_[workspace] = *taker;
+    if (taker != docks_.end()) showPanel(*taker);
+}
+
+/// In the workspace that is open if it belongs there, else in its own.
+void MainWindow::showPanel(PanelDock* dock)
+{
+    const std::string& here = layouts_->workspace();
+    const std::string& workspace = isIn(dock->facts(), here) ? here : dock->facts().workspaces.front().id;
+    lastActive_[workspace] = dock;
     enterWorkspace(workspace);
-    showDock(*taker);
+    showDock(dock);
 }
 
 void MainWindow::enterWorkspace(const std::string& id)
@@ -239,7 +260,7 @@ void MainWindow::setPresenting(bool presenting)
         dock->setTitleSeen(!presenting);
         if (dock->madePanel()) dock->madePanel()->setPresenting(presenting);
     }
-    logDock_->setVisible(!presenting && logDock_->isVisible());
+    for (QDockWidget* side : {logDock_, dataDock_}) side->setVisible(!presenting && side->isVisible());
     menuBar()->setVisible(!presenting);
     bar_->setVisible(!presenting);
     statusBar()->setVisible(!presenting);

@@ -69,6 +69,7 @@ private:
     void askForFiles();
     void goWhereItBelongs(const FoundFile& file);
     void useItem(const std::string& name, const project::Item& item, bool synthetic);
+    void showPanel(PanelDock* dock);
     void askForSettings();
     void askForTitleBlock();
     void showPalette();
@@ -85,6 +86,7 @@ private:
     std::vector<PanelDock*> docks_;
     MessageLog* log_;
     QDockWidget* logDock_;
+    QDockWidget* dataDock_;
     std::unique_ptr<Layouts> layouts_;
     std::map<std::string, PanelDock*> lastActive_;  ///< by workspace
     std::map<QString, QAction*> actions_;

@@ -115,7 +115,10 @@ void MainWindow::makeMenus()
     for (PanelDock* dock : docks_) menus_["view"]->addAction(&dock->showAction());
     for (const char* name : {"nextPanel", "previousPanel"}) menus_["view"]->addAction(action(name));
     menus_["view"]->addAction(logDock_->toggleViewAction());
+    menus_["view"]->addAction(dataDock_->toggleViewAction());
     logDock_->toggleViewAction()->setIcon(icon("log"));
+    dataDock_->toggleViewAction()->setIcon(icon("data"));
+    dataDock_->toggleViewAction()->setShortcut(QKeySequence("Ctrl+D"));
     menus_["view"]->addSeparator();
     for (const char* name : {"compute", "cancel"}) menus_["view"]->addAction(action(name));
     menus_["view"]->addSeparator();
@@ -219,6 +222,7 @@ void MainWindow::retranslate()
         workspaceActions_[workspace.id]->setText(screenText(workspace.title));
     bar_->setWindowTitle(tr("Workspaces"));
     logDock_->setWindowTitle(tr("Messages"));
+    dataDock_->setWindowTitle(tr("Data"));
     status_->clear();
     openSaved_->setText(tr("Open"));
     openSaved_->setToolTip(tr("Opens the report that was saved last"));

@@ -12,6 +12,7 @@
 #include "engine/registration/deviation_file.h"
 #include "engine/report/result_json.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/compare/zone_dialog.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 
@@ -23,8 +24,13 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
     inputs.roles.back().takes_next = true;  // the master stays, the next copy comes
+    InputRole copies{copiesRole, LT_TEXT("Engine", "Further copies"),
+                     LT_TEXT("Engine", "Scans of more parts, judged by the same limits: table and trend")};
+    copies.required = false;
+    copies.several = true;
+    inputs.roles.push_back(copies);
+    for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
     inputs.fields = infos<registration::CompareParameters>();
     inputs.defaults = toValues(registration::CompareParameters{});
     inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
@@ -32,12 +38,17 @@ PanelInputs panelInputs()
 }
 
 report::Document reportOf(const ComparePicture& picture, const Language& language,
-                          std::vector<report::Picture> pictures)
+                          std::vector<report::Picture> pictures, const std::vector<registration::CopySummary>& copies)
 {
     registration::CompareResult result = *picture.result;
     result.notes = picture.notes;  // those of the files as well
     report::Document document = compareReport(result, picture.inputs, language, std::move(pictures));
     document.synthetic = picture.synthetic;
+    if (copies.size() > 1)
+        document.sections.insert(
+            document.sections.begin() + 1,
+            report::Section{LT_TEXT("Engine", "Copies of the same original"),
+                            {copiesTrend(copies, result.parameters, language), copiesTable(copies, language)}});
     document.results = {report::toText(
         report::wholeResult("compare", picture.inputs, toValues(result.parameters), toJson(result), result.notes))};
     return document;
@@ -53,12 +64,17 @@ PanelFacts comparePanelFacts()
     facts.icon = "compare";
     facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
     facts.kinds = {&io::scanFiles()};
-    facts.part_inputs = {"copy"};
+    facts.part_inputs = {"copy", copiesRole};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
-    facts.missing = missingOf(panelInputs().roles);
+    facts.roles = panelInputs().roles;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
-        return reportOf(LastComparison().find(state, *stores.of<ScanStore>(), progress), language, {});
+        const bool alone = furtherCopies(state).empty();
+        const ComparePicture picture =
+            LastComparison().find(state, *stores.of<ScanStore>(), progress.part(0, alone ? 1 : 0.4));
+        std::vector<registration::CopySummary> copies;
+        if (!alone) copies = KnownCopies().find(state, picture, progress.part(0.4, 1));
+        return reportOf(picture, language, {}, copies);
     };
     return facts;
 }
@@ -66,7 +82,8 @@ PanelFacts comparePanelFacts()
 ComparePanel::ComparePanel(Session& session, QWidget* parent)
     : Panel(session, comparePanelFacts(), panelInputs(), parent),
       views_(new CompareViews),
-      last_(std::make_shared<LastComparison>())
+      last_(std::make_shared<LastComparison>()),
+      known_(std::make_shared<KnownCopies>())
 {
     setViews(views_, views_->heroes());
     addSwapButton();
@@ -80,6 +97,8 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
             QString("compare/tolerance/drag%1").arg(drags_));
         drags_ += dropped;
     });
+    connect(views_, &CompareViews::copyWanted, this, &ComparePanel::showCopy);
+    connect(views_, &CompareViews::zoneDrawn, this, &ComparePanel::askZone);
     connect(views_, &CompareViews::sectionWanted, this, &ComparePanel::offerSection);
     connect(views_, &CompareViews::notWritten, this, &ComparePanel::sayNotWritten);
 }
@@ -105,6 +124,43 @@ void ComparePanel::offerSection(double z_mm)
     }
 }
 
+void ComparePanel::askZone(double from_mm, double to_mm)
+{
+    const registration::CompareParameters& known = result()->result->parameters;
+    auto drawn = zoneAt(known.zones, from_mm, to_mm);
+    if (!drawn) return;
+    if (!drawn->existing) {
+        drawn->zone.name = tr("Zone %1").arg(known.zones.size() + 1).toStdString();
+        if (known.tolerance_mm) {
+            drawn->zone.lower_mm = -*known.tolerance_mm;
+            drawn->zone.upper_mm = *known.tolerance_mm;
+        }
+    }
+    ZoneDialog dialog(drawn->zone, drawn->existing.has_value(), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const ZoneDialog::Answer answer = dialog.answer();
+    const registration::ZoneLimits zone = dialog.zone();
+    const auto wanted = [&](registration::CompareParameters parameters) {
+        if (answer == ZoneDialog::Answer::LeaveOut)
+            parameters.exclude_z_mm.push_back({zone.z_start_mm, zone.z_end_mm});
+        else if (answer == ZoneDialog::Answer::Remove)
+            parameters.zones.erase(parameters.zones.begin() + static_cast<std::ptrdiff_t>(*drawn->existing));
+        else if (drawn->existing)
+            parameters.zones[*drawn->existing] = zone;
+        else
+            parameters.zones.push_back(zone);
+        return toValues(parameters);
+    };
+    session().edit(answer == ZoneDialog::Answer::LeaveOut ? tr("Leave a zone out")
+                   : answer == ZoneDialog::Answer::Remove ? tr("Remove a zone")
+                   : drawn->existing                      ? tr("Edit a zone")
+                                                          : tr("Add a zone"),
+                   [&](project::Project& project) {
+                       Values& parameters = project.panels["compare"].parameters;
+                       parameters = wanted(fromValues<registration::CompareParameters>(parameters));
+                   });
+}
+
 void ComparePanel::addSwapButton()
 {
     swap_ = new QToolButton;
@@ -119,9 +175,15 @@ void ComparePanel::swapInputs()
 {
     session().edit(tr("Swap reference and copy"), [](project::Project& project) {
         auto& inputs = project.panels["compare"].inputs;
-        std::map<std::string, project::Source> swapped;
-        for (auto& [role, source] : inputs) swapped[role == "reference" ? "copy" : "reference"] = source;
-        inputs = swapped;
+        const auto reference = inputs.find("reference");
+        const auto copy = inputs.find("copy");
+        if (reference != inputs.end() && copy != inputs.end()) return std::swap(reference->second, copy->second);
+        const auto only = reference != inputs.end() ? reference : copy;
+        if (only == inputs.end()) return;
+        const char* other = only == reference ? "copy" : "reference";
+        const project::Source source = only->second;
+        inputs.erase(only);
+        inputs[other] = source;
     });
 }
 
@@ -137,6 +199,38 @@ ComparePanel::Compute ComparePanel::compute(const project::PanelState& state) co
 void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& picture)
 {
     views_->setPicture(picture);
+    copies_.clear();
+    if (furtherCopies(state()).empty()) {
+        series_.cancel();
+        return views_->setCopies({});
+    }
+    series_.compute<std::vector<registration::CopySummary>>(
+        [state = state(), picture, known = known_](const Progress& progress) {
+            return known->find(state, *picture, progress);
+        },
+        [this](const std::vector<registration::CopySummary>& copies) {
+            copies_ = copies;
+            views_->setCopies(copies_);
+        },
+        [this](const Error& error) {
+            emit messageRaised({error, facts().title});
+        });
+}
+
+/// The further copy takes the place of the one on screen, which takes its place.
+void ComparePanel::showCopy(int number)
+{
+    session().edit(tr("Show another copy"), [number](project::Project& project) {
+        project::PanelState& panel = project.panels["compare"];
+        const std::vector<project::Source> others = furtherCopies(panel);
+        if (number < 0 || number >= static_cast<int>(others.size())) return;
+        std::vector<project::Source> after = others;
+        std::swap(after[static_cast<std::size_t>(number)], panel.inputs["copy"]);
+        InputRole role;
+        role.role = copiesRole;
+        role.several = true;
+        setSources(panel, role, after);
+    });
 }
 
 report::Answer ComparePanel::answer(const ComparePicture& picture) const
@@ -156,7 +250,7 @@ Notes ComparePanel::notes(const ComparePicture& picture) const
 
 report::Document ComparePanel::document(const ComparePicture& picture) const
 {
-    return reportOf(picture, screenLanguage(), views_->pictures());
+    return reportOf(picture, screenLanguage(), views_->pictures(), copies_);
 }
 
 std::vector<PanelExport> ComparePanel::exports() const

@@ -1,8 +1,9 @@
 // The panel of workspace Inspection: how far is the copy from the original, where, and how sure is that?
 #pragma once
 
-#include "widgets/compare/compare_picture.h"
+#include "widgets/compare/compare_series.h"
 #include "widgets/core/panel/panel.h"
+#include "widgets/core/task/task.h"
 
 class QToolButton;
 
@@ -39,11 +40,16 @@ protected:
 private:
     void addSwapButton();
     void offerSection(double z_mm);
+    void askZone(double from_mm, double to_mm);
+    void showCopy(int number);
 
     CompareViews* views_;
     QToolButton* swap_ = nullptr;
     int drags_ = 0;  ///< of the tolerance; each is one undo step
     std::shared_ptr<LastComparison> last_;
+    std::shared_ptr<KnownCopies> known_;
+    std::vector<registration::CopySummary> copies_;  ///< the one on screen and the further ones; empty: not known yet
+    Task series_;                                    ///< compares the further copies
 };
 
 }  // namespace lathelier::compare_panel

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/parallel.h"
+#include "engine/registration/compare_plots.h"
+#include "engine/registration/surface_form.h"
 #include "engine/registration/verdict/verdict.h"
 
 namespace lathelier::compare_panel {
 namespace {
-
-constexpr std::size_t grain = 65536;
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 double angleOf(const Eigen::Vector3d& axisPlace)
 {
@@ -28,33 +26,29 @@ std::optional<std::size_t> cellOf(const registration::UnrolledMap& map, double z
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) + static_cast<std::size_t>(column);
 }
 
-float meanAt(const registration::CompareResult& result, const Eigen::Vector3d& axisPlace)
+void addLocalMeans(ComparePicture& picture, const Progress& progress)
 {
-    const auto cell = cellOf(*result.unrolled, axisPlace.z(), angleOf(axisPlace));
-    return cell ? result.unrolled->mean_mm[*cell] : none;
+    const registration::CompareResult& result = *picture.result;
+    if (result.windows)
+        picture.local_mean_mm = std::make_shared<const std::vector<float>>(registration::meansOf(
+            *result.windows, registration::windowsOfPoints(picture.copyScan(), result, progress.part(0, 0.9)),
+            registration::sureOfColours_mm(result)));
+    if (result.unrolled)
+        picture.map_mean_mm =
+            std::make_shared<const std::vector<float>>(registration::localMeansOfMap(result, progress.part(0.9, 1)));
 }
 
-std::shared_ptr<const std::vector<float>> localMeans(const Scan& copy, const registration::CompareResult& result,
-                                                     const Progress& progress)
+void fillAxisPlace(const ComparePicture& picture, ComparePlace& place)
 {
-    if (!result.unrolled || !result.axis_T_reference) return nullptr;
-    auto means = std::make_shared<std::vector<float>>(copy.points_mm.size());
-    const Eigen::Isometry3d axis_T_copy = *result.axis_T_reference * result.alignment.reference_T_copy;
-    parallelFor(means->size(), grain, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            (*means)[i] = result.used[i] ? meanAt(result, axis_T_copy * copy.points_mm[i]) : none;
-    });
-    return means;
-}
-
-void fillAxisPlace(const registration::CompareResult& result, ComparePlace& place)
-{
+    const registration::CompareResult& result = *picture.result;
     if (!result.axis_T_reference) return;
     const Eigen::Vector3d axisPlace = *result.axis_T_reference * place.reference_mm;
     place.z_mm = axisPlace.z();
     place.angle_deg = angleOf(axisPlace);
-    if (!result.unrolled) return;
-    const float mean = meanAt(result, axisPlace);
+    if (!picture.map_mean_mm || place.local_mean_mm) return;
+    const auto cell = cellOf(*result.unrolled, axisPlace.z(), *place.angle_deg);
+    if (!cell) return;
+    const float mean = (*picture.map_mean_mm)[*cell];
     if (!std::isnan(mean)) place.local_mean_mm = mean;
 }
 
@@ -82,10 +76,11 @@ ComparePicture LastComparison::find(const project::PanelState& state, ScanStore&
         judge(again, parameters, progress.part(0.4, 1));
         picture.result = std::make_shared<const registration::CompareResult>(std::move(again));
         picture.local_mean_mm = last.local_mean_mm;
+        picture.map_mean_mm = last.map_mean_mm;
     } else {
         picture.result = std::make_shared<const registration::CompareResult>(
-            compare(picture.reference->file.scan, picture.copyScan(), parameters, progress.part(0.4, 0.97)));
-        picture.local_mean_mm = localMeans(picture.copyScan(), *picture.result, progress);
+            compare(picture.reference->file.scan, picture.copyScan(), parameters, progress.part(0.4, 0.9)));
+        addLocalMeans(picture, progress.part(0.9, 1, LT_TEXT("Engine", "Averaging the deviation locally")));
     }
     for (const Notes* notes : {&picture.result->notes, &picture.reference->file.notes, &picture.copy->file.notes})
         picture.notes.insert(picture.notes.end(), notes->begin(), notes->end());
@@ -104,8 +99,10 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
         place.reference_mm = result.alignment.reference_T_copy * picture.copyScan().points_mm[point];
         place.point = point;
         if (result.used[point]) place.deviation_mm = result.deviation_mm[point];
+        if (picture.local_mean_mm && !std::isnan((*picture.local_mean_mm)[point]))
+            place.local_mean_mm = (*picture.local_mean_mm)[point];
     }
-    fillAxisPlace(result, place);
+    fillAxisPlace(picture, place);
     return place;
 }
 
@@ -128,8 +125,41 @@ ComparePlace placeOnMesh(const ComparePicture& picture, const scene::PickedPlace
     place.reference_mm = of_reference ? mesh_mm : result.alignment.reference_T_copy * mesh_mm;
     if (!of_reference) place.surface = surface;
     if (used) place.deviation_mm = deviation_mm;
-    fillAxisPlace(result, place);
+    fillAxisPlace(picture, place);
     return place;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareResult& result)
+{
+    constexpr int ringCorners = 96;
+    constexpr int along = 12;
+    std::vector<std::vector<Eigen::Vector3d>> lines;
+    if (!result.windows || !result.axis_T_reference) return lines;
+    const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
+    const auto place = [&](double z, double radius, int part, int parts) {
+        const double angle = 2 * std::numbers::pi * part / parts;
+        return Eigen::Vector3d(reference_T_axis *
+                               Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z));
+    };
+    struct Corner {
+        double z, radius;
+    };
+    std::vector<Corner> meridian;
+    for (const registration::MeridianStretch& stretch : result.windows->stretches) {
+        if (stretch.is_bore) continue;
+        const double half = stretch.slope * (stretch.end_mm - stretch.start_mm) / 2;
+        meridian.push_back({stretch.start_mm, stretch.radius_mm - half});
+        meridian.push_back({stretch.end_mm, stretch.radius_mm + half});
+    }
+    for (const Corner& corner : meridian) {
+        std::vector<Eigen::Vector3d>& ring = lines.emplace_back();
+        for (int i = 0; i <= ringCorners; ++i) ring.push_back(place(corner.z, corner.radius, i, ringCorners));
+    }
+    for (int i = 0; i < along && !meridian.empty(); ++i) {
+        std::vector<Eigen::Vector3d>& line = lines.emplace_back();
+        for (const Corner& corner : meridian) line.push_back(place(corner.z, corner.radius, i, along));
+    }
+    return lines;
 }
 
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg)
@@ -149,7 +179,7 @@ ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double a
     ComparePlace place;
     place.reference_mm = result.axis_T_reference->inverse() *
                          Eigen::Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), z_mm);
-    fillAxisPlace(result, place);
+    fillAxisPlace(picture, place);
     return place;
 }
 

@@ -16,11 +16,12 @@ struct ComparePicture {
     LoadedScanPtr reference;                                    ///< file and content
     LoadedScanPtr copy;                                         ///< file and content
     std::shared_ptr<const registration::CompareResult> result;  ///< never null in a picture that find() gave
-    /// For each point of the copy the mean of its cell of the unrolled map; null where there is no map.
+    /// For each point of the copy the mean of its surroundings; NaN where the data carry none (surface_form.h).
     std::shared_ptr<const std::vector<float>> local_mean_mm;
-    std::vector<InputFile> inputs;  ///< of the reference, then of the copy
-    Notes notes;                    ///< of both files and of the comparison
-    bool synthetic = false;         ///< either source is marked as synthetic
+    std::shared_ptr<const std::vector<float>> map_mean_mm;  ///< the same for the unrolled map; null where there is none
+    std::vector<InputFile> inputs;                          ///< of the reference, then of the copy
+    Notes notes;                                            ///< of both files and of the comparison
+    bool synthetic = false;                                 ///< either source is marked as synthetic
 
     const Scan& copyScan() const { return copy->file.scan; }
 };
@@ -45,7 +46,7 @@ struct ComparePlace {
     std::optional<std::size_t> point;                        ///< of the copy, a cloud
     std::optional<scene::PickedPlace> surface;               ///< of the copy, a mesh
     std::optional<double> deviation_mm;                      ///< signed; none where the place does not count
-    std::optional<double> local_mean_mm;  ///< mean deviation of its cell of the map; none without one
+    std::optional<double> local_mean_mm;                     ///< mean deviation of its surroundings, where it is sure
 };
 
 /// A point of the copy (or, with `of_reference`, of the reference).
@@ -54,6 +55,10 @@ ComparePlace placeOfPoint(const ComparePicture& picture, std::size_t point, bool
 /// A place on the surface of the copy (or of the reference), which is a mesh. Its deviation is that of the corners in
 /// proportion, as drawn.
 ComparePlace placeOnMesh(const ComparePicture& picture, const scene::PickedPlace& surface, bool of_reference = false);
+
+/// Rings at the ends of the smooth stretches of the original and lines along them, in its frame: its right shape,
+/// beside a copy that is drawn in its wrong one. Empty without an axis.
+std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareResult& result);
 
 /// The place on the reference's meridian; body of revolution only.
 ComparePlace placeOnSurface(const ComparePicture& picture, double z_mm, double angle_deg);

@@ -71,6 +71,19 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     p.heroes->add(view::meridian, p.meridian);
     p.heroes->add(view::distribution, p.histogram);
     p.heroes->add(view::tables, p.tabs);
+    p.trend = new plot::ChartView;
+    p.trend->setObjectName("trend");
+    p.copyTable = new CopyTable;
+    p.copyTable->setObjectName("copies");
+    p.copies = new QSplitter(Qt::Vertical);
+    p.copies->setChildrenCollapsible(false);
+    p.copies->addWidget(p.trend);
+    p.copies->addWidget(p.copyTable);
+    p.heroes->add(view::copies, p.copies);
+    p.heroes->setAvailable(view::copies, false);
+    connect(p.copyTable, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
+        if (row > 0) emit copyWanted(row - 1);
+    });
     layout->addWidget(p.heroes, 1);
 
     connect(p.scene, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
@@ -78,6 +91,12 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     });
     connect(p.scene, &scene::SceneView::surfacePicked, this, [this](int object, const scene::PickedPlace& surface) {
         setPlace(placeOnMesh(*parts_->picture, surface, object == 0));
+    });
+    connect(p.scene, &scene::SceneView::pointHovered, this, [this](int object, qint64 point) {
+        tag(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
+    });
+    connect(p.scene, &scene::SceneView::surfaceHovered, this, [this](int object, const scene::PickedPlace& surface) {
+        tag(placeOnMesh(*parts_->picture, surface, object == 0));
     });
     connect(p.map, &plot::PlotCanvas::clicked, this, [this](double z, double angle) {
         if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, std::clamp(angle, 0.0, 359.999)));
@@ -157,6 +176,18 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
         setPlace(p.place);
 }
 
+void CompareViews::setCopies(const std::vector<registration::CopySummary>& copies)
+{
+    Parts& p = *parts_;
+    p.summaries = copies;
+    const bool several = copies.size() > 1;
+    p.heroes->setAvailable(view::copies, several);
+    if (!several || !p.picture) return;
+    p.trend->setData(copiesTrend(copies, p.result().parameters, screenLanguage()));
+    p.copyTable->setTable(copiesTable(copies, screenLanguage()));
+    p.copyTable->item(0, 0)->setText(p.copyTable->item(0, 0)->text() + " ◀");  // on screen
+}
+
 Values CompareViews::view() const
 {
     const Parts& p = *parts_;
@@ -210,7 +241,7 @@ void CompareViews::showCharts()
     const double factor = p.factor->value();
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
     p.along->setData(deviationAlongAxis(result, screenLanguage()));
-    p.map->setData(unrolledMap(result, p.greenWithin().has_value()));
+    p.map->setData(unrolledMap(result, p.greenWithin().has_value(), *p.picture->map_mean_mm));
 }
 
 /// Both limits stand where the pointer holds one of them.
@@ -248,11 +279,18 @@ void CompareViews::showSurface()
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
+    // Beside an error that is drawn larger than it is, the right shape.
+    const bool exaggerates = copy.outward_mm && p.factor->value() > 1;
+    p.scene->setOutline(exaggerates ? outlineOf(result) : std::vector<std::vector<Eigen::Vector3d>>());
 }
 
 void CompareViews::recolour(std::optional<double> tolerance_mm)
 {
-    const report::DeviationColours colours{limit_mm(), tolerance_mm};
+    report::DeviationColours colours{limit_mm(), tolerance_mm};
+    if (!tolerance_mm && parts_->smooth->isChecked()) {
+        colours.steps = registration::kContourSteps;
+        if (parts_->picture) colours.marked = parts_->result().parameters.tolerance_mm;
+    }
     parts_->map->setColours(colours);
     parts_->scene->setColours(colours);
 }
@@ -284,6 +322,21 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
     p.meridian->setMarker(place->z_mm);
     p.histogram->setMarker(place->deviation_mm ? place->deviation_mm : place->local_mean_mm);
     p.zones->markZ(place->z_mm);
+}
+
+/// Beside the pointer: what is coloured there, then where it is.
+void CompareViews::tag(const ComparePlace& place)
+{
+    const Parts& p = *parts_;
+    const bool means = p.smooth->isChecked() && place.local_mean_mm;
+    const std::optional<double> value_mm = means ? place.local_mean_mm : place.deviation_mm;
+    QString where =
+        place.z_mm && place.angle_deg
+            ? QString("z %1 mm  ·  %2°").arg(screenNumber(*place.z_mm, 1), screenNumber(*place.angle_deg, 0))
+            : QString("%1 · %2 · %3 mm")
+                  .arg(screenNumber(place.reference_mm.x(), 1), screenNumber(place.reference_mm.y(), 1),
+                       screenNumber(place.reference_mm.z(), 1));
+    p.scene->setTag(value_mm ? (*value_mm > 0 ? "+" : "") + screenNumber(*value_mm, 3) + " mm" : tr("left out"), where);
 }
 
 QString CompareViews::describe(const ComparePlace& place) const

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/registration/copies.h"
 #include "engine/report/document.h"
 #include "widgets/compare/compare_picture.h"
 
@@ -44,11 +45,16 @@ public:
     /// Marks a place along the axis, at the angle (90° when there is none).
     void markAlong(double z_mm, std::optional<double> angle_deg);
 
+    /// Table and trend of several copies, the first of which is on screen; empty or one: no such view.
+    void setCopies(const std::vector<registration::CopySummary>& copies);
+
     void retranslate();
 
 signals:
+    void copyWanted(int number);      ///< of the further copies, from 0: the user wants to see it
     void sectionWanted(double z_mm);  ///< the user wants the roundness of the copy in the marked section
     void toleranceDragged(double tolerance_mm, bool dropped);  ///< a limit of the histogram is dragged there
+    void zoneDrawn(double from_mm, double to_mm);              ///< along the axis
     void notWritten(const QString& path);                      ///< the system refused to write this file
 
 private:
@@ -59,6 +65,7 @@ private:
     void showCharts();
     void arrange();
     void recolour(std::optional<double> tolerance_mm);
+    void tag(const ComparePlace& place);
     QString describe(const ComparePlace& place) const;
 
     std::unique_ptr<Parts> parts_;

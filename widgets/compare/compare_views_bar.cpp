@@ -67,6 +67,19 @@ void CompareViews::buildBar()
         if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
     });
     row->addSpacing(12);
+    p.zone = new QToolButton;
+    p.zone->setObjectName("drawZone");
+    p.zone->setAutoRaise(true);
+    p.zone->setCheckable(true);
+    row->addWidget(p.zone);
+    for (plot::PlotCanvas* canvas : {static_cast<plot::PlotCanvas*>(p.map), static_cast<plot::PlotCanvas*>(p.along),
+                                     static_cast<plot::PlotCanvas*>(p.meridian)}) {
+        connect(p.zone, &QToolButton::toggled, canvas, &plot::PlotCanvas::setDrawsStretch);
+        connect(canvas, &plot::PlotCanvas::stretchDrawn, this, [this](double from_mm, double to_mm) {
+            parts_->zone->setChecked(false);
+            emit zoneDrawn(from_mm, to_mm);
+        });
+    }
     p.section = new QToolButton;
     p.section->setObjectName("roundnessOfSection");
     p.section->setAutoRaise(true);
@@ -95,8 +108,10 @@ void CompareViews::arrange()
         p.tabs->setCurrentIndex(0);
     }
     if (!axis && zones) p.tabs->removeTab(0);
-    p.smooth->setVisible(axis);
+    p.smooth->setVisible(!p.picture || p.picture->local_mean_mm);
     p.section->setVisible(axis);
+    p.zone->setVisible(axis);
+    p.zone->setEnabled(p.hasAxis());
     // Pass and fail need a tolerance.
     const bool limited = p.picture && p.result().parameters.tolerance_mm;
     p.form->setEnabled(limited);
@@ -112,6 +127,9 @@ void CompareViews::retranslate()
     p.heroes->setTitle(view::meridian, tr("Meridian"));
     p.heroes->setTitle(view::distribution, tr("Distribution"));
     p.heroes->setTitle(view::tables, tr("Tables"));
+    p.heroes->setTitle(view::copies, tr("Copies"));
+    p.copyTable->setAccessibleName(tr("Copies"));
+    p.copyTable->setToolTip(tr("Double click: show this copy"));
     if (const int zones = p.tabs->indexOf(p.zones); zones >= 0) p.tabs->setTabText(zones, tr("Zones"));
     p.tabs->setTabText(p.tabs->indexOf(p.numbers), tr("Numbers"));
     p.overlay->setText(tr("Overlay"));
@@ -123,10 +141,16 @@ void CompareViews::retranslate()
     p.passFail->setText(tr("Pass/fail"));
     p.passFail->setToolTip(tr("Green within the tolerance, red above it, blue below it"));
     p.smooth->setText(tr("Local mean"));
-    p.smooth->setToolTip(tr("Each point has the mean of its surroundings, as in the map; off: every point by itself"));
+    p.smooth->setToolTip(
+        tr("Each place has the mean of its surroundings, as large as it needs to be sure; grey: not sure; off: every "
+           "point by itself"));
     p.factorLabel->setText(tr("Error ×"));
     p.factor->setToolTip(tr("How many times larger part and meridian draw the deviation"));
     p.factor->setAccessibleName(p.factor->toolTip());
+    p.zone->setText(tr("Zone"));
+    p.zone->setToolTip(
+        tr("Draw a zone with limits of its own: drag along the axis in the map, the deviation or the "
+           "meridian. On a zone that is there: edit it."));
     p.section->setText(tr("Roundness here"));
     p.section->setToolTip(tr("Cuts the marked section out of the copy and opens it in the panel Roundness"));
     p.synthetic->setText(tr("Synthetic data"));
@@ -136,6 +160,7 @@ void CompareViews::retranslate()
     if (!p.picture) return;
     arrange();
     showCharts();
+    setCopies(p.summaries);
     setPlace(p.place);
 }
 

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QToolButton>
 
@@ -24,6 +25,7 @@ inline constexpr const char* map = "map";
 inline constexpr const char* meridian = "meridian";
 inline constexpr const char* distribution = "distribution";
 inline constexpr const char* tables = "tables";
+inline constexpr const char* copies = "copies";
 }  // namespace view
 
 struct CompareViews::Parts {
@@ -34,23 +36,28 @@ struct CompareViews::Parts {
     bool restored = false;               ///< the choices above are those of the project that is being opened
     std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
-    scene::SceneView* scene = nullptr;     ///< reference and copy in space
-    plot::MapView* map = nullptr;          ///< unrolled map of the deviation
-    plot::ChartView* along = nullptr;      ///< mean deviation along the axis, under the scene
-    plot::ChartView* meridian = nullptr;   ///< radius along the axis, with the error magnified
-    plot::ChartView* histogram = nullptr;  ///< distribution of the deviations
-    ZoneTable* zones = nullptr;            ///< mean deviation by zone
-    StatisticsTable* numbers = nullptr;    ///< statistics of the deviations
-    QTabWidget* tabs = nullptr;            ///< zones and numbers
-    HeroViews* heroes = nullptr;           ///< one of them large, the others small
+    scene::SceneView* scene = nullptr;                 ///< reference and copy in space
+    plot::MapView* map = nullptr;                      ///< unrolled map of the deviation
+    plot::ChartView* along = nullptr;                  ///< mean deviation along the axis, under the scene
+    plot::ChartView* meridian = nullptr;               ///< radius along the axis, with the error magnified
+    plot::ChartView* histogram = nullptr;              ///< distribution of the deviations
+    ZoneTable* zones = nullptr;                        ///< mean deviation by zone
+    StatisticsTable* numbers = nullptr;                ///< statistics of the deviations
+    std::vector<registration::CopySummary> summaries;  ///< of several copies; empty: there is one
+    QSplitter* copies = nullptr;                       ///< trend over table
+    plot::ChartView* trend = nullptr;                  ///< of several copies
+    CopyTable* copyTable = nullptr;                    ///< one row for each
+    QTabWidget* tabs = nullptr;                        ///< zones and numbers
+    HeroViews* heroes = nullptr;                       ///< one of them large, the others small
 
     QToolButton* overlay = nullptr;    ///< button: both parts in plain colours
     QToolButton* deviation = nullptr;  ///< button: the copy coloured by its deviation
     QToolButton* form = nullptr;       ///< button: the colours show the form of the error
     QToolButton* passFail = nullptr;   ///< button: they show what is within the tolerance
-    QCheckBox* smooth = nullptr;       ///< colours by the mean of the map's cell, not by each point
+    QCheckBox* smooth = nullptr;       ///< colours by local means, not by each point
     QLabel* factorLabel = nullptr;     ///< label of `factor`
     QDoubleSpinBox* factor = nullptr;  ///< magnification of the meridian's error
+    QToolButton* zone = nullptr;       ///< button: the next drag draws a zone
     QToolButton* section = nullptr;    ///< button: roundness of the marked section
     QLabel* synthetic = nullptr;       ///< label of synthetic data; hidden for measured ones
 

@@ -58,7 +58,7 @@ PanelFacts cylindricityPanelFacts()
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {"points"};
     facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };
-    facts.missing = missingOf(panelInputs().roles);
+    facts.roles = panelInputs().roles;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         return reportOf(LastCylinder().find(state, *stores.of<ScanStore>(), progress), language);
@@ -140,6 +140,16 @@ std::vector<PanelExport> CylindricityPanel::exports() const
                      plot.curves.push_back(std::move(curve));
                  io::writeFile(path.toStdString(), report::toCsv(plot));
              }}};
+}
+
+Values CylindricityPanel::view() const
+{
+    return views_->view();
+}
+
+void CylindricityPanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
 }
 
 void CylindricityPanel::retranslate()

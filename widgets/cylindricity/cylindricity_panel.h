@@ -26,6 +26,8 @@ protected:
     Notes notes(const CylindricityPicture& picture) const override;
     report::Document document(const CylindricityPicture& picture) const override;
     std::vector<PanelExport> exports() const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
     void retranslate() override;
 
 private:

@@ -81,6 +81,13 @@ CylindricityViews::CylindricityViews(QWidget* parent)
         const Eigen::Vector2d place = placeAbout(*picture_->surface, point_mm);
         markPlace(place.x(), place.y());
     });
+    connect(scene_, &scene::SceneView::pointHovered, this, [this](int, qint64 point) {
+        const auto vertex = static_cast<std::size_t>(point);
+        const Eigen::Vector2d place = placeAbout(*picture_->surface, picture_->scan().points_mm[vertex]);
+        const double deviation_um = 1000 * static_cast<double>(picture_->surface->deviation_mm[vertex]);
+        scene_->setTag((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm",
+                       QString("z %1 mm  ·  %2°").arg(screenNumber(place.x(), 1), screenNumber(place.y(), 0)));
+    });
     connect(map_, &plot::PlotCanvas::clicked, this, &CylindricityViews::markPlace);
     for (plot::ChartView* chart : {radius_, axis_})
         connect(chart, &plot::PlotCanvas::clicked, this,
@@ -123,6 +130,19 @@ void CylindricityViews::showPart()
     scene_->setLongAxis(scene::SceneAxis{surface.cylinder.axis_point_mm, surface.cylinder.axis_direction});
     scene_->setObjects({part});
     remark_->setText(tr("Error drawn × %1").arg(screenNumber(factor, 0)));
+}
+
+Values CylindricityViews::view() const
+{
+    Values kept;
+    if (std::vector<double> camera = scene_->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void CylindricityViews::restoreView(const Values& kept)
+{
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) scene_->setView(*numbers);
 }
 
 void CylindricityViews::showCharts()

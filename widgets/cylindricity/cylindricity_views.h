@@ -26,6 +26,10 @@ public:
     void setPicture(const std::shared_ptr<const CylindricityPicture>& picture);
     HeroViews* heroes() const { return heroes_; }
 
+    /// The camera, to be kept with the project.
+    Values view() const;
+    void restoreView(const Values& kept);
+
     /// Marks the place at this z and angle of the cylinder in all views.
     void markPlace(double z_mm, double angle_deg);
     std::optional<QPointF> place() const { return place_; }  ///< z in mm and angle in degrees

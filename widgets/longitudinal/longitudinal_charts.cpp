@@ -11,6 +11,8 @@ namespace lathelier::longitudinal_panel {
 namespace {
 
 constexpr std::size_t angles = 360;
+constexpr double usualMagnification = 1000;
+constexpr double mostOfRadius = 0.5;  // that the largest deviation is drawn
 
 double turned(double angle_rad)
 {
@@ -43,6 +45,30 @@ std::vector<double> radiiAtEvenAngles(const std::vector<Eigen::Vector2d>& points
     return radii;
 }
 
+/// The least-squares line through the centres of the sections, at each of them.
+std::vector<Eigen::Vector2d> axisOf(const trajectory::TrajectoryResult& result)
+{
+    const auto count = static_cast<double>(result.sections.size());
+    double mean_z = 0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const trajectory::TrajectorySection& section : result.sections) {
+        mean_z += section.z_mm / count;
+        mean += section.roundness.circles.LSCI.centre_mm / count;
+    }
+    double squares = 0;
+    Eigen::Vector2d products = Eigen::Vector2d::Zero();
+    for (const trajectory::TrajectorySection& section : result.sections) {
+        const double away = section.z_mm - mean_z;
+        squares += away * away;
+        products += away * (section.roundness.circles.LSCI.centre_mm - mean);
+    }
+    const bool has_slope = std::isfinite(squares) && squares > 0;
+    std::vector<Eigen::Vector2d> axis;
+    for (const trajectory::TrajectorySection& section : result.sections)
+        axis.emplace_back(has_slope ? Eigen::Vector2d(mean + (section.z_mm - mean_z) / squares * products) : mean);
+    return axis;
+}
+
 double roundedDown(double value)
 {
     const double power = std::pow(10, std::floor(std::log10(value)));
@@ -58,7 +84,8 @@ std::size_t StackedSections::vertexAt(std::size_t section, double angle_deg) con
     return section * angles + step % angles;
 }
 
-StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only)
+StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only,
+                                std::optional<double> magnification)
 {
     StackedSections stack;
     stack.angles = angles;
@@ -69,19 +96,21 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
         mean_mm += section.roundness.circles.LSCI.radius_mm;
     mean_mm /= static_cast<double>(count);
 
+    const std::vector<Eigen::Vector2d> axis_mm = axisOf(result);
     std::vector<std::vector<double>> deviation(count);
     double reach_mm = 1e-7;
     for (std::size_t i = 0; i < count; ++i) {
         const form::RoundnessResult& form = result.sections[i].roundness;
         const form::FittedCircle& circle = form.circles.LSCI;
-        deviation[i] = radiiAtEvenAngles(form.evaluated_mm, form_only ? circle.centre_mm : Eigen::Vector2d::Zero());
+        deviation[i] = radiiAtEvenAngles(form.evaluated_mm, form_only ? circle.centre_mm : axis_mm[i]);
         for (double& radius : deviation[i]) {
             radius -= form_only ? circle.radius_mm : mean_mm;
             reach_mm = std::max(reach_mm, std::abs(radius));
         }
     }
     stack.limit_um = report::niceLimit(1000 * reach_mm);
-    stack.magnification = std::max(1.0, roundedDown(0.35 * mean_mm / reach_mm));
+    stack.magnification =
+        magnification.value_or(std::clamp(roundedDown(mostOfRadius * mean_mm / reach_mm), 1.0, usualMagnification));
 
     // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
     double low = std::numeric_limits<double>::infinity(), high = -low;

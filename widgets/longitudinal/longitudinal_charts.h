@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "engine/trajectory/trajectory.h"
 #include "widgets/scene/scene_data.h"
@@ -9,7 +10,8 @@
 namespace lathelier::longitudinal_panel {
 
 /// The images of all sections as one closed surface around the axis, deviations drawn magnified. They count from the
-/// mean LSC radius of all sections about the spindle's axis, or (with `form_only`) from each section's own LSC circle.
+/// mean LSC radius of all sections about the part's axis, the least-squares line through the centres of its sections,
+/// or (with `form_only`) from each section's own LSC circle. Where no z is known, the part's axis is the mean centre.
 struct StackedSections {
     std::shared_ptr<const Scan> scan;
     std::shared_ptr<const std::vector<float>> deviation_um;  ///< one for each vertex
@@ -26,7 +28,9 @@ struct StackedSections {
     std::size_t vertexAt(std::size_t section, double angle_deg) const;
 };
 
-/// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart.
-StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only);
+/// Null scan when there are fewer than two sections. Sections without z stand a diameter / 10 apart. `magnification`:
+/// how many times larger deviations are drawn; default: 1000, or what the radius has room for.
+StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only,
+                                std::optional<double> magnification = {});
 
 }  // namespace lathelier::longitudinal_panel

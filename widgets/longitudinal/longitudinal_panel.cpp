@@ -85,6 +85,16 @@ std::vector<PanelExport> LongitudinalPanel::exports() const
          }}};
 }
 
+Values LongitudinalPanel::view() const
+{
+    return views_->view();
+}
+
+void LongitudinalPanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
+}
+
 void LongitudinalPanel::retranslate()
 {
     views_->retranslate();

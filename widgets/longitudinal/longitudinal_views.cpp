@@ -19,7 +19,8 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
       section_(new trajectory_common::SectionBar),
       angleBar_(new trajectory_common::AngleBar(angle)),
       formOnly_(new QCheckBox),
-      magnification_(new QLabel),
+      magnificationLabel_(new QLabel),
+      magnification_(new QDoubleSpinBox),
       synthetic_(new QLabel),
       scene_(new scene::SceneView),
       profile_(new plot::ChartView),
@@ -45,11 +46,22 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
         limit_um_.reset();
         showStack();
     });
-    connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
-        const auto vertex = static_cast<std::size_t>(point);
-        angle_.set(stack_.angle_deg(vertex));
-        const std::size_t index = stack_.sectionOf(vertex);
-        if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
+    connect(scene_, &scene::SceneView::pointPicked, this,
+            [this](int, qint64 point) { choose(static_cast<std::size_t>(point)); });
+    connect(scene_, &scene::SceneView::surfaceHovered, this, [this](int, const scene::PickedPlace& on) {
+        Eigen::Index corner = 0;
+        on.weights.maxCoeff(&corner);
+        const std::size_t vertex = on.corners[static_cast<std::size_t>(corner)];
+        const auto deviation_um = static_cast<double>((*stack_.deviation_um)[vertex]);
+        const double z_mm = picture_->trajectory->sections[stack_.sectionOf(vertex)].z_mm;
+        const QString turned = screenNumber(stack_.angle_deg(vertex), 0) + "°";
+        scene_->setTag((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm",
+                       std::isfinite(z_mm) ? QString("z %1 mm  ·  %2").arg(screenNumber(z_mm, 1), turned) : turned);
+    });
+    connect(scene_, &scene::SceneView::surfacePicked, this, [this](int, const scene::PickedPlace& on) {
+        Eigen::Index corner = 0;
+        on.weights.maxCoeff(&corner);
+        choose(on.corners[static_cast<std::size_t>(corner)]);
     });
     connect(scene_, &scene::SceneView::limitEdited, this, [this](double limit_um) {
         limit_um_ = limit_um;
@@ -76,7 +88,20 @@ void LongitudinalViews::buildBar()
     row->addWidget(angleBar_);
     row->addSpacing(8);
     row->addWidget(formOnly_);
+    magnification_->setObjectName("magnification");
+    magnification_->setRange(1, 100000);
+    magnification_->setDecimals(0);
+    magnification_->setKeyboardTracking(false);
+    magnification_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    magnificationLabel_->setBuddy(magnification_);
+    row->addSpacing(8);
+    row->addWidget(magnificationLabel_);
     row->addWidget(magnification_);
+    connect(magnification_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double times) {
+        chosenMagnification_ = times;
+        stacked_.reset();
+        showStack();
+    });
     row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
@@ -105,10 +130,11 @@ void LongitudinalViews::showStack()
 {
     if (!picture_ || stacked_ == picture_->trajectory) return;
     stacked_ = picture_->trajectory;
-    stack_ = stackedSections(*stacked_, formOnly_->isChecked());
+    stack_ = stackedSections(*stacked_, formOnly_->isChecked(), chosenMagnification_);
     scene_->setVisible(stack_.scan != nullptr);
     if (!stack_.scan) return;
-    magnification_->setText(tr("deviation × %1").arg(screenNumber(stack_.magnification, 0)));
+    const QSignalBlocker quiet(magnification_);
+    magnification_->setValue(stack_.magnification);
     scene::SceneObject surface;
     surface.name = tr("Surface of all sections");
     surface.scan = stack_.scan;
@@ -117,6 +143,14 @@ void LongitudinalViews::showStack()
     scene_->setColours({limit_um_.value_or(stack_.limit_um), {}});
     scene_->setObjects({surface});
     markPlace();
+}
+
+/// The section and the angle of a vertex of the surface.
+void LongitudinalViews::choose(std::size_t vertex)
+{
+    angle_.set(stack_.angle_deg(vertex));
+    const std::size_t index = stack_.sectionOf(vertex);
+    if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
 }
 
 void LongitudinalViews::markPlace()
@@ -137,6 +171,28 @@ void LongitudinalViews::markPlace()
             .arg(screenNumber(*angle_.angle_deg(), 1), (deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2)));
 }
 
+Values LongitudinalViews::view() const
+{
+    Values kept{{"form_only", formOnly_->isChecked()},
+                {"magnification", chosenMagnification_ ? Value(*chosenMagnification_) : Value()}};
+    if (std::vector<double> camera = scene_->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void LongitudinalViews::restoreView(const Values& kept)
+{
+    const QSignalBlocker quiet(formOnly_);
+    const Value* const form_only = lathelier::find(kept, "form_only");
+    formOnly_->setChecked(form_only && *form_only == Value(true));
+    const Value* const times = lathelier::find(kept, "magnification");
+    const auto* const given = times ? std::get_if<double>(times) : nullptr;
+    chosenMagnification_ = given && *given >= 1 ? std::optional(*given) : std::nullopt;
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) scene_->setView(*numbers);
+    stacked_.reset();
+    showStack();
+}
+
 std::vector<report::Picture> LongitudinalViews::pictures()
 {
     std::vector<report::Picture> pictures;
@@ -155,7 +211,9 @@ void LongitudinalViews::retranslate()
 {
     formOnly_->setText(tr("form of each section only"));
     formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
+    magnificationLabel_->setText(tr("Error ×"));
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
+    magnification_->setAccessibleName(magnification_->toolTip());
     synthetic_->setText(tr("Synthetic data"));
     heroes_->setTitle("stack", tr("Form"));
     heroes_->setTitle("profile", tr("Along the axis"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QWidget>
 
@@ -33,6 +34,10 @@ public:
 
     HeroViews* heroes() const { return heroes_; }
 
+    /// Magnification, what is taken out, and camera, to be kept with the project.
+    Values view() const;
+    void restoreView(const Values& kept);
+
     void retranslate();
 
 signals:
@@ -43,6 +48,7 @@ private:
     void buildBar();
     void showStack();
     void markPlace();
+    void choose(std::size_t vertex);
 
     trajectory_common::MarkedAngle& angle_;
     std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
@@ -52,7 +58,9 @@ private:
     trajectory_common::SectionBar* section_;
     trajectory_common::AngleBar* angleBar_;
     QCheckBox* formOnly_;
-    QLabel* magnification_;
+    QLabel* magnificationLabel_;
+    QDoubleSpinBox* magnification_;
+    std::optional<double> chosenMagnification_;  ///< by the user; none: what fits
     QLabel* synthetic_;
     scene::SceneView* scene_;
     plot::ChartView* profile_;

@@ -75,7 +75,9 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const repor
     const QFontMetricsF metrics(font);
     const double width = metrics.horizontalAdvance(text) + 10;
     const bool cut = place.x() + width > clipRect().right();
-    const QRectF room(cut ? place.x() - width : place.x(), place.y() - metrics.height(), width, metrics.height());
+    const bool high = place.y() - metrics.height() < clipRect().top();  // then below
+    const QRectF room(cut ? place.x() - width : place.x(), high ? place.y() + 2 : place.y() - metrics.height(), width,
+                      metrics.height());
     QColor ground = style_.background;
     ground.setAlpha(200);
     painter.fillRect(room.adjusted(1, 0, -1, 0), ground);

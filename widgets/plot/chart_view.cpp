@@ -249,6 +249,37 @@ QString ChartView::readoutAt(double x, double y) const
     return parts.join("  ·  ");
 }
 
+/// Of the curves that are read the one nearest above or below the pointer.
+PointerTag::Words ChartView::tagAt(const QPointF& pointer, double x, double) const
+{
+    const Content& c = *content_;
+    const report::Plot& data = c.data;
+    if (c.hasPaths()) return {};
+    PointerTag::Words words;
+    double least = infinity;
+    for (std::size_t k = 0; k < data.curves.size(); ++k) {
+        const report::Curve& curve = data.curves[k];
+        const std::vector<double>& places = c.places[k];
+        if (!isRead(curve) || curve.style == report::Curve::Style::Band || places.empty()) continue;
+        const double reach = curve.style == report::Curve::Style::Bars && curve.x.size() > 1
+                                 ? (curve.x[1] - curve.x[0]) / 2
+                                 : std::abs(plot().xAxis->pixelToCoord(1) - plot().xAxis->pixelToCoord(0)) * 20;
+        const std::size_t i = nearest(places, x);
+        if (i >= curve.y.size() || std::isnan(curve.y[i]) || std::abs(places[i] - x) > reach) continue;
+        const double away = std::abs(plot().yAxis->coordToPixel(curve.y[i]) - pointer.y());
+        if (away >= least) continue;
+        least = away;
+        const bool is_said = i < curve.said.size();
+        words.value = is_said ? withUnit(readable(curve.said[i], 0.1, locale()), curve.said_unit)
+                              : withUnit(onAxis(*plot().yAxis, curve.y[i], locale()), data.y.unit);
+        words.place = withUnit(onAxis(*plot().xAxis, places[i], locale()), data.x.unit);
+        const QString name = chartText(curve.name);
+        if (!name.isEmpty()) words.place += "  ·  " + name;
+        if (i < curve.words.size() && !curve.words[i].empty()) words.place = screenText(curve.words[i]);
+    }
+    return words;
+}
+
 QString ChartView::pathReadout(double x, double y) const
 {
     const report::Plot& data = content_->data;

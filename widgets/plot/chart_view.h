@@ -34,6 +34,7 @@ signals:
 
 protected:
     void applyStyle() override;
+    PointerTag::Words tagAt(const QPointF& pointer, double x, double y) const override;
     QString readoutAt(double x, double y) const override;
     void fitRanges() override;
     bool beginDrag(const QPointF& place) override;

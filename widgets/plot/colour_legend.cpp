@@ -18,8 +18,9 @@ struct Tick {
 std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
 {
     std::vector<Tick> ticks;
-    if (colours.tolerance && *colours.tolerance < colours.limit)
-        for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *colours.tolerance, true});
+    for (const std::optional<double>& line : {colours.tolerance, colours.marked})
+        if (line && *line > 0 && *line < colours.limit)
+            for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *line, true});
     for (const double share : {-1.0, 1.0, 0.0, -0.5, 0.5}) {
         const double value = share * colours.limit;
         bool free = true;

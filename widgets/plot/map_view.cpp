@@ -61,12 +61,18 @@ public:
     QLocale locale;
     int narrowest = 0;  ///< the field of the limit stands above
 
-    int width() const { return std::max(narrowest, colourLegendWidth(colours, title, font, locale) + gap); }
+    bool is_shown = true;
+
+    int width() const
+    {
+        return !is_shown ? 0 : std::max(narrowest, colourLegendWidth(colours, title, font, locale) + gap);
+    }
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
     void draw(QCPPainter* painter) override
     {
+        if (!is_shown) return;
         const QRectF axes = parentPlot()->axisRect()->rect();
         paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8),
                           colours, title, font, text, locale);
@@ -197,6 +203,19 @@ QString MapView::readoutAt(double x, double y) const
            (std::isnan(value) ? tr("no data") : axis(d.value, value, 0.1));
 }
 
+PointerTag::Words MapView::tagAt(const QPointF&, double x, double y) const
+{
+    const report::ColourMap& d = content_->data;
+    const double value = d.at(x, y);
+    const auto number = [&](double v, double span, const Text& unit) {
+        const QString said = screenText(unit);
+        return readable(v, span, locale()) + (said == QStringLiteral("°") ? QString() : QStringLiteral(" ")) + said;
+    };
+    if (std::isnan(value)) return {};
+    return {(value > 0 ? "+" : "") + number(value, 0.1, d.value.unit),
+            number(x, visibleRange().width(), d.x.unit) + "  ·  " + number(y, visibleRange().height(), d.y.unit)};
+}
+
 void MapView::fitRanges()
 {
     const report::ColourMap& d = content_->data;
@@ -213,12 +232,20 @@ void MapView::placeEdit()
 {
     // The field stands above the scale, in the line of the title, where the picture has nothing to cover.
     LimitEdit* edit = content_->edit;
-    edit->setVisible(!content_->data.empty());
+    content_->legend->is_shown = !isSmall();
+    edit->setVisible(!content_->data.empty() && !isSmall());
     edit->adjustSize();
     content_->legend->narrowest = edit->width();
     edit->move(width() - edit->width(), 0);
     leaveRoomInTitle(edit->width());
-    plot().axisRect()->setMargins(QMargins(0, 0, content_->legend->width(), 0));
+    const int aside = isSmall() ? fontMetrics().height() : content_->legend->width();  // of the last tick's number
+    plot().axisRect()->setMargins(QMargins(0, 0, aside, 0));
+}
+
+void MapView::sizeChosen()
+{
+    placeEdit();
+    PlotCanvas::sizeChosen();
 }
 
 void MapView::resizeEvent(QResizeEvent* event)

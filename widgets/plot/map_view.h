@@ -33,9 +33,11 @@ signals:
 
 protected:
     void applyStyle() override;
+    PointerTag::Words tagAt(const QPointF& pointer, double x, double y) const override;
     QString readoutAt(double x, double y) const override;
     void fitRanges() override;
     int besideAxes() const override;
+    void sizeChosen() override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

@@ -40,7 +40,11 @@ private:
 }  // namespace
 
 PlotCanvas::PlotCanvas(QWidget* parent)
-    : PlotWidget(parent), plot_(new QCustomPlot(this)), style_(palette(), font()), parts_(std::make_unique<Parts>())
+    : PlotWidget(parent),
+      plot_(new QCustomPlot(this)),
+      tag_(new PointerTag(this)),
+      style_(palette(), font()),
+      parts_(std::make_unique<Parts>())
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -76,6 +80,10 @@ PlotCanvas::PlotCanvas(QWidget* parent)
         (*line)->setVisible(false);
         (*line)->setSelectable(false);
     }
+    parts_->stretch = new QCPItemRect(plot_);
+    parts_->stretch->setLayer("overlay");
+    parts_->stretch->setVisible(false);
+    parts_->stretch->setSelectable(false);
     setScales(report::Axis::Scale::Linear, report::Axis::Scale::Linear);
     connect(plot_, &QCustomPlot::mousePress, this, &PlotCanvas::mousePressed);
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
@@ -122,7 +130,8 @@ void PlotCanvas::showLegend(bool shown)
 void PlotCanvas::placeLegend()
 {
     // A low plot needs its room for the curves.
-    const bool shown = parts_->legendWanted && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
+    const bool shown =
+        parts_->legendWanted && !isSmall() && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
     // Below the axes, so that it never covers a curve; out of the layout when empty, where it would narrow the column.
     QCPLayoutGrid* grid = plot_->plotLayout();
     const bool there = grid->hasElement(2, 0);
@@ -167,6 +176,12 @@ void PlotCanvas::showEvent(QShowEvent* event)
     QWidget::showEvent(event);
     fitTexts();
     redraw();
+}
+
+void PlotCanvas::setDrawsStretch(bool on)
+{
+    parts_->drawsStretch = on;
+    plot_->setCursor(on ? Qt::SplitHCursor : Qt::CrossCursor);
 }
 
 bool PlotCanvas::isViewChosen() const
@@ -223,6 +238,10 @@ void PlotCanvas::restyle(const QPalette& palette)
         }
     for (QCPItemStraightLine* line : {parts_->vertical, parts_->horizontal})
         line->setPen(QPen(style_.text, 1, Qt::DotLine));
+    QColor drawn = style_.limit;
+    parts_->stretch->setPen(QPen(drawn, 1));
+    drawn.setAlpha(60);
+    parts_->stretch->setBrush(drawn);
     plot_->legend->setFont(font());
     const int line = QFontMetrics(font()).height();
     plot_->legend->setIconSize(3 * line / 2, 3 * line / 4);
@@ -240,17 +259,29 @@ void PlotCanvas::fitTexts()
         // Where the title has no room, its unit says more than its first letters.
         const qsizetype unit = title.lastIndexOf('(');
         const bool fits = metrics.horizontalAdvance(title) <= length;
+        if (isSmall()) {
+            axis->setLabel({});
+            return axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 5));
+        }
         axis->setLabel(fits || unit < 0 ? metrics.elidedText(title, Qt::ElideRight, std::max(length, 2 * height))
                                         : title.mid(static_cast<int>(unit)));
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
     fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
-    fit(plot_->yAxis, parts_->yTitle, this->height() - 6 * height, 3 * height / 2);
+    fit(plot_->yAxis, parts_->yTitle, this->height() - (isSmall() ? 2 : 6) * height, (isSmall() ? 4 : 3) * height / 2);
     int widest = 1;
     for (QCPLayoutElement* item : plot_->legend->elements(false))
         if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
     plot_->legend->setWrap(std::max(1, (width() - 20) / widest));
     plot_->legend->setFillOrder(QCPLegend::foColumnsFirst, true);  // puts what is there already into the new columns
+}
+
+void PlotCanvas::sizeChosen()
+{
+    parts_->title->setShown(!isSmall());
+    placeLegend();
+    fitTexts();
+    redraw();
 }
 
 void PlotCanvas::changeEvent(QEvent* event)

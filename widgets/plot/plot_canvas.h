@@ -8,6 +8,7 @@
 
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/plot_widget.h"
+#include "widgets/plot/pointer_tag.h"
 
 class QCustomPlot;
 
@@ -27,13 +28,18 @@ public:
     QPointF pixelAt(double x, double y) const;
     /// What stands in the title's place while the pointer is over the axes.
     QString readout() const;
+    /// While `on`, a drag draws a stretch of the x axis instead of moving the view.
+    void setDrawsStretch(bool on);
+    /// The value nearest to the pointer, beside it.
+    const PointerTag& tag() const { return *tag_; }
 
     QSize sizeHint() const override { return {480, 320}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void clicked(double x, double y);  ///< a click that was no drag, in data coordinates
-    void clickTakenBack();             ///< that click was the first half of a double click, which resets the view
+    void clicked(double x, double y);           ///< a click that was no drag, in data coordinates
+    void stretchDrawn(double from, double to);  ///< on the x axis, from < to
+    void clickTakenBack();  ///< that click was the first half of a double click, which resets the view
 
 protected:
     explicit PlotCanvas(QWidget* parent);
@@ -53,13 +59,15 @@ protected:
 
     virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
     virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says
-    virtual void fitRanges() = 0;                             ///< the whole of the data
+    virtual PointerTag::Words tagAt(const QPointF& pointer, double x, double y) const = 0;  ///< pointer in px
+    virtual void fitRanges() = 0;                                                           ///< the whole of the data
     virtual int besideAxes() const { return 0; }              ///< pixels at the right that are not the axes
     virtual bool beginDrag(const QPointF&) { return false; }  ///< true: the content takes the drag over
     virtual void continueDrag(double, double) {}
     virtual void endDrag() {}
     virtual bool isHandle(const QPointF&, Qt::CursorShape&) const { return false; }
 
+    void sizeChosen() override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -80,6 +88,7 @@ private:
     void hideCrosshair();
 
     QCustomPlot* plot_;
+    PointerTag* tag_;
     PlotStyle style_;
     std::unique_ptr<Parts> parts_;
 };

@@ -25,6 +25,7 @@ void PlotCanvas::hideCrosshair()
     parts_->vertical->setVisible(false);
     parts_->horizontal->setVisible(false);
     parts_->readout->set({});
+    tag_->say({}, {});
     drawOverlay();
 }
 
@@ -35,6 +36,10 @@ void PlotCanvas::mousePressed(QMouseEvent* event)
     parts_->pressed = true;
     parts_->hasClicked = false;
     parts_->pressedAt = event->pos();
+    if (parts_->drawsStretch && plot_->axisRect()->rect().contains(event->pos())) {
+        parts_->drawnFrom = plot_->xAxis->pixelToCoord(event->pos().x());
+        return plot_->setInteraction(QCP::iRangeDrag, false);
+    }
     parts_->dragsContent = beginDrag(event->pos());
     plot_->setInteraction(QCP::iRangeDrag, !parts_->dragsContent);
 }
@@ -43,11 +48,23 @@ void PlotCanvas::mouseMoved(QMouseEvent* event)
 {
     const double x = plot_->xAxis->pixelToCoord(event->pos().x());
     const double y = plot_->yAxis->pixelToCoord(event->pos().y());
+    if (parts_->drawnFrom) {
+        parts_->stretch->topLeft->setCoords(*parts_->drawnFrom, plot_->yAxis->range().upper);
+        parts_->stretch->bottomRight->setCoords(x, plot_->yAxis->range().lower);
+        parts_->stretch->setVisible(true);
+        const auto number = [&](double v) { return readable(v, visibleRange().width(), locale()); };
+        tag_->say({number(std::min(*parts_->drawnFrom, x)) + " … " + number(std::max(*parts_->drawnFrom, x)), {}},
+                  event->pos());
+        return drawOverlay();
+    }
     if (parts_->dragsContent) return continueDrag(x, y);
     if (parts_->pressed && (event->pos() - parts_->pressedAt).manhattanLength() > 3) parts_->viewChosen = true;
     if (!plot_->axisRect()->rect().contains(event->pos())) return hideCrosshair();
     Qt::CursorShape shape = Qt::CrossCursor;
-    isHandle(event->pos(), shape);
+    if (parts_->drawsStretch)
+        shape = Qt::SplitHCursor;
+    else
+        isHandle(event->pos(), shape);
     plot_->setCursor(shape);
     parts_->vertical->point1->setCoords(x, y);
     parts_->vertical->point2->setCoords(x, y + 1);
@@ -56,6 +73,7 @@ void PlotCanvas::mouseMoved(QMouseEvent* event)
     parts_->vertical->setVisible(true);
     parts_->horizontal->setVisible(true);
     parts_->readout->set(readoutAt(x, y));
+    tag_->say(parts_->pressed ? PointerTag::Words() : tagAt(event->pos(), x, y), event->pos());
     drawOverlay();
 }
 
@@ -64,6 +82,16 @@ void PlotCanvas::mouseReleased(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || !parts_->pressed) return;
     parts_->pressed = false;
     plot_->setInteraction(QCP::iRangeDrag, true);
+    if (parts_->drawnFrom) {
+        const double from = *parts_->drawnFrom;
+        const double to = plot_->xAxis->pixelToCoord(event->pos().x());
+        parts_->drawnFrom.reset();
+        parts_->stretch->setVisible(false);
+        hideCrosshair();
+        if (std::abs(event->pos().x() - parts_->pressedAt.x()) > 3)
+            emit stretchDrawn(std::min(from, to), std::max(from, to));
+        return;
+    }
     if (parts_->dragsContent) {
         parts_->dragsContent = false;
         return endDrag();

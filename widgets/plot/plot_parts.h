@@ -13,12 +13,15 @@ struct PlotCanvas::Parts {
     TextLine* readout;                ///< what the pointer reads
     QCPItemStraightLine* vertical;    ///< through the pointer
     QCPItemStraightLine* horizontal;  ///< through the pointer
+    QCPItemRect* stretch;             ///< that is being drawn
     QString xTitle, yTitle;           ///< with units
     QPoint pressedAt;                 ///< in px of the widget
     bool legendWanted = false;        ///< there is more than one curve with a name
     bool pressed = false;             ///< a button of the mouse is held
     bool hasClicked = false;          ///< with the last press
     bool dragsContent = false;        ///< a handle follows the pointer, not the view
+    bool drawsStretch = false;        ///< a drag draws a stretch of the x axis
+    std::optional<double> drawnFrom;  ///< where it began, on the x axis; none: nothing is being drawn
     bool viewChosen = false;          ///< the user has zoomed or panned
 };
 

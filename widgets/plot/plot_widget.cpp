@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QVariant>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
@@ -52,6 +53,24 @@ void PlotWidget::askAndSaveData()
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Save data"), accessibleName() + ".csv", tr("Table (*.csv)"));
     if (!path.isEmpty() && !saveData(path)) emit notWritten(path);
+}
+
+PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent)
+{
+    setProperty(smallView, false);
+}
+
+bool PlotWidget::isSmall() const
+{
+    return property(smallView).toBool();
+}
+
+bool PlotWidget::event(QEvent* event)
+{
+    if (event->type() == QEvent::DynamicPropertyChange &&
+        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == smallView)
+        sizeChosen();
+    return QWidget::event(event);
 }
 
 bool PlotWidget::savePicture(const QString& path)

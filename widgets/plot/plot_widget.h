@@ -12,6 +12,10 @@ class PlotWidget : public QWidget {
     Q_OBJECT
 
 public:
+    /// Set while the plot stands small beside a large view, whose frame says what it is: it then leaves out titles,
+    /// legend and fields, so that the data have the room. HeroViews sets it on every view that has it.
+    static constexpr const char* smallView = "smallView";
+
     /// The plot as shown, dark on white.
     virtual QImage picture(double scale = 2) = 0;
 
@@ -29,8 +33,11 @@ signals:
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 protected:
-    using QWidget::QWidget;
+    explicit PlotWidget(QWidget* parent);
 
+    bool isSmall() const;
+    virtual void sizeChosen() {}  ///< isSmall() has changed
+    bool event(QEvent* event) override;
     virtual bool saveVector(const QString& path) = 0;  ///< .svg, .pdf
     virtual void addToMenu(QMenu&) {}                  ///< what a kind of plot offers besides
 

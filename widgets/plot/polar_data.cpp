@@ -129,7 +129,8 @@ PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t silent)
         for (const double value : picture->lines.back().deviation_um) see(value);
     }
     for (const report::PolarPlot::ReferenceLine& circle : picture->plot.circles)
-        for (int angle = 0; angle < 360; angle += 10) see(deviationAt(circle, picture->plot.base_radius_mm, angle));
+        for (int angle = 0; angle < 360 && circle.asked.empty(); angle += 10)
+            see(deviationAt(circle, picture->plot.base_radius_mm, angle));
     for (const report::PolarPlot::Mark& mark : picture->plot.contacts) see(mark.deviation_um);
     if (low <= high) {
         picture->lowest_um = low;

@@ -30,9 +30,12 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames)
     std::size_t position = 0;
     for (const report::PolarPlot::Trace& trace : picture_.plot.traces)
         add(chartText(trace.name), style_.colour(trace.colour, position++), trace.thin ? Kind::Thin : Kind::Line);
-    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles)
-        add(chartText(circle.name), style_.colour(circle.colour, position++),
-            circle.dashed ? Kind::Dashed : Kind::Line);
+    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
+        const QColor colour = style_.colour(circle.colour, position++);
+        if (isDrawn(circle)) add(chartText(circle.name), colour, circle.dashed ? Kind::Dashed : Kind::Line);
+    }
+    for (std::size_t i = 0; i < picture_.plot.rings.size(); ++i)
+        add(chartText(picture_.plot.rings[i].name), style_.colour(picture_.plot.rings[i].colour, i), Kind::Ring);
     for (const bool outer : {true, false})
         if (std::any_of(picture_.plot.contacts.begin(), picture_.plot.contacts.end(),
                         [&](const report::PolarPlot::Mark& mark) { return mark.outer == outer; }))
@@ -113,6 +116,10 @@ void PolarPainter::paintLegend(QPainter& painter) const
         using Kind = LegendLine::Kind;
         if (entry.kind == Kind::Outer || entry.kind == Kind::Inner) {
             paintMark(painter, middle, entry.kind == Kind::Outer, entry.colour);
+        } else if (entry.kind == Kind::Ring) {
+            QColor fill = entry.colour;
+            fill.setAlphaF(0.3);
+            painter.fillRect(QRectF(middle.x() - 0.9 * half, middle.y() - 0.3 * line, 1.8 * half, 0.6 * line), fill);
         } else {
             painter.setPen(QPen(entry.colour, entry.kind == Kind::Thin ? 1 : 1.2 * style_.lineWidth,
                                 entry.kind == Kind::Dashed ? Qt::DashLine : Qt::SolidLine));

@@ -12,9 +12,12 @@ namespace {
 
 // In lines of type.
 constexpr double lowestWithReadout = 13;
+constexpr double lowestWithTitle = 9;
 constexpr double smallestWithDegrees = 5;
 constexpr double smallestWithAllDegrees = 9;
 constexpr double leastShareOfDisc = 0.72;
+constexpr double smallestWithNames = 16;
+constexpr double ringOpacity = 0.16;
 
 QString signedDivision(double value_um, const QLocale& locale)
 {
@@ -32,12 +35,13 @@ double sharePerUm(const PolarPicture& picture, double magnification)
 }
 
 PolarPainter::PolarPainter(const PolarPicture& picture, double magnification, const QRectF& room, const QFont& font,
-                           const PlotStyle& style, const QLocale& locale)
+                           const PlotStyle& style, const QLocale& locale, std::string asked)
     : picture_(picture),
       magnification_(magnification),
       font_(font),
       style_(style),
       locale_(locale),
+      asked_(std::move(asked)),
       layout_(layOut(room)),
       scale_(sharePerUm(picture, magnification), picture, layout_.disc.center(), layout_.disc.width() / 2),
       division_um_(division_um(scale_, 1.25 * QFontMetricsF(font).height()))
@@ -50,7 +54,8 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
     const double line = metrics.height();
     Layout layout;
     layout.title = QRectF(room.left() + 6, room.top(), room.width() - 12, line + 4);
-    QRectF rest = room.adjusted(4, line + 6, -4, -4);
+    if (room.height() < lowestWithTitle * line) layout.title.setHeight(0);
+    QRectF rest = room.adjusted(4, layout.title.height() + 2, -4, -4);
     if (rest.height() > lowestWithReadout * line) {
         layout.readout = layout.title.translated(0, line + 2);
         rest.setTop(layout.readout.bottom());
@@ -97,16 +102,19 @@ void PolarPainter::paint(QPainter& painter) const
     QPainterPath disc;
     disc.addEllipse(layout_.disc);
     painter.setClipPath(disc);
+    paintRings(painter);
     paintLines(painter, true);
     paintCircles(painter);
     paintLines(painter, false);
     paintContacts(painter);
     painter.restore();
+    paintContactNames(painter);
     paintLegend(painter);
 }
 
 void PolarPainter::paintTitle(QPainter& painter) const
 {
+    if (layout_.title.isEmpty()) return;
     QFont bold = font_;
     bold.setBold(true);
     const QFontMetricsF boldMetrics(bold), metrics(font_);
@@ -184,7 +192,8 @@ std::vector<report::PolarPlace> PolarPainter::drawnPlaces() const
     for (const PolarLine& line : picture_.lines)
         for (std::size_t i = 0; i < line.angle_deg.size(); ++i) add(line.angle_deg[i], line.deviation_um[i]);
     for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles)
-        for (int angle = 0; angle < 360; ++angle) add(angle, deviationAt(circle, picture_.plot.base_radius_mm, angle));
+        for (int angle = 0; angle < 360 && isDrawn(circle); ++angle)
+            add(angle, deviationAt(circle, picture_.plot.base_radius_mm, angle));
     for (const report::PolarPlot::Mark& mark : picture_.plot.contacts) add(mark.angle_deg, mark.deviation_um);
     return places;
 }
@@ -251,15 +260,61 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
 void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
-    for (const report::PolarPlot::ReferenceLine& circle : picture_.plot.circles) {
-        painter.setPen(QPen(style_.colour(circle.colour, position++), style_.lineWidth,
-                            circle.dashed ? Qt::DashLine : Qt::SolidLine));
-        QPolygonF points;
-        for (int i = 0; i <= 720; ++i) {
-            const double deviation_um = deviationAt(circle, picture_.plot.base_radius_mm, i / 2.0);
-            if (std::isfinite(deviation_um)) points << scale_.at(i / 2.0, deviation_um);
-        }
-        painter.drawPolyline(points);
+    for (const report::PolarPlot::ReferenceLine& line : picture_.plot.circles) {
+        painter.setPen(
+            QPen(style_.colour(line.colour, position++), style_.lineWidth, line.dashed ? Qt::DashLine : Qt::SolidLine));
+        if (isDrawn(line)) painter.drawPolyline(circle(line));
+    }
+}
+
+QPolygonF PolarPainter::circle(const report::PolarPlot::ReferenceLine& line) const
+{
+    QPolygonF points;
+    for (int i = 0; i <= 720; ++i) {
+        const double deviation_um = deviationAt(line, picture_.plot.base_radius_mm, i / 2.0);
+        if (std::isfinite(deviation_um)) points << scale_.at(i / 2.0, deviation_um);
+    }
+    return points;
+}
+
+void PolarPainter::paintRings(QPainter& painter) const
+{
+    painter.setPen(Qt::NoPen);
+    for (std::size_t i = 0; i < picture_.plot.rings.size(); ++i) {
+        const report::PolarPlot::Ring& ring = picture_.plot.rings[i];
+        QPainterPath between;
+        between.addPolygon(circle({{}, ring.x_um, ring.y_um, ring.outer_um}));
+        between.addPolygon(circle({{}, ring.x_um, ring.y_um, ring.inner_um}));
+        QColor fill = style_.colour(ring.colour, i);
+        fill.setAlphaF(ringOpacity);
+        painter.setBrush(fill);
+        painter.drawPath(between);  // odd-even: not within the inner circle
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+/// What a contact is said to be, outside the profile at an outer one, else inside; none in a small plot.
+void PolarPainter::paintContactNames(QPainter& painter) const
+{
+    const QFontMetricsF metrics(font_);
+    if (layout_.disc.width() < smallestWithNames * metrics.height()) return;
+    painter.setFont(font_);
+    for (const report::PolarPlot::Mark& mark : picture_.plot.contacts) {
+        const QString name = chartText(mark.name);
+        if (name.isEmpty()) continue;
+        const QPointF arm = scale_.at(mark.angle_deg, mark.deviation_um) - scale_.centre();
+        const double length = std::hypot(arm.x(), arm.y());
+        if (!(length > 0)) continue;
+        const QPointF outward = arm / length;
+        QRectF plate(0, 0, metrics.horizontalAdvance(name) + 6, metrics.height());
+        const double away = 0.9 * metrics.height() + std::abs(outward.x()) * plate.width() / 2;
+        const bool has_room = length + away + metrics.height() / 2 < scale_.room_px();  // not over the degrees
+        plate.moveCenter(scale_.centre() + outward * (length + (mark.outer && has_room ? away : -away)));
+        QColor ground = style_.background;
+        ground.setAlphaF(0.75);
+        painter.fillRect(plate, ground);
+        painter.setPen(style_.text);
+        painter.drawText(plate, Qt::AlignCenter, name);
     }
 }
 

@@ -13,8 +13,9 @@ namespace lathelier::plot {
 /// Lays out and draws one picture in one rectangle.
 class PolarPainter {
 public:
+    /// `asked`: keys of the circles that are drawn only when asked for.
     PolarPainter(const PolarPicture& picture, double magnification, const QRectF& room, const QFont& font,
-                 const PlotStyle& style, const QLocale& locale);
+                 const PlotStyle& style, const QLocale& locale, std::string asked = {});
 
     const PolarScale& scale() const { return scale_; }
 
@@ -29,7 +30,7 @@ public:
 
 private:
     struct LegendLine {
-        enum class Kind { Line, Thin, Dashed, Outer, Inner };
+        enum class Kind { Line, Thin, Dashed, Ring, Outer, Inner };
         QString text;            ///< words of the line
         QColor colour;           ///< of the sample
         Kind kind = Kind::Line;  ///< shape of the sample
@@ -66,7 +67,14 @@ private:
     void paintScale(QPainter& painter) const;
     void paintLines(QPainter& painter, bool thin) const;
     void paintCircles(QPainter& painter) const;
+    void paintRings(QPainter& painter) const;
+    QPolygonF circle(const report::PolarPlot::ReferenceLine& line) const;
+    bool isDrawn(const report::PolarPlot::ReferenceLine& line) const
+    {
+        return line.asked.empty() || line.asked == asked_;
+    }
     void paintContacts(QPainter& painter) const;
+    void paintContactNames(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
     void paintMark(QPainter& painter, const QPointF& place, bool outer, const QColor& colour) const;
 
@@ -75,6 +83,7 @@ private:
     QFont font_;
     const PlotStyle& style_;
     QLocale locale_;
+    std::string asked_;
     Layout layout_;
     PolarScale scale_;
     double division_um_;

@@ -31,7 +31,7 @@ const report::PolarPlot::Trace* firstTrace(const PolarPicturePtr& picture)
 
 }  // namespace
 
-PolarView::PolarView(QWidget* parent) : PlotWidget(parent)
+PolarView::PolarView(QWidget* parent) : PlotWidget(parent), tag_(new PointerTag(this))
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -59,6 +59,13 @@ void PolarView::setMagnification(std::optional<double> magnification)
     chosen_ = magnification;
     forgetPixmap();
     emit magnificationChanged(PolarView::magnification());
+}
+
+void PolarView::setAsked(const std::string& key)
+{
+    if (asked_ == key) return;
+    asked_ = key;
+    forgetPixmap();
 }
 
 void PolarView::setMarker(std::optional<double> angle_deg)
@@ -106,7 +113,7 @@ QPointF PolarView::pixelAt(double angle_deg, double deviation_um) const
 {
     if (!picture_) return {};
     const PlotStyle style(palette(), font());
-    return PolarPainter(*picture_, magnification(), rect(), font(), style, locale())
+    return PolarPainter(*picture_, magnification(), rect(), font(), style, locale(), asked_)
         .scale()
         .at(angle_deg, deviation_um);
 }
@@ -115,7 +122,7 @@ QRectF PolarView::discRect() const
 {
     if (!picture_) return {};
     const PlotStyle style(palette(), font());
-    const PolarScale scale = PolarPainter(*picture_, magnification(), rect(), font(), style, locale()).scale();
+    const PolarScale scale = PolarPainter(*picture_, magnification(), rect(), font(), style, locale(), asked_).scale();
     const QPointF reach(scale.room_px(), scale.room_px());
     return {scale.centre() - reach, scale.centre() + reach};
 }
@@ -126,7 +133,7 @@ void PolarView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), style.background);
     if (!picture_) return;
-    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale());
+    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale(), asked_);
     const QSize size = this->size() * devicePixelRatioF();
     if (pixmap_.size() != size) {
         pixmap_ = QPixmap(size);
@@ -151,7 +158,7 @@ QImage PolarView::picture(double scale)
     image.fill(style.background);
     if (!picture_) return image;
     QPainter painter(&image);
-    PolarPainter(*picture_, magnification(), rect(), font(), style, locale()).paint(painter);
+    PolarPainter(*picture_, magnification(), rect(), font(), style, locale(), asked_).paint(painter);
     return image;
 }
 
@@ -160,7 +167,7 @@ bool PolarView::saveVector(const QString& path)
     if (!picture_) return false;
     const QPalette paper = paperPalette();
     const PlotStyle style(paper, font());
-    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale());
+    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale(), asked_);
     const auto paintOn = [&](QPaintDevice& device) {
         QPainter painter;
         if (!painter.begin(&device)) return false;
@@ -203,13 +210,23 @@ void PolarView::mouseMoveEvent(QMouseEvent* event)
 {
     if (!picture_) return;
     const PlotStyle style(palette(), font());
-    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale());
+    const PolarPainter plot(*picture_, magnification(), rect(), font(), style, locale(), asked_);
     const QPointF arm = event->localPos() - plot.scale().centre();
     const bool inside = std::hypot(arm.x(), arm.y()) <= plot.scale().room_px();
     if (inside)
         point(plot.scale().angleOf(event->localPos()));
     else if (pointer_)
         point({});
+    const report::PolarPlot::Trace* first = firstTrace(picture_);
+    const auto sample = inside && first ? nearestSample(*first, *pointer_) : std::nullopt;
+    PointerTag::Words words;
+    if (sample) {
+        const double value_um = first->deviation_um[*sample];
+        words.value = (value_um > 0 ? "+" : "") + screenNumber(value_um, 2) + " µm";
+        words.value.replace('-', QChar(0x2212));
+        words.place = screenNumber(first->angle_deg[*sample], 1) + "°";
+    }
+    tag_->say(words, event->pos());
 }
 
 void PolarView::mousePressEvent(QMouseEvent* event)
@@ -283,6 +300,7 @@ void PolarView::keyPressEvent(QKeyEvent* event)
 void PolarView::leaveEvent(QEvent* event)
 {
     QWidget::leaveEvent(event);
+    tag_->say({}, {});
     point({});
 }
 

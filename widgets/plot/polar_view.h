@@ -6,6 +6,7 @@
 
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/plot_widget.h"
+#include "widgets/plot/pointer_tag.h"
 #include "widgets/plot/polar_data.h"
 
 namespace lathelier::plot {
@@ -26,6 +27,9 @@ public:
     double magnification() const;
     void setMagnification(std::optional<double> magnification);  ///< none: one that fits
 
+    /// Draws the circles that have this key besides; empty: none of those that wait to be asked for.
+    void setAsked(const std::string& key);
+
     /// Marks one angle, picked here or in a linked view.
     void setMarker(std::optional<double> angle_deg);
     std::optional<double> marker() const { return marker_; }
@@ -36,6 +40,8 @@ public:
     /// Where a sample stands in this widget, for tests and for callouts.
     QPointF pixelAt(double angle_deg, double deviation_um) const;
     QRectF discRect() const;  ///< inside the rim
+    /// The deviation at the pointer's angle, beside the pointer.
+    const PointerTag& tag() const { return *tag_; }
 
     QImage picture(double scale = 2) override;
     QString csv() const override;
@@ -71,7 +77,9 @@ private:
     void choose(std::optional<double> angle_deg);
     QString spoken(double angle_deg) const;
 
+    PointerTag* tag_;
     PolarPicturePtr picture_;
+    std::string asked_;              ///< key of circles
     std::optional<double> chosen_;   ///< magnification
     std::optional<double> marker_;   ///< degrees
     std::optional<double> pointer_;  ///< degrees

@@ -15,6 +15,7 @@ public:
         aside_ = aside;
     }
     QString text() const { return text_; }
+    void setShown(bool shown) { shown_ = shown; }  ///< false: takes no room
     void leaveRoom(int atRight) { room_ = atRight; }
 
     /// Stands in the place of `title` while it has a text; not part of the layout itself.
@@ -26,13 +27,13 @@ public:
         colour_ = colour;
         alignment_ = alignment;
     }
-    QSize minimumOuterSizeHint() const override { return {0, QFontMetrics(font_).height() + 2}; }
-    QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QFontMetrics(font_).height() + 2}; }
+    QSize minimumOuterSizeHint() const override { return {0, height()}; }
+    QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, height()}; }
 
 protected:
     void draw(QCPPainter* painter) override
     {
-        if (text_.isEmpty()) return;
+        if (text_.isEmpty() || !shown_) return;
         const QFontMetrics metrics(font_);
         const QRect place =
             title_ ? title_->rect().adjusted(0, 0, -title_->room_, 0) : rect().adjusted(0, 0, -room_, 0);
@@ -64,8 +65,11 @@ private:
                           metrics.elidedText(text_, Qt::ElideRight, room.width() - width));
     }
 
+    int height() const { return shown_ ? QFontMetrics(font_).height() + 2 : 0; }
+
     QString text_;
     QString aside_;
+    bool shown_ = true;
     int room_ = 0;
     const TextLine* title_ = nullptr;
     QColor background_;

@@ -98,6 +98,16 @@ std::vector<PanelExport> RoundnessPanel::exports() const
          }}};
 }
 
+Values RoundnessPanel::view() const
+{
+    return views_->view();
+}
+
+void RoundnessPanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
+}
+
 void RoundnessPanel::retranslate()
 {
     views_->retranslate();

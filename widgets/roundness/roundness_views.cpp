@@ -59,6 +59,13 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
         const int wanted = static_cast<int>(std::lround(upr));
         markHarmonic(harmonic_ == wanted ? std::nullopt : std::optional(wanted));
     });
+    circles_->setMouseTracking(true);
+    circles_->viewport()->installEventFilter(this);
+    connect(circles_, &QTableWidget::cellEntered, this, [this](int row, int) {
+        pointedRow_ = row;
+        askCircle();
+    });
+    connect(circles_, &QTableWidget::itemSelectionChanged, this, &RoundnessViews::askCircle);
     connect(hints_, &QTableWidget::cellClicked, this, [this](int row, int) {
         const auto& hints = picture_->roundness()->hints;
         if (row < static_cast<int>(hints.size())) markHarmonic(hints[static_cast<std::size_t>(row)].upr);
@@ -159,6 +166,41 @@ void RoundnessViews::markHarmonic(std::optional<int> upr)
             if (hints[row].upr == *upr) hints_->selectRow(static_cast<int>(row));
     }
     showPolar();
+}
+
+/// The circle whose row is pointed at, else that of the selected row, is drawn besides the chosen one.
+void RoundnessViews::askCircle()
+{
+    const QList<QTableWidgetSelectionRange> selected = circles_->selectedRanges();
+    const int row = pointedRow_ >= 0 || selected.isEmpty() ? pointedRow_ : selected.front().topRow();
+    const bool known = row >= 0 && row < static_cast<int>(form::circlesOfTable.size());
+    polar_->setAsked(known ? std::string(name(form::circlesOfTable[static_cast<std::size_t>(row)])) : std::string());
+}
+
+bool RoundnessViews::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Leave && watched == circles_->viewport()) {
+        pointedRow_ = -1;
+        askCircle();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+Values RoundnessViews::view() const
+{
+    return {{"harmonic_upr", harmonic_ ? Value(std::int64_t{*harmonic_}) : Value()},
+            {"table", std::int64_t{tabs_->currentIndex()}}};
+}
+
+void RoundnessViews::restoreView(const Values& kept)
+{
+    const auto number = [&kept](const char* key) -> std::optional<int> {
+        const Value* const there = lathelier::find(kept, key);
+        const auto* const given = there ? std::get_if<std::int64_t>(there) : nullptr;
+        return given && *given >= 0 && *given < 100000 ? std::optional(static_cast<int>(*given)) : std::nullopt;
+    };
+    tabs_->setCurrentIndex(number("table").value_or(0));
+    markHarmonic(number("harmonic_upr"));
 }
 
 void RoundnessViews::markAngle()

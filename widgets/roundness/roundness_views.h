@@ -28,6 +28,10 @@ public:
 
     HeroViews* heroes() const { return heroes_; }
 
+    /// The undulation that is drawn and the table that is open, to be kept with the project.
+    Values view() const;
+    void restoreView(const Values& kept);
+
     void retranslate();
 
 signals:
@@ -39,9 +43,12 @@ private:
     void showPolar();
     void showTables();
     void markAngle();
+    void askCircle();
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     trajectory_common::MarkedAngle& angle_;
     std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
+    int pointedRow_ = -1;  ///< of the table of circles; -1: none
     std::optional<int> harmonic_;
     std::optional<int> harmonicBefore_;  ///< the last click
     trajectory_common::SectionBar* section_;

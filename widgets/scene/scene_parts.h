@@ -9,10 +9,12 @@
 #include <algorithm>
 
 #include "widgets/plot/colour_legend.h"
+#include "widgets/plot/pointer_tag.h"
 #include "widgets/scene/scene_actor.h"
 #include "widgets/scene/scene_bar.h"
 #include "widgets/scene/scene_camera.h"
 #include "widgets/scene/scene_canvas.h"
+#include "widgets/scene/scene_outline.h"
 #include "widgets/scene/scene_overlay.h"
 #include "widgets/scene/scene_pick.h"
 #include "widgets/scene/scene_view.h"
@@ -38,6 +40,7 @@ struct SceneView::Parts {
     SceneLabel* label = nullptr;           ///< text beside the marked place
     SceneLabel* cross = nullptr;           ///< sign at the marked place
 
+    std::unique_ptr<SceneOutline> outline;             ///< thin lines; null: none
     std::vector<SceneObject> objects;                  ///< as given to setObjects()
     std::vector<std::unique_ptr<SceneActor>> actors;   ///< one for each object, in their order
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< middle of the objects: geometry is uploaded relative to it
@@ -45,6 +48,10 @@ struct SceneView::Parts {
     report::DeviationColours colours;                  ///< from deviation to colour
     std::optional<SceneSection> section;               ///< what is drawn; none: all
     std::optional<Eigen::Vector3d> marked;             ///< place of the marker in the scene; none: no marker
+
+    plot::PointerTag* tag = nullptr;  ///< what the pointer rests on
+    QTimer pointing;                  ///< expires when the pointer rests
+    QPoint pointedAt;                 ///< where it rests
 
     QTimer rest;                      ///< expires some time after the last motion: all points are drawn again
     bool moving = false;              ///< thinned sets are drawn

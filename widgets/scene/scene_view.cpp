@@ -4,9 +4,11 @@
 
 #include <vtkCamera.h>
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/scene/scene_parts.h"
@@ -14,7 +16,9 @@
 namespace lathelier::scene {
 namespace {
 
+constexpr const char* smallView = "smallView";  // set by HeroViews
 constexpr int restAfter_ms = 250;
+constexpr int pointingAfter_ms = 60;
 
 }  // namespace
 
@@ -33,6 +37,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
         return;
     }
     p.bar = new SceneBar(this);
+    setProperty(smallView, false);
     p.bar->setProperty("onlyLarge", true);  // a small picture has no room for it (ViewFrame)
     p.canvas = new SceneCanvas(this);
     layout->addWidget(p.bar);
@@ -64,6 +69,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
         else
             setSection(sceneAxis, share);
     });
+    p.tag = new plot::PointerTag(p.canvas);
+    p.canvas->setMouseTracking(true);
+    p.pointing.setSingleShot(true);
+    p.pointing.setInterval(pointingAfter_ms);
+    connect(&p.pointing, &QTimer::timeout, this, [this] { hover(parts_->pointedAt); });
     p.rest.setSingleShot(true);
     p.rest.setInterval(restAfter_ms);
     connect(&p.rest, &QTimer::timeout, this, [this] {
@@ -83,6 +93,7 @@ SceneView::~SceneView()
     parts_->canvas->removeEventFilter(this);
     parts_->canvas->makeCurrent();
     parts_->actors.clear();
+    parts_->outline.reset();
 }
 
 bool SceneView::canDraw() const
@@ -136,12 +147,8 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
         p.actors.push_back(std::move(actor));
     }
     kept.clear();
-    bool valued = false;
-    for (std::size_t i = 0; i < p.actors.size(); ++i) {
-        p.actors[i]->update(p.objects[i], p.colours, p.axis);
-        valued = valued || (p.objects[i].visible && p.objects[i].values);
-    }
-    p.legend->setVisible(valued);
+    for (std::size_t i = 0; i < p.actors.size(); ++i) p.actors[i]->update(p.objects[i], p.colours, p.axis);
+    showAround();
     shareBudget();
     applySection();
     if (!p.aimed && !p.kept) return setViewpoint(SceneViewpoint::Oblique);
@@ -150,6 +157,36 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
         p.aimed = true;
         p.kept.reset();
     }
+    render();
+}
+
+/// The scale stands beside a large picture while an object has values.
+void SceneView::showAround()
+{
+    Parts& p = *parts_;
+    const bool small = property(smallView).toBool();
+    const bool valued = std::any_of(p.objects.begin(), p.objects.end(),
+                                    [](const SceneObject& object) { return object.visible && object.values; });
+    p.legend->setVisible(valued && !small);
+    p.ruler->setVisible(!small);
+}
+
+bool SceneView::event(QEvent* event)
+{
+    if (event->type() == QEvent::DynamicPropertyChange && canDraw() &&
+        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == smallView)
+        showAround();
+    return QWidget::event(event);
+}
+
+void SceneView::setOutline(const std::vector<std::vector<Eigen::Vector3d>>& lines_mm)
+{
+    Parts& p = *parts_;
+    if (!canDraw()) return;
+    p.canvas->makeCurrent();
+    p.outline.reset();
+    if (!lines_mm.empty()) p.outline = std::make_unique<SceneOutline>(&p.canvas->renderer(), lines_mm, p.origin);
+    applySection();
     render();
 }
 
@@ -206,6 +243,11 @@ void SceneView::setColours(const report::DeviationColours& colours)
     startMoving();
     p.rest.start();
     render();
+}
+
+void SceneView::setTag(const QString& value, const QString& place)
+{
+    if (canDraw()) parts_->tag->say({value, place}, parts_->pointedAt);
 }
 
 void SceneView::setScaleTitle(const QString& title)
@@ -265,6 +307,7 @@ void SceneView::applySection()
         p.plane->SetOrigin(place.data());
     }
     for (const auto& actor : p.actors) actor->setSection(p.section ? p.plane.Get() : nullptr);
+    if (p.outline) p.outline->setSection(p.section ? p.plane.Get() : nullptr);
 }
 
 void SceneView::setMarker(const std::optional<Eigen::Vector3d>& place_mm, const QString& label)

@@ -28,6 +28,9 @@ public:
     const std::vector<SceneObject>& objects() const;
     void setLongAxis(const std::optional<SceneAxis>& axis);
 
+    /// Thin lines in the scene, behind what lies before them: the right shape of a part that is drawn in its wrong one.
+    void setOutline(const std::vector<std::vector<Eigen::Vector3d>>& lines_mm);
+
     /// Recolours at once. The legend stands beside the picture while an object has values.
     void setColours(const report::DeviationColours& colours);
     void setScaleTitle(const QString& title);
@@ -74,20 +77,26 @@ public:
     QSize sizeHint() const override { return {560, 380}; }
     QSize minimumSizeHint() const override { return {200, 150}; }
 
+    /// What is said beside the pointer, in answer to pointHovered() or surfaceHovered().
+    void setTag(const QString& value, const QString& place);
+
 signals:
+    void pointHovered(int object, qint64 point);  ///< the pointer rests on a cloud, without a button
+    void surfaceHovered(int object, const lathelier::scene::PickedPlace& place);  ///< likewise, on a mesh
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
     void surfacePicked(int object, const lathelier::scene::PickedPlace& place);  ///< of a mesh
     void limitEdited(double limit);        ///< the user wants another colour scale
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Parts;
-    void buildBar();
+    void showAround();
     void layOver();
     void applyStyle(bool paper);
     void applySection();
@@ -100,6 +109,9 @@ private:
     void shareBudget();
     void shareDetail();
     void pick(const QPoint& place);
+    void hover(const QPoint& place);
+    struct Under;
+    Under under(const QPoint& place) const;
     void showMenu(const QPoint& place);
 
     std::unique_ptr<Parts> parts_;

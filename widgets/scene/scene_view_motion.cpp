@@ -15,7 +15,8 @@ constexpr double zoomOverHeight = 3;        // … or makes it e³ times larger
 constexpr double zoomOverNotch = 1.15;
 constexpr int clickReach_px = 3;
 constexpr double farReach_px = 24;
-constexpr double reach_px = 6;  // how far from the pointer a point of a cloud may lie
+constexpr double reach_px = 6;                // how far from the pointer a point of a cloud may lie
+constexpr std::size_t mostHovered = 3000000;  // looking through more points would be felt
 constexpr double slowFrame_s = 0.050;
 constexpr double quickFrame_s = 0.025;
 constexpr double slowestFrame_s = 0.066;  // 15 frames in a second
@@ -126,40 +127,66 @@ void SceneView::shareBudget()
     }
 }
 
-void SceneView::pick(const QPoint& place)
+/// What lies under a place of the picture: a point of a cloud, a place on a mesh, or nothing.
+struct SceneView::Under {
+    int object = -1;
+    std::optional<ScenePick> point;
+    std::optional<SceneHit> hit;
+};
+
+SceneView::Under SceneView::under(const QPoint& place) const
 {
-    Parts& p = *parts_;
+    const Parts& p = *parts_;
     const QSize room = p.canvas->size();
     const Eigen::Vector2d pointer(2.0 * (place.x() + 0.5) / room.width() - 1,
                                   1 - 2.0 * (place.y() + 0.5) / room.height());
     const SceneCamera camera = p.camera();
-    std::optional<ScenePick> point;
-    std::optional<SceneHit> hit;
-    int pointObject = -1, hitObject = -1;
+    Under found;
+    double depth_mm = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < p.objects.size(); ++i) {
         const SceneObject& object = p.objects[i];
         if (!object.visible) continue;
         if (object.scan->isMesh()) {
-            const auto found = firstHit(*object.scan, object.scene_T_scan, camera, p.section, pointer);
-            if (!found || (hit && found->depth_mm >= hit->depth_mm)) continue;
-            hit = found;
-            hitObject = static_cast<int>(i);
+            const auto hit = firstHit(*object.scan, object.scene_T_scan, camera, p.section, pointer);
+            if (!hit || hit->depth_mm >= depth_mm) continue;
+            depth_mm = hit->depth_mm;
+            found = {static_cast<int>(i), {}, hit};
         } else {
             const auto& points = object.scan->points_mm;
-            auto found =
+            auto point =
                 nearestVisible(points, object.scene_T_scan, camera, p.section, pointer, reach_px, room.height());
-            if (!found)  // a cloud of few points
-                found =
+            if (!point)  // a cloud of few points
+                point =
                     nearestVisible(points, object.scene_T_scan, camera, p.section, pointer, farReach_px, room.height());
-            if (!found || (point && found->depth_mm >= point->depth_mm)) continue;
-            point = found;
-            pointObject = static_cast<int>(i);
+            if (!point || point->depth_mm >= depth_mm) continue;
+            depth_mm = point->depth_mm;
+            found = {static_cast<int>(i), point, {}};
         }
     }
-    if (hit && (!point || hit->depth_mm < point->depth_mm))
-        emit surfacePicked(hitObject, hit->place);
-    else if (point)
-        emit pointPicked(pointObject, static_cast<qint64>(point->index));
+    return found;
+}
+
+void SceneView::pick(const QPoint& place)
+{
+    const Under found = under(place);
+    if (found.hit)
+        emit surfacePicked(found.object, found.hit->place);
+    else if (found.point)
+        emit pointPicked(found.object, static_cast<qint64>(found.point->index));
+}
+
+void SceneView::hover(const QPoint& place)
+{
+    Parts& p = *parts_;
+    std::size_t points = 0;
+    for (const SceneObject& object : p.objects) points += object.visible ? object.scan->points_mm.size() : 0;
+    p.tag->say({}, {});
+    if (p.moving || p.pressedAt || points > mostHovered) return;
+    const Under found = under(place);
+    if (found.hit)
+        emit surfaceHovered(found.object, found.hit->place);
+    else if (found.point)
+        emit pointHovered(found.object, static_cast<qint64>(found.point->index));
 }
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event)
@@ -175,7 +202,12 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
         }
         case QEvent::MouseMove: {
             auto* mouse = static_cast<QMouseEvent*>(event);
-            if (!p.pressedAt || !mouse->buttons()) return true;
+            p.tag->say({}, {});
+            if (!p.pressedAt || !mouse->buttons()) {
+                p.pointedAt = mouse->pos();
+                p.pointing.start();
+                return true;
+            }
             p.dragging = p.dragging || (mouse->pos() - *p.pressedAt).manhattanLength() > clickReach_px;
             if (p.dragging) drag(mouse->pos(), mouse->buttons(), mouse->modifiers());
             return true;
@@ -198,6 +230,10 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
             if (menu->reason() != QContextMenuEvent::Mouse) showMenu(menu->pos());
             return true;
         }
+        case QEvent::Leave:
+            p.pointing.stop();
+            p.tag->say({}, {});
+            break;
         case QEvent::Resize: layOver(); break;
         case QEvent::KeyPress: {
             switch (static_cast<QKeyEvent*>(event)->key()) {

@@ -54,6 +54,8 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
         facts.item_inputs = {{profileItem, profileRole().role}};
     }
     facts.part_inputs = {"record", "profile"};
+    facts.roles = {recordRole()};
+    if (roundness) facts.roles = {recordRole(), profileRole(), traceRole()};
     facts.hasWork = [roundness](const project::PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };

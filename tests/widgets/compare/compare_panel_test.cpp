@@ -13,10 +13,12 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/project/project_codes.h"
+#include "engine/report/html.h"
 #include "tests/widgets/compare/compare_fixture.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
 #include "widgets/core/panel/answer_strip.h"
+#include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
@@ -26,6 +28,13 @@ using namespace lathelier;
 
 class ComparePanelTest : public QObject, CompareFixture {
     Q_OBJECT
+
+    QString makeBroken()
+    {
+        QFile file(folder_.filePath("broken.xyz"));
+        if (file.open(QIODevice::WriteOnly)) file.write("1 2 no number\n");
+        return file.fileName();
+    }
 
 private slots:
     void initTestCase() { prepare(); }
@@ -100,6 +109,45 @@ private slots:
         session_->undoStack().undo();
         settle();
         QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("copy").path), copy_);
+    }
+
+    void severalCopiesMakeATableWithTrend()
+    {
+        const QString third = folder_.filePath("third.xyz");
+        QVERIFY(QFile::copy(original_, third));
+        const QString broken = makeBroken();
+        drop(panel_.get(), {original_, copy_, third, broken});
+        settle();
+        setTolerance(0.2);
+        const auto* table = part<CopyTable>("copies");
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 3, 60000);
+        QTRY_VERIFY(table->item(1, 1)->text().contains("within"));
+        QVERIFY2(table->item(0, 0)->text().startsWith("copy.xyz"), qPrintable(table->item(0, 0)->text()));
+        QCOMPARE(table->item(1, 0)->text(), QString("third.xyz"));
+        QCOMPARE(table->item(2, 0)->text(), QString("broken.xyz"));
+        QVERIFY(table->item(2, 1)->text().length() > 10);  // why it has no numbers
+        const report::Plot& trend = part<plot::ChartView>("trend")->data();
+        QCOMPARE(trend.limits.size(), std::size_t{2});
+        QCOMPARE(trend.curves.back().y.size(), std::size_t{3});
+        QVERIFY(panel_->views().heroes()->keys().contains("copies"));
+        const auto document = panel_->reportDocument();
+        QVERIFY(document && report::toHtml(*document).find("third.xyz") != std::string::npos);
+
+        emit part<CopyTable>("copies")->cellDoubleClicked(1, 0);
+        settle();
+        const project::PanelState& state = session_->panel("compare");
+        QCOMPARE(QString::fromStdString(state.inputs.at("copy").path), third);
+        QCOMPARE(QString::fromStdString(state.inputs.at("copies").path), copy_);
+        QTRY_VERIFY(table->item(0, 0)->text().startsWith("third.xyz"));
+        part<QToolButton>("swap")->click();  // reference and copy only
+        settle();
+        QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("copies").path), copy_);
+        session_->edit("one", [](project::Project& project) {
+            project.panels["compare"].inputs.erase("copies");
+            project.panels["compare"].inputs.erase("copies.2");
+        });
+        settle();
+        QVERIFY(!panel_->views().heroes()->keys().contains("copies"));
     }
 
     void swapAndUndo()

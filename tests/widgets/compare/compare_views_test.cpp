@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "tests/widgets/compare/compare_fixture.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/compare/zone_dialog.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
@@ -140,6 +142,82 @@ private slots:
             const Eigen::Vector3d local = axis * place;
             QVERIFY(std::abs(std::hypot(local.x(), local.y()) - 15) < 0.2);  // on the surface of the thin end
         }
+    }
+
+    void aZoneIsDrawnOverTheDeviation()
+    {
+        dropBoth();
+        setTolerance(0.1);
+        part<QToolButton>("drawZone")->setChecked(true);
+        auto* along = part<plot::ChartView>("along");
+        QWidget* surface = along->findChild<QWidget*>();
+        const double middle = along->visibleRange().center().y();
+        const QPoint from = along->pixelAt(30, middle).toPoint(), to = along->pixelAt(60, middle).toPoint();
+        const auto dialogSays = [](const char* button) {
+            QTimer::singleShot(200, [button] {
+                auto* dialog = qobject_cast<compare_panel::ZoneDialog*>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                if (button)
+                    dialog->findChild<QPushButton*>(button)->click();
+                else
+                    dialog->accept();
+            });
+        };
+        const auto drag = [&] {
+            QTest::mousePress(surface, Qt::LeftButton, {}, from);
+            QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(surface, &move);
+            QTest::mouseRelease(surface, Qt::LeftButton, {}, to);
+        };
+        dialogSays(nullptr);
+        drag();
+        settle();
+        const auto zones = [&] {
+            return fromValues<registration::CompareParameters>(session_->panel("compare").parameters).zones;
+        };
+        QCOMPARE(zones().size(), std::size_t{1});
+        QVERIFY(std::abs(zones()[0].z_start_mm - 30) < 1 && std::abs(zones()[0].z_end_mm - 60) < 1);
+        QCOMPARE(*zones()[0].upper_mm, 0.1);
+        QVERIFY(!part<QToolButton>("drawZone")->isChecked());
+        QCOMPARE(along->data().regions.size(), std::size_t{1});
+        QCOMPARE(panel_->result()->result->zones.size(), std::size_t{1});
+
+        part<QToolButton>("drawZone")->setChecked(true);  // on a zone that is there: it is edited
+        dialogSays("remove");
+        drag();
+        settle();
+        QVERIFY(zones().empty());
+        session_->undoStack().undo();
+        settle();
+        QCOMPARE(zones().size(), std::size_t{1});
+    }
+
+    void aDrawnZoneTakesNothingFromOthers()
+    {
+        const std::vector<registration::ZoneLimits> zones{{"a", 10, 20, {}, {}}, {"b", 40, 50, {}, {}}};
+        const auto drawn = compare_panel::zoneAt(zones, 45, 15);
+        QVERIFY(drawn && !drawn->existing);
+        QCOMPARE(drawn->zone.z_start_mm, 20.0);
+        QCOMPARE(drawn->zone.z_end_mm, 40.0);
+        QCOMPARE(*compare_panel::zoneAt(zones, 40, 52)->existing, std::size_t{1});
+        QVERIFY(!compare_panel::zoneAt(zones, 30, 30.01));
+    }
+
+    void thePartSaysWhatLiesUnderThePointer()
+    {
+        dropBoth();
+        auto* scene = part<scene::SceneView>("scene");
+        QVERIFY(scene->canDraw());
+        scene->setViewpoint(scene::SceneViewpoint::Side);
+        QTest::qWait(400);
+        auto* canvas = scene->focusProxy();
+        QMouseEvent move(QEvent::MouseMove, canvas->rect().center(), Qt::NoButton, Qt::NoButton, {});
+        QApplication::sendEvent(canvas, &move);
+        auto* tag = scene->findChild<plot::PointerTag*>("pointerTag");
+        QTRY_VERIFY(!tag->words().value.isEmpty());
+        QVERIFY2(tag->words().value.endsWith(" mm"), qPrintable(tag->words().value));
+        QVERIFY2(tag->words().place.startsWith("z "), qPrintable(tag->words().place));
+        QVERIFY(canvas->rect().contains(tag->geometry()));
     }
 
     void aPointPickedInSpaceIsMarkedInTheMap()

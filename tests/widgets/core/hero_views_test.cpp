@@ -38,6 +38,18 @@ private slots:
         QVERIFY(labels_[1]->height() < labels_[0]->height());
     }
 
+    void smallViewsAreToldThatTheyAre()
+    {
+        for (QLabel* label : labels_) label->setProperty("smallView", false);
+        labels_[2]->setProperty("smallView", QVariant());  // does not care
+        views_->setHero("map");
+        QCOMPARE(labels_[0]->property("smallView").toBool(), true);
+        QCOMPARE(labels_[1]->property("smallView").toBool(), false);
+        QVERIFY(!labels_[2]->property("smallView").isValid());
+        views_->setHero("part");
+        QCOMPARE(labels_[0]->property("smallView").toBool(), false);
+    }
+
     void aClickSwapsAndTellsIt()
     {
         QSignalSpy changed(views_.get(), &HeroViews::heroChanged);

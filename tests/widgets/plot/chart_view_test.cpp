@@ -65,6 +65,50 @@ private slots:
         QCOMPARE(view_->visibleRange().width(), before.width());
     }
 
+    void theTagSaysTheValueUnderThePointerFirst()
+    {
+        hover(surface(*view_), at(*view_, 50, 60));
+        QVERIFY(view_->tag().isVisible());
+        QVERIFY2(view_->tag().words().value.startsWith("25.0"), qPrintable(view_->tag().words().value));
+        QVERIFY2(view_->tag().words().place.contains("copy"), qPrintable(view_->tag().words().place));
+        QVERIFY(view_->rect().contains(view_->tag().geometry()));
+        hover(surface(*view_), at(*view_, 100, 100));  // at the corner the tag stays whole within
+        QVERIFY(view_->rect().contains(view_->tag().geometry()));
+        hover(surface(*view_), QPoint(1, 1));
+        QVERIFY(!view_->tag().isVisible());
+    }
+
+    void aStretchIsDrawnWhereItIsWanted()
+    {
+        QSignalSpy drawn(view_.get(), &plot::PlotCanvas::stretchDrawn);
+        QSignalSpy clicks(view_.get(), &plot::PlotCanvas::clicked);
+        const QRectF before = view_->visibleRange();
+        view_->setDrawsStretch(true);
+        drag(surface(*view_), at(*view_, 60, 50), at(*view_, 20, 70));
+        QCOMPARE(drawn.count(), 1);
+        QVERIFY(std::abs(drawn[0][0].toDouble() - 20) < 0.5 && std::abs(drawn[0][1].toDouble() - 60) < 0.5);
+        QCOMPARE(view_->visibleRange(), before);  // nothing was moved
+        QTest::mouseClick(surface(*view_), Qt::LeftButton, {}, at(*view_, 30, 50));
+        QCOMPARE(drawn.count(), 1);  // a click draws nothing
+        QCOMPARE(clicks.count(), 0);
+        view_->setDrawsStretch(false);
+        drag(surface(*view_), at(*view_, 20, 50), at(*view_, 40, 50));
+        QCOMPARE(drawn.count(), 1);
+        QVERIFY(view_->visibleRange() != before);
+    }
+
+    void aSmallViewLeavesTheRoomToTheData()
+    {
+        view_->resize(220, 90);
+        QCoreApplication::processEvents();
+        const auto height = [&] { return std::abs(view_->pixelAt(0, 0).y() - view_->pixelAt(0, 100).y()); };
+        view_->grab();
+        const double before = height();
+        view_->setProperty("smallView", true);
+        view_->grab();
+        QVERIFY2(height() > before + 15, qPrintable(QString("%1 %2").arg(before).arg(height())));
+    }
+
     void dragPansAndAClickPoints()
     {
         QSignalSpy clicks(view_.get(), &plot::PlotCanvas::clicked);

@@ -160,6 +160,46 @@ private slots:
         QVERIFY(plot::toCsv(plot).contains("\n\"MCCI, inner circle\",0,2\n"));
     }
 
+    void aCircleIsDrawnWhenItIsAskedFor()
+    {
+        report::PolarPlot plot = lobes();
+        plot.circles[0].asked = "MCCI";
+        view_->setPicture(plot::polarPicture(plot));
+        const QImage without = view_->grab().toImage();
+        view_->setAsked("LSCI");
+        QCOMPARE(view_->grab().toImage(), without);
+        view_->setAsked("MCCI");
+        QVERIFY(view_->grab().toImage() != without);
+        QVERIFY(view_->csv().contains("MCCI"));  // the data are whole
+        view_->setAsked({});
+        QCOMPARE(view_->grab().toImage(), without);
+    }
+
+    void theZoneBetweenTwoCirclesIsShaded()
+    {
+        report::PolarPlot plot = lobes();
+        plot.circles.clear();
+        plot.contacts.clear();
+        plot.rings = {{std::string("zone"), 0, 0, -5, 5, report::ColourRole::Limit}};
+        view_->setPicture(plot::polarPicture(plot));
+        const QImage shown = view_->grab().toImage();
+        const auto at = [&](double deviation_um) {
+            return shown.pixelColor(view_->pixelAt(45, deviation_um).toPoint());  // no spoke, no curve, no number
+        };
+        const QColor inside = at(1.3), outside = at(-8);
+        QVERIFY2(inside.blue() < outside.blue() - 10, qPrintable(inside.name() + " " + outside.name()));
+    }
+
+    void theTagAtThePointerSaysTheValueFirst()
+    {
+        hover(view_.get(), view_->pixelAt(120, 0).toPoint());
+        QCOMPARE(view_->tag().words().value, QString("+5.00 µm"));
+        QCOMPARE(view_->tag().words().place, QString("120.0°"));
+        QVERIFY(view_->tag().isVisible());
+        hover(view_.get(), QPoint(1, 1));
+        QVERIFY(!view_->tag().isVisible());
+    }
+
     void titleAndMagnificationStayBesideTheReadout()
     {
         const auto top = [&] { return view_->grab(QRect(0, 0, 640, view_->fontMetrics().height() + 4)).toImage(); };

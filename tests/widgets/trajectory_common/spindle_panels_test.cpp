@@ -1,6 +1,9 @@
 // The three panels of workspace Roundness driven as a user would: drop, choose, click, type, cancel, undo, export.
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QTabWidget>
@@ -146,6 +149,44 @@ private slots:
         QCOMPARE(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->rowCount(), 6);
         QVERIFY(longitudinal_->views().stack().scan != nullptr);
         QCOMPARE(trajectory_->findChild<HeroViews*>()->hero(), QString("motion"));
+    }
+
+    void theFormIsDrawnAboutThePartsOwnAxisAndPicked()
+    {
+        drop(longitudinal_.get(), {record_});
+        settle();
+        const longitudinal_panel::StackedSections& stack = longitudinal_->views().stack();
+        QCOMPARE(stack.magnification, 1000.0);
+        double middle_um = 0;  // nothing is left of where the part sat on the spindle
+        for (std::size_t k = 0; k < stack.angles; ++k)
+            middle_um += static_cast<double>((*stack.deviation_um)[k]) *
+                         std::cos(2 * 3.14159265358979 * static_cast<double>(k) / static_cast<double>(stack.angles));
+        QVERIFY(std::abs(middle_um) / static_cast<double>(stack.angles) < 1);
+        longitudinal_->findChild<QDoubleSpinBox*>("magnification")->setValue(200);
+        QCOMPARE(longitudinal_->views().stack().magnification, 200.0);
+        const auto vertex = static_cast<std::uint32_t>(longitudinal_->views().stack().vertexAt(2, 90));
+        emit longitudinal_->findChild<scene::SceneView*>("stack")->surfacePicked(
+            0, {{vertex, vertex + 1, vertex + 2}, Eigen::Vector3d(1, 0, 0)});
+        settle();
+        QCOMPARE(*longitudinal_->result()->section, std::size_t{2});
+    }
+
+    void whatIsShownComesBackWithTheProject()
+    {
+        drop(longitudinal_.get(), {record_});
+        settle();
+        longitudinal_->findChild<QDoubleSpinBox*>("magnification")->setValue(300);
+        longitudinal_->findChild<QCheckBox*>("formOnly")->setChecked(true);
+        roundness_->views().markHarmonic(3);
+        const QString path = QDir(folder_.path()).filePath("views.lathelier");
+        session_->save(path);
+        longitudinal_->findChild<QDoubleSpinBox*>("magnification")->setValue(50);
+        roundness_->views().markHarmonic({});
+        session_->open(path);
+        settle();
+        QTRY_COMPARE(longitudinal_->findChild<QDoubleSpinBox*>("magnification")->value(), 300.0);
+        QVERIFY(longitudinal_->findChild<QCheckBox*>("formOnly")->isChecked());
+        QCOMPARE(std::get<std::int64_t>(roundness_->views().view()[0].second), std::int64_t{3});
     }
 
     void worstSectionFirstAndOneChoiceForAll()

@@ -173,7 +173,8 @@ void AnswerRuler::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF(x(place), middle - bar), QPointF(x(place), middle + bar));
         const double half = fontMetrics().horizontalAdvance(words) / 2.0 + 1;
         const double centre = std::clamp(x(place), half, std::max(half, width() - half));
-        painter.drawText(QRectF(centre - half, height() - line, 2 * half, line), Qt::AlignCenter, words);
+        const double under = std::min(height() - line, middle + bar + 2);
+        painter.drawText(QRectF(centre - half, under, 2 * half, line), Qt::AlignCenter, words);
     };
     if (ruler_->is_lower_limited) limit(ruler_->within_from, lower_);
     if (ruler_->is_upper_limited) limit(ruler_->within_to, upper_);
@@ -219,7 +220,12 @@ AnswerStrip::AnswerStrip(QWidget* parent)
         static constexpr std::array<const char*, 3> names{"finding1", "finding2", "finding3"};
         auto* button = new FindingLink(names[i]);
         connect(button, &FindingLink::clicked, this, [this, i] {
-            if (answer_ && i < answer_->findings.size()) emit placeWanted(answer_->findings[i].place);
+            if (!answer_ || i >= answer_->findings.size()) return;
+            const report::Finding finding = answer_->findings[i];  // what follows may bring another answer
+            if (finding.offer.empty())
+                emit placeWanted(finding.place);
+            else
+                emit offerTaken(finding.offer);
         });
         third->addWidget(button, 1);
         findings_[i] = button;
@@ -268,7 +274,9 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
             if (finding.verdict)
                 text = said(lathelier::text(shortName(*finding.verdict), language)).left(1) + " " + text;
         }
-        findings_[i]->offer(text, there && answer.findings[i].place.isAny());
+        const bool proposes = there && !answer.findings[i].offer.empty();
+        findings_[i]->offer(text, there && (proposes || answer.findings[i].place.isAny()));
+        if (proposes) findings_[i]->setToolTip(text + "\n" + tr("Click: use it. It can be undone."));
         if (there && answer.findings[i].verdict)
             findings_[i]->setToolTip(said(lathelier::text(shortName(*answer.findings[i].verdict), language)) +
                                      text.mid(1));

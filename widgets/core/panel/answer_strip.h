@@ -80,6 +80,7 @@ public:
 
 signals:
     void placeWanted(const lathelier::report::Place& place);  ///< a finding was clicked
+    void offerTaken(const lathelier::Values& parameters);     ///< a finding that proposes these was clicked
 
 protected:
     void changeEvent(QEvent* event) override;

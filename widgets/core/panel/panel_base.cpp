@@ -64,6 +64,11 @@ QWidget* PanelBase::makeResultColumn()
 {
     answer_ = new AnswerStrip;
     connect(answer_, &AnswerStrip::placeWanted, this, &PanelBase::showPlace);
+    connect(answer_, &AnswerStrip::offerTaken, this, [this](const Values& proposed) {
+        editState(tr("Use what the answer proposes"), [&](project::PanelState& state) {
+            for (const auto& [key, value] : proposed) lathelier::set(state.parameters, key, value);
+        });
+    });
     message_ = new MessageLine;
     stack_ = new QStackedWidget;
     empty_ = new EmptyState;

@@ -107,18 +107,31 @@ void PanelBase::openFound(const std::vector<FoundFile>& files)
 void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     std::vector<std::string> free;
-    for (const InputRole& role : inputs_.roles)
-        if (!state.inputs.count(role.role)) free.push_back(role.role);
+    const InputRole* rest = nullptr;  // takes what is left over
+    for (const InputRole& role : inputs_.roles) {
+        if (role.several && !role.required)
+            rest = &role;
+        else if (!state.inputs.count(role.role))
+            free.push_back(role.role);
+    }
     const auto next =
         std::find_if(inputs_.roles.begin(), inputs_.roles.end(), [](const InputRole& role) { return role.takes_next; });
     if (free.empty() && files.size() == 1 && next != inputs_.roles.end()) {
         free = {next->role};
     } else if (free.size() < files.size()) {  // more files than free places: start anew
         free.clear();
-        for (const InputRole& role : inputs_.roles) free.push_back(role.role);
+        for (const InputRole& role : inputs_.roles)
+            if (&role != rest) free.push_back(role.role);
     }
-    for (std::size_t i = 0; i < free.size() && i < files.size(); ++i)
-        state.inputs[free[i]] = newSource(QString::fromStdString(files[i].path));
+    std::vector<project::Source> left;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const project::Source source = newSource(QString::fromStdString(files[i].path));
+        if (i < free.size())
+            state.inputs[free[i]] = source;
+        else if (rest)
+            left.push_back(source);
+    }
+    if (!left.empty()) setSources(state, *rest, left);
 }
 
 void PanelBase::askForFiles()

@@ -29,6 +29,18 @@ struct Workspace {
     int order = 0;   ///< of the bar, ascending
 };
 
+/// An input of a panel, given by a file, or by several that belong together.
+struct InputRole {
+    std::string role;            ///< key in PanelState::inputs: "reference"
+    Text label;                  ///< what people read
+    Text hint;                   ///< what belongs here, for tooltip and empty state
+    bool required = true;        ///< without it nothing can be computed
+    bool several = false;        ///< more files follow under the keys "role.2", "role.3"…
+    io::FileKinds kinds = {};    ///< for its file dialog, and what a file may leave open besides ImportOptions
+    std::string item_kind = {};  ///< of items of the project that may stand in place of a file; empty: files only
+    bool takes_next = false;     ///< one more file for a panel whose inputs are all there goes here: the next part
+};
+
 /// One line of the panel table (app/gui/panels.cpp); menu, dock, layouts and reports follow from it.
 struct PanelFacts {
     std::string id;                     ///< key in the report, the layouts and the settings: "compare"
@@ -46,11 +58,14 @@ struct PanelFacts {
     /// The kinds of file that it works on: such a file opens this panel, and its workspace with it.
     io::FileKinds kinds = {};
 
-    /// The inputs that are not there and without which nothing can be computed; none: as missingOf() its roles.
+    /// The inputs that are not there and without which nothing can be computed; none: as missingOf(roles).
     std::function<std::vector<Text>(const project::PanelState&)> missing = {};
 
     /// Whether the state holds files that this panel works on; none: when it holds any.
     std::function<bool(const project::PanelState&)> hasWork = {};
+
+    /// What it takes, in the order on screen: the window lists the project's data by it.
+    std::vector<InputRole> roles = {};
 
     /// The input that takes what another panel made, by the kind of the item.
     std::map<std::string, std::string> item_inputs = {};
@@ -62,18 +77,6 @@ struct PanelFacts {
 };
 
 bool hasWork(const PanelFacts& facts, const project::PanelState& state);
-
-/// An input of a panel, given by a file, or by several that belong together.
-struct InputRole {
-    std::string role;            ///< key in PanelState::inputs: "reference"
-    Text label;                  ///< what people read
-    Text hint;                   ///< what belongs here, for tooltip and empty state
-    bool required = true;        ///< without it nothing can be computed
-    bool several = false;        ///< more files follow under the keys "role.2", "role.3"…
-    io::FileKinds kinds = {};    ///< for its file dialog, and what a file may leave open besides ImportOptions
-    std::string item_kind = {};  ///< of items of the project that may stand in place of a file; empty: files only
-    bool takes_next = false;     ///< one more file for a panel whose inputs are all there goes here: the next part
-};
 
 /// The kinds of all roles, each once.
 io::FileKinds kindsOf(const std::vector<InputRole>& roles);

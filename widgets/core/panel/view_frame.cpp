@@ -46,6 +46,9 @@ void ViewFrame::setSmall(bool small)
     setTypeSize();
     for (QWidget* child : view_->findChildren<QWidget*>())
         if (child->property(onlyLarge).toBool()) child->setVisible(!small);
+    QList<QWidget*> views = view_->findChildren<QWidget*>();
+    for (QWidget* child : views << view_)
+        if (child->property(smallView).isValid()) child->setProperty(smallView, small);
     cover_->setVisible(small);
     if (small) cover_->raise();
 }

@@ -23,6 +23,7 @@ public:
     void setSmall(bool small);
 
     static constexpr const char* onlyLarge = "onlyLarge";
+    static constexpr const char* smallView = "smallView";  ///< property of views that draw less when they are small
     void setCaptionVisible(bool visible);
     int captionHeight() const;
 

@@ -36,7 +36,7 @@ report::Document partWithoutAnswer(const PanelFacts& facts, const project::Panel
                                    const std::optional<Error>& error)
 {
     report::Section section{facts.title, {}};
-    const std::vector<Text> missing = facts.missing ? facts.missing(state) : std::vector<Text>();
+    const std::vector<Text> missing = facts.missing ? facts.missing(state) : missingOf(facts.roles)(state);
     for (const Text label : missing)
         section.blocks.push_back(
             report::Paragraph{LT_TEXT("Engine", "No answer: {input} is missing."), {{"input", label}}});

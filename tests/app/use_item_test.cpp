@@ -17,7 +17,7 @@ private slots:
     {
         std::vector<PanelFacts> table = panels();
         table[2].item_inputs = {{"profile", "file"}};  // "round", of another workspace
-        window_.reset();  // made by the fixture, with other panels
+        window_.reset();                               // made by the fixture, with other panels
         session_ = std::make_unique<Session>();
         window_ = std::make_unique<MainWindow>(*session_, languages_, table);
         window_->show();

@@ -17,6 +17,12 @@ public:
 
     void retranslate();
 
+    QSize sizeHint() const override { return {fontMetrics().averageCharWidth() * 34, fontMetrics().height() * 20}; }
+    QSize minimumSizeHint() const override
+    {
+        return {fontMetrics().averageCharWidth() * 24, fontMetrics().height() * 6};
+    }
+
 signals:
     void panelWanted(const std::string& panel);  ///< a double click on what this panel works on
     void itemWanted(const std::string& name);    ///< a double click on an item: the panel that takes its kind

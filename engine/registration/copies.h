@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/input_file.h"
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 
@@ -20,6 +21,7 @@ struct CopySummary {
     double mean_mm = std::numeric_limits<double>::quiet_NaN();     ///< of the signed deviations
     double rmse_mm = std::numeric_limits<double>::quiet_NaN();     ///< root mean square deviation
     double scatter_mm = std::numeric_limits<double>::quiet_NaN();  ///< noise of the scans
+    std::optional<InputFile> file;                                 ///< that it was read from; none: not read
     std::optional<Error> error;                                    ///< why there are no numbers
 };
 

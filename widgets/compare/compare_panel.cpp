@@ -44,6 +44,8 @@ report::Document reportOf(const ComparePicture& picture, const Language& languag
     result.notes = picture.notes;  // those of the files as well
     report::Document document = compareReport(result, picture.inputs, language, std::move(pictures));
     document.synthetic = picture.synthetic;
+    for (const registration::CopySummary& copy : copies)
+        if (copy.file) document.inputs.push_back(*copy.file);
     if (copies.size() > 1)
         document.sections.insert(
             document.sections.begin() + 1,

@@ -52,6 +52,7 @@ std::vector<registration::CopySummary> KnownCopies::find(const project::PanelSta
             }
             copy = registration::summaryOf(copy.name, compare(shown.reference->file.scan, scan->file.scan, parameters,
                                                               part.part(0.3, 1), registration::CompareDetail::Summary));
+            copy.file = scan->inputs.front();
             const std::lock_guard lock(mutex_);
             known_[key] = copy;
         } catch (const Error& error) {

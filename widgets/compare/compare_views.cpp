@@ -75,6 +75,7 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     p.trend->setObjectName("trend");
     p.copyTable = new CopyTable;
     p.copyTable->setObjectName("copies");
+    p.copyTable->setProperty("onlyLarge", true);  // small, the trend says more (ViewFrame)
     p.copies = new QSplitter(Qt::Vertical);
     p.copies->setChildrenCollapsible(false);
     p.copies->addWidget(p.trend);

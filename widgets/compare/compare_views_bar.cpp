@@ -1,15 +1,15 @@
 // The bar above the views of a comparison, and which view is shown where.
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 
 namespace lathelier::compare_panel {
 namespace {
 
-QToolButton* choice(QButtonGroup* group, int id, QHBoxLayout* row, const char* name)
+QToolButton* choice(QButtonGroup* group, int id, QLayout* row, const char* name)
 {
     auto* button = new QToolButton;
     button->setObjectName(name);
@@ -25,8 +25,7 @@ QToolButton* choice(QButtonGroup* group, int id, QHBoxLayout* row, const char* n
 void CompareViews::buildBar()
 {
     Parts& p = *parts_;
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2);
+    auto* row = new FlowRow;
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     auto* surface = new QButtonGroup(this);
     p.overlay = choice(surface, 0, row, "overlay");
@@ -39,7 +38,6 @@ void CompareViews::buildBar()
     connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
     connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
 
-    row->addSpacing(12);
     auto* colours = new QButtonGroup(this);
     p.form = choice(colours, 0, row, "form");
     p.passFail = choice(colours, 1, row, "passFail");
@@ -50,7 +48,6 @@ void CompareViews::buildBar()
         recolour(parts_->greenWithin());
     });
 
-    row->addSpacing(12);
     p.factorLabel = new QLabel;
     p.factor = new QDoubleSpinBox;
     p.factor->setObjectName("magnification");
@@ -66,7 +63,6 @@ void CompareViews::buildBar()
         showSurface();
         if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
     });
-    row->addSpacing(12);
     p.zone = new QToolButton;
     p.zone->setObjectName("drawZone");
     p.zone->setAutoRaise(true);
@@ -88,12 +84,11 @@ void CompareViews::buildBar()
     connect(p.section, &QToolButton::clicked, this, [this] {
         if (parts_->place && parts_->place->z_mm) emit sectionWanted(*parts_->place->z_mm);
     });
-    row->addStretch(1);
     p.synthetic = new QLabel;
     p.synthetic->setObjectName("synthetic");
     p.synthetic->setFrameShape(QFrame::Box);
     p.synthetic->setMargin(2);
-    row->addWidget(p.synthetic);
+    row->setTrailing(p.synthetic);
 }
 
 void CompareViews::arrange()

@@ -1,12 +1,12 @@
 #include "widgets/cylindricity/cylindricity_views.h"
 
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "engine/form/cylinder/cylindricity_plots.h"
 #include "engine/form/cylinder/cylindricity_report.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 
 namespace lathelier::cylindricity_panel {
 namespace {
@@ -46,18 +46,16 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     row->addWidget(remark_);
-    row->addSpacing(12);
     section_->setObjectName("roundnessOfSection");
     section_->setAutoRaise(true);
     section_->setEnabled(false);
     row->addWidget(section_);
-    row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
     synthetic_->hide();
-    row->addWidget(synthetic_);
+    row->setTrailing(synthetic_);
     layout->addLayout(row);
     heroes_->add("part", scene_);
     heroes_->add("map", map_);

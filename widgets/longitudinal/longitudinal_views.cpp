@@ -1,13 +1,13 @@
 #include "widgets/longitudinal/longitudinal_views.h"
 
 #include <QBuffer>
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 #include "widgets/longitudinal/section_table.h"
 #include "widgets/scene/scene_view.h"
 
@@ -81,12 +81,10 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
 
 void LongitudinalViews::buildBar()
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     row->addWidget(section_);
-    row->addSpacing(8);
     row->addWidget(angleBar_);
-    row->addSpacing(8);
     row->addWidget(formOnly_);
     magnification_->setObjectName("magnification");
     magnification_->setRange(1, 100000);
@@ -94,7 +92,6 @@ void LongitudinalViews::buildBar()
     magnification_->setKeyboardTracking(false);
     magnification_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     magnificationLabel_->setBuddy(magnification_);
-    row->addSpacing(8);
     row->addWidget(magnificationLabel_);
     row->addWidget(magnification_);
     connect(magnification_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double times) {
@@ -102,11 +99,10 @@ void LongitudinalViews::buildBar()
         stacked_.reset();
         showStack();
     });
-    row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
     synthetic_->hide();
-    row->addWidget(synthetic_);
+    row->setTrailing(synthetic_);
 }
 
 void LongitudinalViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,

@@ -1,7 +1,6 @@
 #include "widgets/roundness/roundness_views.h"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/form/roundness/superimpose_report.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 #include "widgets/roundness/roundness_charts.h"
 
 namespace lathelier::roundness_panel {
@@ -77,7 +77,7 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
 
 void RoundnessViews::buildBar()
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     row->addWidget(section_);
     auto* group = new QButtonGroup(this);
@@ -93,11 +93,10 @@ void RoundnessViews::buildBar()
     form_->setChecked(true);
     difference_->setObjectName("difference");
     row->addWidget(difference_);
-    row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
     synthetic_->hide();
-    row->addWidget(synthetic_);
+    row->setTrailing(synthetic_);
     connect(group, &QButtonGroup::idToggled, this, [this] { showPolar(); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/view_frame.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/trajectory/channel_table.h"
@@ -93,17 +94,15 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
 
 void TrajectoryViews::buildBar()
 {
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowRow;
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     row->addWidget(section_);
     row->addWidget(all_);
-    row->addSpacing(8);
     row->addWidget(angleBar_);
-    row->addStretch(1);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
     synthetic_->hide();
-    row->addWidget(synthetic_);
+    row->setTrailing(synthetic_);
 }
 
 QWidget* TrajectoryViews::makeMotion()

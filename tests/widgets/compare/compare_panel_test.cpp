@@ -97,6 +97,8 @@ private slots:
     void aThirdScanIsTheNextCopy()
     {
         dropBoth();
+        QVERIFY2(panel_->minimumSizeHint().width() <= 1000,
+                 qPrintable(QString::number(panel_->minimumSizeHint().width())));  // the smallest window
         setTolerance(0.2);
         const QString next = folder_.filePath("next.xyz");
         QVERIFY(QFile::copy(original_, next));
@@ -132,6 +134,7 @@ private slots:
         QVERIFY(panel_->views().heroes()->keys().contains("copies"));
         const auto document = panel_->reportDocument();
         QVERIFY(document && report::toHtml(*document).find("third.xyz") != std::string::npos);
+        QCOMPARE(document->inputs.size(), std::size_t{3});  // with its digest; the broken one was not read whole
 
         emit part<CopyTable>("copies")->cellDoubleClicked(1, 0);
         settle();

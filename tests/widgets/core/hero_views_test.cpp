@@ -4,6 +4,7 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/hero_views.h"
 
 namespace lathelier {
@@ -48,6 +49,36 @@ private slots:
         QVERIFY(!labels_[2]->property("smallView").isValid());
         views_->setHero("part");
         QCOMPARE(labels_[0]->property("smallView").toBool(), false);
+    }
+
+    void aBarTakesASecondRowWhereTheFirstIsTooNarrow()
+    {
+        QWidget bar;
+        auto* row = new FlowRow(&bar);
+        std::vector<QWidget*> buttons;
+        for (int i = 0; i < 4; ++i) {
+            auto* button = new QLabel(QString(20, 'x'));
+            row->addWidget(button);
+            buttons.push_back(button);
+        }
+        auto* last = new QLabel("at the right");
+        row->setTrailing(last);
+        const int one = buttons[0]->sizeHint().width();
+        bar.resize(6 * one, 100);
+        bar.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bar));
+        for (const QWidget* button : buttons) QCOMPARE(button->y(), buttons[0]->y());
+        QCOMPARE(last->geometry().right(), bar.width() - 1);
+        const int flat = row->heightForWidth(bar.width());
+        QVERIFY(row->minimumSize().width() <= one);
+        bar.resize(5 * one / 2, 100);
+        QCoreApplication::processEvents();
+        QVERIFY(buttons[2]->y() > buttons[1]->y());
+        QVERIFY(row->heightForWidth(bar.width()) > flat);
+        buttons[0]->hide();  // takes no room
+        QCoreApplication::processEvents();
+        QCOMPARE(buttons[2]->y(), buttons[1]->y());
+        for (const QWidget* button : buttons) QVERIFY(button->geometry().right() < bar.width());
     }
 
     void aClickSwapsAndTellsIt()

@@ -151,6 +151,16 @@ private slots:
         QCOMPARE(trajectory_->findChild<HeroViews*>()->hero(), QString("motion"));
     }
 
+    void allFitTheSmallestWindow()
+    {
+        drop(longitudinal_.get(), {record_});
+        settle();
+        for (trajectory_common::SpindlePanel* panel : panels())
+            QVERIFY2(
+                panel->minimumSizeHint().width() <= 1000,
+                qPrintable(QString("%1: %2 px").arg(panel->facts().id.c_str()).arg(panel->minimumSizeHint().width())));
+    }
+
     void theFormIsDrawnAboutThePartsOwnAxisAndPicked()
     {
         drop(longitudinal_.get(), {record_});

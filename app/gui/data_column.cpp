@@ -61,8 +61,9 @@ void DataColumn::addFiles()
     std::map<std::string, QTreeWidgetItem*> rows;
     std::vector<std::pair<std::string, std::string>> named;  // state and input
     for (const PanelFacts& facts : panels_) {
-        for (const auto& [key, source] : session_.panel(facts.stateKey()).inputs) {
+        for (const auto& [place, source] : session_.panel(facts.stateKey()).inputs) {
             if (source.path.empty()) continue;
+            const std::string& key = place;
             const auto role =
                 std::find_if(facts.roles.begin(), facts.roles.end(), [&](const InputRole& r) { return holds(r, key); });
             const std::pair<std::string, std::string> input(facts.stateKey(), key);
@@ -90,7 +91,8 @@ void DataColumn::addFiles()
 
 void DataColumn::addItems()
 {
-    for (const auto& [name, item] : session_.project().items) {
+    for (const auto& [name, made] : session_.project().items) {
+        const project::Item& item = made;
         const QString words = QString::fromStdString(name);
         auto* row = new QTreeWidgetItem(this, {words});
         row->setIcon(0, icon("item"));

@@ -21,7 +21,13 @@ constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 /// The smallest windows by their places, found again from any place of the surface.
 class SmallestWindows {
 public:
-    SmallestWindows(const SurfaceWindows& all, const Progress& progress) : all_(all), index_(placesOf(all), progress) {}
+    /// result.windows has to be there, with windows in it.
+    SmallestWindows(const CompareResult& result, const Progress& progress)
+        : all_(*result.windows),
+          meridian_(result.meridian ? &*result.meridian : nullptr),
+          index_(placesOf(all_), progress)
+    {
+    }
 
     /// The windows about places on the reference's surface, in its frame; kNoWindow where none is near.
     void find(std::span<const Eigen::Vector3d> places_mm, std::span<std::uint32_t> windows) const
@@ -51,18 +57,30 @@ private:
         const Eigen::Vector3d along = *all_.axis_T_reference * place_mm;
         const MeridianStretch& stretch = all_.stretches[static_cast<std::size_t>(window.stretch)];
         const double beyond = std::max(stretch.start_mm - along.z(), along.z() - stretch.end_mm);
-        const double radius_mm =
-            stretch.radius_mm + stretch.slope * (along.z() - (stretch.start_mm + stretch.end_mm) / 2);
-        return beyond <= kOutside_mm && std::abs(along.head<2>().norm() - radius_mm) <= kOutside_mm + bow(stretch) &&
+        const double off_mm = std::abs(along.head<2>().norm() - radiusAt_mm(stretch, along.z()));
+        return beyond <= kOutside_mm && off_mm <= kOutside_mm &&
                static_cast<double>(window.z_start_mm) - along.z() <=
                    kOutside_mm + static_cast<double>(window.size_mm) &&
                along.z() - static_cast<double>(window.z_end_mm) <= kOutside_mm + static_cast<double>(window.size_mm);
     }
 
-    /// A stretch is no straight line exactly: what its middle may be off, at most.
-    static double bow(const MeridianStretch& stretch) { return 0.1 * (stretch.end_mm - stretch.start_mm); }
+    /// Of the reference's surface: that of its meridian, or where there is none, as in a bore, of the stretch as a
+    /// straight line.
+    double radiusAt_mm(const MeridianStretch& stretch, double z_mm) const
+    {
+        if (meridian_ && !stretch.is_bore) {
+            const auto after = std::lower_bound(meridian_->z_mm.begin(), meridian_->z_mm.end(), z_mm);
+            if (after != meridian_->z_mm.end()) {
+                const double known =
+                    meridian_->reference_radius_mm[static_cast<std::size_t>(after - meridian_->z_mm.begin())];
+                if (!std::isnan(known)) return known;
+            }
+        }
+        return stretch.radius_mm + stretch.slope * (z_mm - (stretch.start_mm + stretch.end_mm) / 2);
+    }
 
     const SurfaceWindows& all_;
+    const Meridian* meridian_;  ///< null: none
     Neighbours index_;
 };
 
@@ -78,7 +96,7 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
     const SurfaceWindows& all = *result.windows;
     std::vector<std::uint32_t> windows(copy.points_mm.size(), kNoWindow);
     if (!hasSmallest(all)) return windows;
-    const SmallestWindows smallest(all, progress);
+    const SmallestWindows smallest(result, progress);
     const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
     parallelFor(windows.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places;
@@ -108,7 +126,7 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
     std::vector<std::uint32_t> windows(static_cast<std::size_t>(map.z_count) * angles, kNoWindow);
     if (!result.windows || !hasSmallest(*result.windows) || !result.meridian || !result.axis_T_reference)
         return windows;
-    const SmallestWindows smallest(*result.windows, progress);
+    const SmallestWindows smallest(result, progress);
     const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
     const Meridian& meridian = *result.meridian;
     parallelFor(static_cast<std::size_t>(map.z_count), 8, progress, [&](std::size_t begin, std::size_t end) {

@@ -6,7 +6,7 @@
 namespace lathelier::golden {
 
 struct Outcome {
-    int exit_code = -1;  ///< 128 + signal when killed by one; -1 when it did not end within two minutes (sanitized: twenty)
+    int exit_code = -1;  ///< 128 + signal when killed by one; -1 when it did not end in two minutes (sanitized: 20)
     std::string standard_output;
     std::string standard_error;
 };

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "widgets/core/form/disconnect_children.h"
 #include "widgets/core/form/intervals_edit.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/form/rows_edit.h"
@@ -206,6 +207,11 @@ private:
 };
 
 }  // namespace
+
+FieldEditor::~FieldEditor()
+{
+    disconnectChildren(*this);
+}
 
 void FieldEditor::fill(QWidget* content)
 {

@@ -11,6 +11,7 @@ class FieldEditor : public QWidget {
     Q_OBJECT
 public:
     using QWidget::QWidget;
+    ~FieldEditor() override;
 
     virtual Value value() const = 0;
     virtual void setValue(const Value& value) = 0;  ///< announces nothing

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/core/form/disconnect_children.h"
 #include "widgets/core/form/field_editor.h"
 #include "widgets/core/language.h"
 
@@ -50,7 +51,10 @@ Form::Form(std::vector<FieldInfo> fields, QWidget* parent) : QWidget(parent)
     enableGroups();
 }
 
-Form::~Form() = default;
+Form::~Form()
+{
+    disconnectChildren(*this);
+}
 
 /// `group`: of the row before in this layout.
 void Form::addRow(const FieldInfo& info, QFormLayout* layout, Text& group)

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "widgets/core/form/disconnect_children.h"
 #include "widgets/core/icons.h"
 
 namespace lathelier {
@@ -27,6 +28,11 @@ IntervalsEdit::IntervalsEdit(double minimum, double maximum, QWidget* parent)
         rows_.back().from->setFocus();
     });
     retranslate();
+}
+
+IntervalsEdit::~IntervalsEdit()
+{
+    disconnectChildren(*this);
 }
 
 std::vector<Interval> IntervalsEdit::intervals() const

@@ -17,6 +17,7 @@ class IntervalsEdit : public QWidget {
     Q_OBJECT
 public:
     IntervalsEdit(double minimum, double maximum, QWidget* parent = nullptr);
+    ~IntervalsEdit() override;
 
     std::vector<Interval> intervals() const;
     void setIntervals(const std::vector<Interval>& intervals);  ///< announces nothing

@@ -3,12 +3,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QUrl>
 #include <algorithm>
 
+#include "engine/project/input_key.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 
@@ -17,11 +17,6 @@ namespace {
 
 // What a row knows besides its words.
 enum Role { PathRole = Qt::UserRole, PanelRole, ItemRole };
-
-bool holds(const InputRole& role, const std::string& key)
-{
-    return key == role.role || (role.several && key.rfind(role.role + ".", 0) == 0);
-}
 
 }  // namespace
 
@@ -64,8 +59,8 @@ void DataColumn::addFiles()
         for (const auto& [place, source] : session_.panel(facts.stateKey()).inputs) {
             if (source.path.empty()) continue;
             const std::string& key = place;
-            const auto role =
-                std::find_if(facts.roles.begin(), facts.roles.end(), [&](const InputRole& r) { return holds(r, key); });
+            const auto role = std::find_if(facts.roles.begin(), facts.roles.end(),
+                                           [&](const InputRole& r) { return project::belongsTo(key, r.role); });
             const std::pair<std::string, std::string> input(facts.stateKey(), key);
             if (role == facts.roles.end() || std::find(named.begin(), named.end(), input) != named.end()) continue;
             named.push_back(input);

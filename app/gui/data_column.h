@@ -1,5 +1,5 @@
-// What the project holds: files with what takes them, and items that panels made. A file or an item can be dragged from
-// here into an input.
+// What the project holds: files with what takes them, and items that panels made. A file can be dragged from here into
+// an input.
 #pragma once
 
 #include <QTreeWidget>

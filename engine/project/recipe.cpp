@@ -2,16 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/project/input_key.h"
+
 namespace lathelier::project {
-namespace {
-
-/// "record" and "record.2", not "recorder".
-bool belongsTo(const std::string& input, const std::string& role)
-{
-    return input == role || input.starts_with(role + ".");
-}
-
-}  // namespace
 
 Project recipeOf(Project project, const PartInputs& part_inputs)
 {

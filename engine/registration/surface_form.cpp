@@ -14,9 +14,18 @@ namespace {
 
 constexpr double kOutside_mm = 1;  // a place so far outside a window is still coloured by it
 constexpr double kForm = 4;        // standard uncertainties: more between a window and the next is form
+constexpr std::uint32_t kReachPlaces = 4096;
 constexpr std::size_t kGrain = 16384;
 constexpr std::size_t kRun = 256;  // queries that are asked together: neighbours in the file mostly are in space
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
+/// Radius of the reference's meridian; NaN where it has no single one.
+double radiusAt_mm(const Meridian& meridian, double z_mm)
+{
+    const auto after = std::lower_bound(meridian.z_mm.begin(), meridian.z_mm.end(), z_mm);
+    if (after == meridian.z_mm.end()) return std::numeric_limits<double>::quiet_NaN();
+    return meridian.reference_radius_mm[static_cast<std::size_t>(after - meridian.z_mm.begin())];
+}
 
 /// The smallest windows by their places, found again from any place of the surface.
 class SmallestWindows {
@@ -57,7 +66,7 @@ private:
         const Eigen::Vector3d along = *all_.axis_T_reference * place_mm;
         const MeridianStretch& stretch = all_.stretches[static_cast<std::size_t>(window.stretch)];
         const double beyond = std::max(stretch.start_mm - along.z(), along.z() - stretch.end_mm);
-        const double off_mm = std::abs(along.head<2>().norm() - radiusAt_mm(stretch, along.z()));
+        const double off_mm = std::abs(along.head<2>().norm() - surfaceRadius_mm(stretch, along.z()));
         return beyond <= kOutside_mm && off_mm <= kOutside_mm &&
                static_cast<double>(window.z_start_mm) - along.z() <=
                    kOutside_mm + static_cast<double>(window.size_mm) &&
@@ -66,16 +75,11 @@ private:
 
     /// Of the reference's surface: that of its meridian, or where there is none, as in a bore, of the stretch as a
     /// straight line.
-    double radiusAt_mm(const MeridianStretch& stretch, double z_mm) const
+    double surfaceRadius_mm(const MeridianStretch& stretch, double z_mm) const
     {
-        if (meridian_ && !stretch.is_bore) {
-            const auto after = std::lower_bound(meridian_->z_mm.begin(), meridian_->z_mm.end(), z_mm);
-            if (after != meridian_->z_mm.end()) {
-                const double known =
-                    meridian_->reference_radius_mm[static_cast<std::size_t>(after - meridian_->z_mm.begin())];
-                if (!std::isnan(known)) return known;
-            }
-        }
+        const double known =
+            meridian_ && !stretch.is_bore ? radiusAt_mm(*meridian_, z_mm) : std::numeric_limits<double>::quiet_NaN();
+        if (!std::isnan(known)) return known;
         return stretch.radius_mm + stretch.slope * (z_mm - (stretch.start_mm + stretch.end_mm) / 2);
     }
 
@@ -128,15 +132,11 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
         return windows;
     const SmallestWindows smallest(result, progress);
     const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
-    const Meridian& meridian = *result.meridian;
     parallelFor(static_cast<std::size_t>(map.z_count), 8, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places(angles);
         for (std::size_t row = begin; row < end; ++row) {
             const double z = map.z_start_mm + (static_cast<double>(row) + 0.5) * map.z_step_mm;
-            const auto after = std::lower_bound(meridian.z_mm.begin(), meridian.z_mm.end(), z);
-            const auto bin =
-                std::min(static_cast<std::size_t>(after - meridian.z_mm.begin()), meridian.z_mm.size() - 1);
-            const double radius_mm = meridian.reference_radius_mm[bin];
+            const double radius_mm = radiusAt_mm(*result.meridian, z);
             if (std::isnan(radius_mm)) continue;
             for (std::size_t a = 0; a < angles; ++a) {
                 const double angle =
@@ -183,13 +183,17 @@ std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uin
 
 double formReach_mm(const SurfaceWindows& all, double share)
 {
+    std::uint32_t smallest = 0;
+    while (smallest < all.windows.size() && all.windows[smallest].smallest) smallest += 2;
+    // Some thousands of places tell a quantile, and this is asked for at every drag of a limit.
+    const std::uint32_t step = 2 * std::max(1U, smallest / 2 / kReachPlaces);
     // From coarse to fine, until the means are sure against what they reach themselves.
     double reach_mm = 0;
     std::vector<float> sizes;
     for (double sure_mm = std::max(all.scatter_mm, 1e-6); sure_mm > 1e-7; sure_mm /= 2) {
         sizes.clear();
         std::size_t places = 0;
-        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) {
+        for (std::uint32_t i = 0; i < smallest; i += step) {
             ++places;
             const float mean = meanOf(all, i, sure_mm);
             if (!std::isnan(mean)) sizes.push_back(std::abs(mean));

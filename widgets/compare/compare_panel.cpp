@@ -128,7 +128,8 @@ void ComparePanel::offerSection(double z_mm)
 
 void ComparePanel::askZone(double from_mm, double to_mm)
 {
-    const registration::CompareParameters& known = result()->result->parameters;
+    const auto known =
+        fromValues<registration::CompareParameters>(state().parameters);  // the result may be a step behind
     auto drawn = zoneAt(known.zones, from_mm, to_mm);
     if (!drawn) return;
     if (!drawn->existing) {

@@ -1,7 +1,10 @@
 #include "widgets/compare/compare_series.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "engine/io/file.h"
+#include "engine/registration/verdict/verdict.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier::compare_panel {
@@ -10,6 +13,15 @@ namespace {
 std::string nameOf(const std::string& path)
 {
     return std::filesystem::path(path).filename().string();
+}
+
+/// Tells the further copies apart: a file may be there twice with other decisions at its import.
+std::string keyOf(project::Source source)
+{
+    source.sha256.clear();
+    project::PanelState state;
+    state.inputs = {{copiesRole, std::move(source)}};
+    return stateDigest(state);
 }
 
 }  // namespace
@@ -29,38 +41,55 @@ std::vector<registration::CopySummary> KnownCopies::find(const project::PanelSta
     std::vector<registration::CopySummary> all{
         registration::summaryOf(nameOf(shown.inputs.back().path), *shown.result)};
     const std::vector<project::Source> sources = furtherCopies(state);
+    forgetOthers(sources);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const Progress part = progress.part(static_cast<double>(i) / static_cast<double>(sources.size()),
                                             static_cast<double>(i + 1) / static_cast<double>(sources.size()));
         registration::CopySummary copy;
         copy.name = nameOf(sources[i].path);
         try {
-            ScanStore once;  // forgotten at the end of the turn: the scans of many copies would fill the memory
-            const LoadedScanPtr scan = once.load(sources[i], part.part(0, 0.3));
-            project::PanelState pair;
-            pair.parameters = state.parameters;
-            pair.inputs = {{"reference", state.inputs.at("reference")}, {"copy", sources[i]}};
-            pair.inputs["reference"].sha256 = shown.inputs.front().sha256;
-            pair.inputs["copy"].sha256 = scan->inputs.front().sha256;
-            const std::string key = stateDigest(pair);
-            {
-                const std::lock_guard lock(mutex_);
-                if (const auto found = known_.find(key); found != known_.end()) {
-                    all.push_back(found->second);
-                    continue;
-                }
-            }
-            copy = registration::summaryOf(copy.name, compare(shown.reference->file.scan, scan->file.scan, parameters,
-                                                              part.part(0.3, 1), registration::CompareDetail::Summary));
-            copy.file = scan->inputs.front();
-            const std::lock_guard lock(mutex_);
-            known_[key] = copy;
+            const Known known = compared(sources[i], shown, parameters, part);
+            registration::CompareResult result = *known.result;
+            judge(result, parameters, part);
+            copy = registration::summaryOf(copy.name, result);
+            copy.file = known.file;
         } catch (const Error& error) {
             copy.error = error;
         }
         all.push_back(std::move(copy));
     }
     return all;
+}
+
+void KnownCopies::forgetOthers(const std::vector<project::Source>& sources)
+{
+    const std::lock_guard lock(mutex_);
+    std::erase_if(known_, [&](const auto& known) {
+        return std::none_of(sources.begin(), sources.end(),
+                            [&](const project::Source& source) { return keyOf(source) == known.first; });
+    });
+}
+
+KnownCopies::Known KnownCopies::compared(const project::Source& source, const ComparePicture& shown,
+                                         const registration::CompareParameters& parameters, const Progress& progress)
+{
+    Known now{io::fileStamp(source.path), shown.inputs.front().sha256, {}, nullptr};
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = known_.find(keyOf(source));
+        if (found != known_.end() && found->second.stamp == now.stamp && found->second.reference == now.reference &&
+            sameButVerdict(found->second.result->parameters, parameters))
+            return found->second;
+    }
+    ScanStore once;  // its scan is forgotten at the end: those of many copies would fill the memory
+    const LoadedScanPtr scan = once.load(source, progress.part(0, 0.3));
+    now.file = scan->inputs.front();
+    now.result = std::make_shared<const registration::CompareResult>(
+        compare(shown.reference->file.scan, scan->file.scan, parameters, progress.part(0.3, 1),
+                registration::CompareDetail::Summary));
+    const std::lock_guard lock(mutex_);
+    known_[keyOf(source)] = now;
+    return now;
 }
 
 }  // namespace lathelier::compare_panel

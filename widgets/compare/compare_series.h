@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ inline constexpr const char* copiesRole = "copies";
 /// The sources of the further copies, in order.
 std::vector<project::Source> furtherCopies(const project::PanelState& state);
 
-/// What is known of copies that were compared already. Safe from any thread.
+/// The comparisons of the further copies. A change of the limits alone is judged anew from them, in milliseconds. Safe
+/// from any thread.
 class KnownCopies {
 public:
     /// The summary of the copy on screen, then those of the further ones. A copy that cannot be read or compared says
@@ -27,8 +29,18 @@ public:
                                                 const Progress& progress);
 
 private:
+    struct Known {
+        std::string stamp;      ///< fileStamp() of the copy when it was read
+        std::string reference;  ///< SHA-256 of the reference that it was compared with
+        InputFile file;         ///< the copy
+        std::shared_ptr<const registration::CompareResult> result;
+    };
+    void forgetOthers(const std::vector<project::Source>& sources);
+    Known compared(const project::Source& source, const ComparePicture& shown,
+                   const registration::CompareParameters& parameters, const Progress& progress);
+
     std::mutex mutex_;
-    std::map<std::string, registration::CopySummary> known_;  ///< by reference, copy and parameters
+    std::map<std::string, Known> known_;  ///< by the copy's path and import
 };
 
 }  // namespace lathelier::compare_panel

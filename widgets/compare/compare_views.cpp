@@ -9,6 +9,7 @@
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::compare_panel {
 namespace {
@@ -75,7 +76,7 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     p.trend->setObjectName("trend");
     p.copyTable = new CopyTable;
     p.copyTable->setObjectName("copies");
-    p.copyTable->setProperty("onlyLarge", true);  // small, the trend says more (ViewFrame)
+    p.copyTable->setProperty(ViewFrame::onlyLarge, true);  // small, the trend says more
     p.copies = new QSplitter(Qt::Vertical);
     p.copies->setChildrenCollapsible(false);
     p.copies->addWidget(p.trend);

@@ -12,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
+#include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::plot {
 namespace {
@@ -57,18 +58,18 @@ void PlotWidget::askAndSaveData()
 
 PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent)
 {
-    setProperty(smallView, false);
+    setProperty(ViewFrame::smallView, false);
 }
 
 bool PlotWidget::isSmall() const
 {
-    return property(smallView).toBool();
+    return property(ViewFrame::smallView).toBool();
 }
 
 bool PlotWidget::event(QEvent* event)
 {
     if (event->type() == QEvent::DynamicPropertyChange &&
-        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == smallView)
+        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == ViewFrame::smallView)
         sizeChosen();
     return QWidget::event(event);
 }

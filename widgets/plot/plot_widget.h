@@ -12,10 +12,6 @@ class PlotWidget : public QWidget {
     Q_OBJECT
 
 public:
-    /// Set while the plot stands small beside a large view, whose frame says what it is: it then leaves out titles,
-    /// legend and fields, so that the data have the room. HeroViews sets it on every view that has it.
-    static constexpr const char* smallView = "smallView";
-
     /// The plot as shown, dark on white.
     virtual QImage picture(double scale = 2) = 0;
 
@@ -35,6 +31,8 @@ signals:
 protected:
     explicit PlotWidget(QWidget* parent);
 
+    /// The plot stands small beside a large view, whose frame says what it is (ViewFrame::smallView): it leaves out
+    /// titles, legend and fields, so that the data have the room.
     bool isSmall() const;
     virtual void sizeChosen() {}  ///< isSmall() has changed
     bool event(QEvent* event) override;

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QPainter>
 
-#include "engine/report/polar_svg.h"
+#include "engine/report/ring_labels.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/polar_data.h"
 

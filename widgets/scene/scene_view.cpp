@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/core/panel/view_frame.h"
 #include "widgets/scene/scene_parts.h"
 
 namespace lathelier::scene {
 namespace {
 
-constexpr const char* smallView = "smallView";  // set by HeroViews
 constexpr int restAfter_ms = 250;
 constexpr int pointingAfter_ms = 60;
 
@@ -37,8 +37,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
         return;
     }
     p.bar = new SceneBar(this);
-    setProperty(smallView, false);
-    p.bar->setProperty("onlyLarge", true);  // a small picture has no room for it (ViewFrame)
+    setProperty(ViewFrame::smallView, false);
+    p.bar->setProperty(ViewFrame::onlyLarge, true);  // a small picture has no room for it
     p.canvas = new SceneCanvas(this);
     layout->addWidget(p.bar);
     auto* row = new QHBoxLayout;
@@ -164,7 +164,7 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
 void SceneView::showAround()
 {
     Parts& p = *parts_;
-    const bool small = property(smallView).toBool();
+    const bool small = property(ViewFrame::smallView).toBool();
     const bool valued = std::any_of(p.objects.begin(), p.objects.end(),
                                     [](const SceneObject& object) { return object.visible && object.values; });
     p.legend->setVisible(valued && !small);
@@ -174,7 +174,7 @@ void SceneView::showAround()
 bool SceneView::event(QEvent* event)
 {
     if (event->type() == QEvent::DynamicPropertyChange && canDraw() &&
-        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == smallView)
+        static_cast<QDynamicPropertyChangeEvent*>(event)->propertyName() == ViewFrame::smallView)
         showAround();
     return QWidget::event(event);
 }

@@ -111,8 +111,7 @@ TEST(RoundnessReport, ThePolarPlotShowsTheContactsOfTheChosenCircle)
 /// The others wait to be asked for; the zone is as wide as the value says.
 TEST(RoundnessReport, ThePolarPlotShowsTheChosenCircleAndItsZone)
 {
-    for (const ReferenceCircle which :
-         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+    for (const ReferenceCircle which : circlesOfTable) {
         RoundnessParameters parameters;
         parameters.circle = which;
         const RoundnessResult result = made(parameters);
@@ -127,8 +126,7 @@ TEST(RoundnessReport, ThePolarPlotShowsTheChosenCircleAndItsZone)
         ASSERT_EQ(plot.rings.size(), 1U);
         EXPECT_NEAR(plot.rings[0].outer_um - plot.rings[0].inner_um, result.circles.of(which).RONt_um, 1e-6);
         const std::string svg = report::toSvg(plot);
-        for (const ReferenceCircle other :
-             {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI})
+        for (const ReferenceCircle other : circlesOfTable)
             EXPECT_EQ(svg.find(std::string(name(other)) + "  RONt") != std::string::npos, other == which);
     }
 }
@@ -178,8 +176,7 @@ TEST(RoundnessReport, TheStrongestWavesAreNamed)
 
 TEST(RoundnessReport, DeviationsCountFromTheChosenCircleAndSaySo)
 {
-    for (const ReferenceCircle which :
-         {ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
+    for (const ReferenceCircle which : circlesOfTable) {
         RoundnessParameters parameters;
         parameters.circle = which;
         const RoundnessResult result = made(parameters);

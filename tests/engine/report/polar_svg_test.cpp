@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/report/html.h"
+#include "engine/report/ring_labels.h"
 #include "engine/report/svg.h"
 
 namespace lathelier {

@@ -1,5 +1,7 @@
 #include "widgets/core/panel/panel_facts.h"
 
+#include "engine/project/input_key.h"
+
 namespace lathelier {
 namespace {
 
@@ -45,9 +47,7 @@ std::vector<project::Source> sourcesOf(const project::PanelState& state, const I
 
 void setSources(project::PanelState& state, const InputRole& role, const std::vector<project::Source>& sources)
 {
-    std::erase_if(state.inputs, [&](const auto& input) {
-        return input.first == role.role || input.first.starts_with(role.role + ".");
-    });
+    std::erase_if(state.inputs, [&](const auto& input) { return project::belongsTo(input.first, role.role); });
     for (std::size_t i = 0; i < sources.size() && (i == 0 || role.several); ++i)
         state.inputs[keyOf(role.role, i + 1)] = sources[i];
 }

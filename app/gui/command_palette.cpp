@@ -53,10 +53,9 @@ void CommandPalette::narrow(const QString& typed)
     list_->clear();
     for (int i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        if (!command.action->isEnabled() || !matches(command.path, words)) continue;
-        const QString keys = command.action->shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(command.action->icon(),
-                                         keys.isEmpty() ? command.path : command.path + "   " + keys, list_);
+        if (!matches(command.path, words)) continue;
+        auto* item = new QListWidgetItem(
+            command.icon, command.keys.isEmpty() ? command.path : command.path + "   " + command.keys, list_);
         item->setData(Qt::UserRole, i);
     }
     list_->setCurrentRow(0);
@@ -67,10 +66,7 @@ void CommandPalette::run()
     const QListWidgetItem* item = list_->currentItem();
     accept();
     if (!item) return;
-    QPointer<QAction> action = commands_[item->data(Qt::UserRole).toInt()].action;
-    QTimer::singleShot(0, parentWidget(), [action] {
-        if (action) action->trigger();
-    });
+    QTimer::singleShot(0, parentWidget(), commands_[item->data(Qt::UserRole).toInt()].run);
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event)
@@ -95,8 +91,12 @@ QList<CommandPalette::Command> commandsOf(const QList<QAction*>& actions, const 
         const QString here = path.isEmpty() ? text : path + QStringLiteral(" › ") + text;
         if (action->menu())
             result += commandsOf(action->menu()->actions(), here);
-        else
-            result.append({here, action});
+        else if (action->isEnabled())
+            result.append({here,
+                           [action = QPointer<QAction>(action)] {
+                               if (action) action->trigger();
+                           },
+                           action->icon(), action->shortcut().toString(QKeySequence::NativeText)});
     }
     return result;
 }

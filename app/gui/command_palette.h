@@ -3,7 +3,9 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QIcon>
 #include <QList>
+#include <functional>
 
 class QLineEdit;
 class QListWidget;
@@ -15,8 +17,10 @@ class CommandPalette : public QDialog {
     Q_OBJECT
 public:
     struct Command {
-        QString path;  ///< "File › Save"
-        QAction* action;
+        QString path;               ///< "File › Save"
+        std::function<void()> run;  ///< does nothing when what it works on is gone
+        QIcon icon = {};
+        QString keys = {};  ///< its shortcut, as people read it
     };
 
     explicit CommandPalette(const QList<Command>& commands, QWidget* parent = nullptr);
@@ -33,7 +37,7 @@ private:
     QListWidget* list_;
 };
 
-/// The commands under a menu bar or menu, with their paths.
+/// The commands under a menu bar or menu that can be used now, with their paths.
 QList<CommandPalette::Command> commandsOf(const QList<QAction*>& actions, const QString& path = {});
 
 }  // namespace lathelier

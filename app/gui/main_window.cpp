@@ -49,6 +49,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       openSaved_(new QToolButton),
       ordinaryFont_(QApplication::font())
 {
+    useStartingValues();
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -276,8 +277,16 @@ void MainWindow::applySettings(const Settings& settings)
     settings_ = settings;
     writeSettings(settings);
     languages_.use(settings.language);
+    useStartingValues();
     useTheme();
     setPresenting(presenting);
+}
+
+void MainWindow::useStartingValues()
+{
+    Values values;
+    if (!settings_.decision.isEmpty()) values.emplace_back("decision", settings_.decision.toStdString());
+    session_.setStartingValues(values);
 }
 
 void MainWindow::askForSettings()
@@ -308,7 +317,13 @@ void MainWindow::stepPanel(int by)
 
 void MainWindow::showPalette()
 {
-    auto* palette = new CommandPalette(commandsOf(menuBar()->actions()), this);
+    QList<CommandPalette::Command> commands = commandsOf(menuBar()->actions());
+    if (PanelDock* dock = activeDock(); dock && dock->isVisible() && dock->madePanel())
+        for (const PanelCommand& command : dock->madePanel()->commands()) {
+            const QString path = dock->windowTitle() + QStringLiteral(" › ") + command.path;
+            commands.append({path, command.run});
+        }
+    auto* palette = new CommandPalette(commands, this);
     palette->setAttribute(Qt::WA_DeleteOnClose);
     palette->open();
 }

@@ -71,6 +71,7 @@ private:
     void useItem(const std::string& name, const project::Item& item, bool synthetic);
     void showPanel(PanelDock* dock);
     void askForSettings();
+    void useStartingValues();
     void askForTitleBlock();
     void showPalette();
     void showHelp();

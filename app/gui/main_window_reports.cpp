@@ -81,7 +81,7 @@ void MainWindow::writeReport(const std::vector<PanelDock*>& docks, const QString
     std::string title = block.part.empty() ? projectName.toStdString() : block.part;
     if (title.empty()) title = tr("Report").toStdString();
     report::Document document = joined(parts, title);
-    document.title_block = rowsOf(block);
+    setTitleBlock(document, block);
     const Worker::Outcome outcome =
         waitFor(this, tr("Writing the report…"),
                 [path, document = std::move(document)](const Progress& progress) -> std::shared_ptr<const void> {

@@ -83,7 +83,7 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
         const auto block = fromValues<report::TitleBlock>(opened.title_block);
         report::Document document =
             joined(parts, block.part.empty() ? QFileInfo(project).completeBaseName().toStdString() : block.part);
-        document.title_block = rowsOf(block);
+        setTitleBlock(document, block);
         writeReport(file, std::move(document));
     } catch (const std::exception& failure) {
         code = 0;  // that nothing was written matters more than what is missing in it

@@ -19,6 +19,7 @@ Settings readSettings()
     result.theme = stored.value("theme").toString();
     result.presenter_percent =
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
+    result.decision = stored.value("decision").toString();
     return result;
 }
 
@@ -28,6 +29,7 @@ void writeSettings(const Settings& settings)
     stored.setValue("language", settings.language);
     stored.setValue("theme", settings.theme);
     stored.setValue("presenter_percent", settings.presenter_percent);
+    stored.setValue("decision", settings.decision);
 }
 
 QStringList recentFiles()

@@ -20,6 +20,7 @@ private:
     QComboBox* language_;
     QComboBox* theme_;
     QSpinBox* presenter_;
+    QComboBox* decision_;
 };
 
 }  // namespace lathelier

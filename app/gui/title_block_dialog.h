@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QDialog>
+#include <QLabel>
+#include <QPushButton>
 
 #include "engine/project/project.h"
 #include "engine/report/title_block.h"
@@ -9,6 +11,10 @@
 namespace lathelier {
 
 class Form;
+
+/// The picture in the file at `path`, no larger than a report needs, as PNG in base64. Errors: fileNotFound,
+/// malformed when it is no picture.
+std::string readLogo(const QString& path);
 
 /// The title block of a project; where the project has none, what does not change from part to part (company,
 /// instrument, inspector) as it was given last.
@@ -26,7 +32,13 @@ public:
     static void keep(const report::TitleBlock& block);
 
 private:
+    void showLogo();
+
     Form* form_;
+    QLabel* logo_;
+    QPushButton* remove_;
+    QLabel* problem_;
+    std::string logo_png_base64_;
 };
 
 }  // namespace lathelier

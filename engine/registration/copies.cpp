@@ -47,6 +47,7 @@ report::Plot copiesTrend(const std::vector<CopySummary>& copies, const ComparePa
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Trend of the copies");
     plot.x = {LT_TEXT("Engine", "Number of the copy"), Text{}};
+    plot.x.scale = report::Axis::Scale::Whole;
     plot.x.range = Interval{0.5, static_cast<double>(copies.size()) + 0.5};
     plot.y = {LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")};
     report::Curve worst{LT_TEXT("Engine", "worst local deviation"), {}, {}, report::Curve::Style::Points};

@@ -69,6 +69,19 @@ std::string verdictText(const Answer& answer, const Language& language)
     return text(answer.verdict ? name(*answer.verdict) : LT_TEXT("Engine", "no limit given"), language);
 }
 
+std::string assumedText(const Answer& answer, const Language& language)
+{
+    std::string list;
+    for (const UsedValue& value : answer.used) {
+        if (value.origin != ValueOrigin::Assumed) continue;
+        list +=
+            fmt::format("{}{} {}", list.empty() ? "" : ", ", text(value.label, language), text(value.value, language));
+        if (!value.unit.empty()) list += fmt::format(" {}", text(value.unit, language));
+    }
+    if (list.empty()) return {};
+    return keptTogether(fill(text(LT_TEXT("Engine", "assumed: {values}"), language), {{"values", list}}, language));
+}
+
 std::string sentenceText(const Answer& answer, const Language& language)
 {
     return keptTogether(fill(text(answer.sentence, language), answer.values, language));
@@ -90,6 +103,7 @@ std::string plainText(const Answer& answer, const Language& language)
         if (finding.verdict) result += "  " + text(shortName(*finding.verdict), language);
         result += "\n";
     }
+    if (const std::string assumed = assumedText(answer, language); !assumed.empty()) result += assumed + "\n";
     return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/core/conformity.h"
 #include "engine/core/texts.h"
+#include "engine/core/used_value.h"
 #include "engine/core/value.h"
 #include "engine/report/caption.h"
 
@@ -47,6 +48,7 @@ struct Answer {
     Text sentence;                               ///< one sentence, a pattern; empty: the number says it all
     Values values;                               ///< that the braces of the sentence name
     std::vector<Finding> findings;               ///< the three most important at most
+    UsedValues used;                             ///< what may be left open, and who said it
 };
 
 /// "RONt(MZCI) 15.30 ± 0.21 µm"; without a value the quantity alone.
@@ -61,10 +63,13 @@ std::string limitText(const Answer& answer, const Language& language = {});
 /// "✓ within tolerance", "✗ out of tolerance", "? cannot be decided", "no limit given".
 std::string verdictText(const Answer& answer, const Language& language = {});
 
+/// "assumed: Sensitivity 50 µm/V, …"; empty when nothing is.
+std::string assumedText(const Answer& answer, const Language& language = {});
+
 std::string sentenceText(const Answer& answer, const Language& language = {});
 std::string findingText(const Finding& finding, const Language& language = {});  ///< without its verdict
 
-/// Everything in lines of plain text: value and verdict, the sentence, a line for each finding.
+/// Everything in lines of plain text: value and verdict, the sentence, a line for each finding, what is assumed.
 std::string plainText(const Answer& answer, const Language& language = {});
 
 }  // namespace lathelier::report

@@ -13,9 +13,9 @@
 namespace lathelier::report {
 
 struct Axis {
-    Caption title{};  ///< of the quantity, without unit
-    Text unit{};      ///< empty: none
-    enum class Scale { Linear, Logarithmic } scale = Scale::Linear;
+    Caption title{};                                                        ///< of the quantity, without unit
+    Text unit{};                                                            ///< empty: none
+    enum class Scale { Linear, Logarithmic, Whole } scale = Scale::Linear;  ///< Whole: linear, whole numbers only
     std::optional<Interval> range{};  ///< what is shown at first. Default: all there is
 };
 

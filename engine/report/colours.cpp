@@ -96,13 +96,13 @@ Rgb insideColour(double share)
 Rgb DeviationColours::operator()(double value) const
 {
     if (!tolerance && steps > 0 && std::isfinite(value)) {
-        const double share = std::clamp(value / limit, -1.0, 1.0);
+        const double share = std::clamp(value / endOf(value), -1.0, 1.0);
         return divergingColour(std::round(share * steps) / steps);
     }
-    if (!tolerance) return divergingColour(value / limit);
+    if (!tolerance) return divergingColour(value / endOf(value));
     const double beyond = std::abs(value) - *tolerance;
     if (!(beyond > 0)) return insideColour(*tolerance > 0 ? value / *tolerance : 0);
-    const double room = limit - *tolerance;
+    const double room = endOf(value) - *tolerance;
     const double share = room > 0 ? outsideStart + (1 - outsideStart) * std::min(1.0, beyond / room) : 1.0;
     return divergingColour(std::copysign(share, value));
 }

@@ -54,16 +54,19 @@ Rgb divergingColour(double share);
 /// error stays visible where all is well.
 Rgb insideColour(double share);
 
-/// What is drawn from -limit to +limit, and green where |value| <= tolerance, if there is one.
+/// What is drawn from least() to limit, and green where |value| <= tolerance, if there is one.
 /// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
 struct DeviationColours {
-    double limit = 1;                   ///< > 0
+    double limit = 1;                   ///< upper end of the scale, > 0
     std::optional<double> tolerance{};  ///< >= 0
     /// Contours without a tolerance: so many steps on each side of a middle one about 0. 0: the colours run into each
     /// other.
     int steps = 0;
     std::optional<double> marked{};  ///< a limit that the scale shows as lines at both signs, and that colours nothing
+    std::optional<double> lower{};   ///< how far the scale goes below 0, > 0; none: as far as above
 
+    double least() const { return -lower.value_or(limit); }                    ///< lower end of the scale
+    double endOf(double value) const { return value < 0 ? -least() : limit; }  ///< distance of that side's end from 0
     Rgb operator()(double value) const;
     friend bool operator==(const DeviationColours&, const DeviationColours&) = default;
 };

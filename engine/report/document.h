@@ -65,6 +65,7 @@ struct Section {
 struct Document {
     Caption title;                                ///< on the first page
     std::vector<Quantity> title_block;            ///< part, drawing, instrument… (title_block.h); empty: none
+    std::string logo_png_base64;                  ///< on the first page; empty: none
     std::vector<const VerifyPart*> verification;  ///< of its capabilities: quoted as the last section
     bool verified = false;                        ///< holds what "Verify installation" found
     std::vector<Section> sections;                ///< in reading order

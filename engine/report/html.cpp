@@ -45,6 +45,8 @@ public:
             findings += element("li", said);
         }
         if (!findings.empty()) body += element("ul", findings);
+        if (const std::string assumed = assumedText(answer, language_); !assumed.empty())
+            body += "<p class=\"assumed\">" + escaped(assumed) + "</p>\n";
         const std::string kind = answer.verdict ? std::string(key(*answer.verdict)) : "open";
         return "<div class=\"answer " + kind + "\"><p class=\"head\">" + head + "</p>\n" + body + "</div>\n";
     }
@@ -194,7 +196,11 @@ std::string toHtml(const Document& document, const Language& language)
                          "<meta name=\"generator\" content=\"Lathelier " LATHELIER_VERSION "\">\n" +
                          element("title", title) + "<style>\n" + std::string(reportStyle) +
                          "</style>\n</head>\n<body>\n";
-    result += "<header><div>" + element("h1", title);
+    result += "<header>";
+    if (!document.logo_png_base64.empty())
+        result +=
+            "<img class=\"logo\" alt=\"\" src=\"data:image/png;base64," + escaped(document.logo_png_base64) + "\">";
+    result += "<div>" + element("h1", title);
     if (document.synthetic)
         result += "<p class=\"synthetic\">" +
                   writer.phrase(LT_TEXT("Engine", "Synthetic data: made by a program, not measured")) + "</p>\n";

@@ -19,6 +19,7 @@ p { margin: 8px 0; }
 .origin { text-align: right; margin: 0; color: #52606d; white-space: nowrap; }
 .synthetic { display: inline-block; margin: 8px 0 0; padding: 2px 10px; border: 1px solid #b7791f; border-radius: 3px;
   background: #fff8e6; color: #7b4a00; font-size: 14px; }
+header .logo { max-height: 64px; max-width: 220px; }
 .title-block { display: grid; grid-template-columns: 1fr 1fr; margin: 0 0 18px; border: 1px solid #cbd2d9; font-size: 14px; }
 .title-block div { display: flex; gap: 10px; padding: 3px 10px; border-bottom: 1px solid #e4e7eb; }
 .title-block dt { flex: 0 0 9em; color: #52606d; } .title-block dd { margin: 0; font-weight: 600; overflow-wrap: anywhere; }
@@ -27,6 +28,7 @@ p { margin: 8px 0; }
 .answer .head { font-size: 21px; line-height: 1.35; font-weight: 600; margin: 0; }
 .answer .limit { font-size: 15px; font-weight: 400; color: #52606d; margin-left: 8px; }
 .answer p { margin: 6px 0 0; } .answer ul { margin: 6px 0 0; padding-left: 20px; }
+.answer .assumed { font-style: italic; color: #7a4f00; }
 .answer .ruler { margin: 8px 0 0; max-width: 620px; }
 .verdict { display: inline-block; margin-right: 8px; padding: 0 12px; border-radius: 4px; color: #fff; white-space: nowrap;
   background: #52606d; }

@@ -3,17 +3,19 @@
 
 #include "engine/core/fields.h"
 #include "engine/core/texts.h"
+#include "engine/core/used_value.h"
 #include "engine/report/document.h"
 
 namespace lathelier::report {
 
-/// `values` by key, as toValues() makes them.
-QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values& values, const Language& language);
+/// `values` by key, as toValues() makes them; what was left open is shown as it was used, with who said it.
+QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values& values, const Language& language,
+                              const UsedValues& used = {});
 
 template <class P>
-QuantityTable parametersTable(const P& parameters, const Language& language)
+QuantityTable parametersTable(const P& parameters, const Language& language, const UsedValues& used = {})
 {
-    return parametersTable(infos<P>(), toValues(parameters), language);
+    return parametersTable(infos<P>(), toValues(parameters), language, used);
 }
 
 }  // namespace lathelier::report

@@ -35,7 +35,7 @@ struct PlotFrame {
     /// Where a value lies between the ends; on a logarithmic axis what is not above zero lies infinitely far below.
     static double share(Axis::Scale scale, const Interval& range, double value)
     {
-        if (scale == Axis::Scale::Linear) return (value - range.from) / (range.to - range.from);
+        if (scale != Axis::Scale::Logarithmic) return (value - range.from) / (range.to - range.from);
         return value > 0 ? std::log(value / range.from) / std::log(range.to / range.from) : -HUGE_VAL;
     }
 };

@@ -62,6 +62,11 @@ Ticks logTicks(double from, double to, int wanted)
 
 Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted)
 {
+    if (scale == Axis::Scale::Whole && range.to - range.from < wanted) {
+        Ticks ticks = niceTicks(range.from, range.to, std::max(1, static_cast<int>(range.to - range.from)));
+        ticks.minor.clear();
+        return ticks;
+    }
     return scale == Axis::Scale::Logarithmic && range.from > 0 ? logTicks(range.from, range.to, wanted)
                                                                : niceTicks(range.from, range.to, wanted);
 }

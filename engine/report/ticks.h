@@ -23,6 +23,7 @@ Ticks niceTicks(double from, double to, int wanted);
 /// between; over less than half a decade as niceTicks(). 0 < from < to.
 Ticks logTicks(double from, double to, int wanted);
 
+/// As the scale asks; those of a Whole one are at least 1 apart.
 Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted);
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language);

@@ -32,6 +32,8 @@ const std::vector<Field<TitleBlock>>& fieldsOf(const TitleBlock*)
               Label{LT_TEXT("Engine", "Inspector"), LT_TEXT("Engine", "Who measured and evaluated.")}),
         field("remark", &T::remark,
               Label{LT_TEXT("Engine", "Remark"), LT_TEXT("Engine", "Whatever else belongs on the first page.")}),
+        field(logoKey, &T::logo_png_base64,
+              Label{LT_TEXT("Engine", "Logo"), LT_TEXT("Engine", "Of the company, on the first page.")}),
     };
     return all;
 }
@@ -40,10 +42,18 @@ std::vector<Quantity> rowsOf(const TitleBlock& block)
 {
     std::vector<Quantity> rows;
     const Values values = toValues(block);
-    for (const FieldInfo& info : infos<TitleBlock>())
+    for (const FieldInfo& info : infos<TitleBlock>()) {
+        if (info.key == logoKey) continue;
         if (const auto* given = std::get_if<std::string>(find(values, info.key)); given && !given->empty())
             rows.push_back({info.label, *given, {}});
+    }
     return rows;
+}
+
+void setTitleBlock(Document& document, const TitleBlock& block)
+{
+    document.title_block = rowsOf(block);
+    document.logo_png_base64 = block.logo_png_base64;
 }
 
 std::string reportFileName(const TitleBlock& block, const std::string& otherwise, const std::string& date)

@@ -20,12 +20,19 @@ struct TitleBlock {
     std::string calibration_date;  ///< of the instrument, as its certificate states it
     std::string inspector;         ///< who measured
     std::string remark;            ///< whatever else belongs on the first page
+    std::string logo_png_base64;   ///< of the company, in base64 (RFC 4648); a picture, so no row of the table
 };
+
+/// Key of the logo among the fields: forms leave it to a button.
+inline constexpr const char* logoKey = "logo_png_base64";
 
 const std::vector<Field<TitleBlock>>& fieldsOf(const TitleBlock*);
 
-/// What was given, in the order of the form; empty when nothing was.
+/// What was given, in the order of the form and without the logo; empty when nothing was.
 std::vector<Quantity> rowsOf(const TitleBlock& block);
+
+/// Puts the block on the first page of `document`.
+void setTitleBlock(Document& document, const TitleBlock& block);
 
 /// The name of a report's file, without folder and suffix: part (else `otherwise`) and serial number, then the date
 /// (ISO 8601). Characters that file systems do not take become underscores.

@@ -153,6 +153,22 @@ void noteStandstill(const io::ProbeChannel& channel, const char* signal, Notes& 
     }
 }
 
+using SensitivityOfProbes = std::array<std::optional<double>, 4>;
+
+SensitivityOfProbes sensitivities(const std::vector<ProbeCalibration>& probes)
+{
+    SensitivityOfProbes result;
+    for (const ProbeCalibration& probe : probes) {
+        std::optional<double>& place = result[static_cast<std::size_t>(probe.probe)];
+        if (place)
+            throw Error(errors::valueNotUnderstood, {{"parameter", "probes"},
+                                                     {"found", name(probe.probe)},
+                                                     {"expected", LT_TEXT("Engine", "each probe once")}});
+        place = probe.sensitivity_um_per_V;
+    }
+    return result;
+}
+
 }  // namespace
 
 const char* name(Probe probe)
@@ -175,7 +191,11 @@ ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters
                                               {"found", static_cast<std::int64_t>(map.reference)},
                                               {"reason", LT_TEXT("Engine", "it holds no angles")},
                                               {"channels", static_cast<std::int64_t>(record.channels.size())}});
-    bool in_volts = false;
+    const SensitivityOfProbes calibrated = sensitivities(parameters.probes);
+    UsedValues used;
+    const double common = resolve<TrajectoryParameters>(used, "sensitivity_um_per_V", parameters.sensitivity_um_per_V,
+                                                        {}, assumedSensitivity_um_per_V);
+    bool uses_common = false;
     for (std::size_t probe = 0; probe < map.probes.size(); ++probe) {
         const Entry& entry = entries[probe];
         ProbePlace& place = map.probes[probe];
@@ -184,13 +204,16 @@ ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters
             if (place.channel == (other == probe ? map.reference : map.probes[other].channel))
                 reject(std::string(signalNames[probe]) + "=" + entry.channel, entry.column,
                        LT_TEXT("Engine", "each channel once"));
-        in_volts = in_volts || record.channels[place.channel].unit == io::ProbeChannel::Unit::Volt;
-        place.um_per_value = toMicrometres(record, place.channel, signalNames[probe],
-                                           parameters.sensitivity_um_per_V.value_or(assumedSensitivity_um_per_V)) *
-                             (entry.turned ? -1 : 1);
+        const bool in_volts = record.channels[place.channel].unit == io::ProbeChannel::Unit::Volt;
+        uses_common = uses_common || (in_volts && !calibrated[probe]);
+        place.um_per_value =
+            toMicrometres(record, place.channel, signalNames[probe], calibrated[probe].value_or(common)) *
+            (entry.turned ? -1 : 1);
         noteStandstill(record.channels[place.channel], signalNames[probe], notes);
     }
-    if (in_volts && !parameters.sensitivity_um_per_V)
+    if (!uses_common) return map;
+    map.used = used;
+    if (!parameters.sensitivity_um_per_V)
         notes.push_back({notes::sensitivityAssumed, {{"sensitivity_um_per_V", assumedSensitivity_um_per_V}}});
     return map;
 }

@@ -29,14 +29,15 @@ PreparedRecord prepare(const io::ProbeRecord& record, const std::string& path, c
                        Notes& notes)
 {
     try {
-        PreparedRecord prepared{&record, path, FrameClock(record), {}, 0, {}};
+        PreparedRecord prepared{&record, path, FrameClock(record), {}, 0, {}, {}};
         Notes found;
         prepared.map = mapChannels(record, parameters, found);
-        const auto skew = parameters.channel_skew_s ? parameters.channel_skew_s : record.channel_skew_s;
-        if (skew && prepared.clock.isKnown())
-            prepared.channel_skew_s = *skew;
-        else
-            found.push_back({notes::skewUnknown, {}});
+        prepared.used = prepared.map.used;
+        const bool timed = prepared.clock.isKnown();
+        prepared.channel_skew_s = resolve<TrajectoryParameters>(prepared.used, "channel_skew_s",
+                                                                timed ? parameters.channel_skew_s : std::nullopt,
+                                                                timed ? record.channel_skew_s : std::nullopt, 0.0);
+        if (!timed || !(parameters.channel_skew_s || record.channel_skew_s)) found.push_back({notes::skewUnknown, {}});
         prepared.revolutions =
             findRevolutions(record, prepared.clock, prepared.map, parameters, prepared.channel_skew_s);
         for (Note& note : found) {
@@ -54,28 +55,30 @@ PreparedRecord prepare(const io::ProbeRecord& record, const std::string& path, c
 }
 
 /// A parameter that was not given and that the record states.
-void noteAssumed(const std::string& key, double value, Notes& notes)
+void takeFromRecord(const std::string& key, const Value& value, Notes& notes, UsedValues& used)
 {
     for (const FieldInfo& info : infos<TrajectoryParameters>())
-        if (info.key == key)
+        if (info.key == key) {
+            addUsed(used, info, value, ValueOrigin::File);
             notes.push_back({notes::valueAssumed,
                              {{"parameter", key},
                               {"label", info.label},
                               {"value", value},
                               {"unit", info.unit},
                               {"source", LT_TEXT("Engine", "the record")}}});
+        }
 }
 
 std::optional<Segmentation> segmentationOf(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
-                                           Notes& notes)
+                                           Notes& notes, UsedValues& used)
 {
     if (parameters.feed_mm_rev) return Segmentation{*parameters.feed_mm_rev, parameters.sections};
     if (!parameters.z_mm.empty()) return std::nullopt;
     const auto feed = io::headerNumber(record.header, "feed_mm_rev");
     const auto sections = io::headerNumber(record.header, "sections");
     if (!feed || !sections || !(*feed > 0) || !(*sections >= 2 && *sections <= 10000)) return std::nullopt;
-    noteAssumed("feed_mm_rev", *feed, notes);
-    noteAssumed("sections", *sections, notes);
+    takeFromRecord("feed_mm_rev", *feed, notes, used);
+    takeFromRecord("sections", *sections, notes, used);
     return Segmentation{*feed, static_cast<int>(std::lround(*sections))};
 }
 

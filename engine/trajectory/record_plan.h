@@ -19,6 +19,7 @@ struct PreparedRecord {
     ChannelMap map;                           ///< which channel is which signal
     double channel_skew_s = 0;                ///< from one channel to the next within a frame
     Revolutions revolutions;                  ///< those found in the record
+    UsedValues used;                          ///< sensitivity and skew, and who said them
 };
 
 /// Channel map, delays and revolutions of a record, with its notes. Errors carry `path`.
@@ -38,9 +39,9 @@ struct Segmentation {
     int sections = 1;        ///< number of segments of equal length
 };
 
-/// The segmentation asked for, or stated by the record itself ("feed_mm_rev" and "sections", noted as assumed).
+/// The segmentation asked for, or stated by the record itself ("feed_mm_rev" and "sections", with a note).
 std::optional<Segmentation> segmentationOf(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
-                                           Notes& notes);
+                                           Notes& notes, UsedValues& used);
 
 /// One segment: the first `revolutions` regular ones of the record.
 RecordSegment wholeRecord(const PreparedRecord& prepared, const TrajectoryParameters& parameters);

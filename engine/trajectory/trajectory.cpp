@@ -42,10 +42,11 @@ std::string pathOf(const io::ProbeFile& file)
 }
 
 /// The diameter asked for, or that of the records, which have to agree.
-double diameterOf(const Records& records, const TrajectoryParameters& parameters)
+double diameterOf(const Records& records, const TrajectoryParameters& parameters, UsedValues& used)
 {
-    if (parameters.workpiece_diameter_mm) return *parameters.workpiece_diameter_mm;
     std::optional<double> first;
+    if (parameters.workpiece_diameter_mm)
+        return resolve<TrajectoryParameters>(used, "workpiece_diameter_mm", parameters.workpiece_diameter_mm, {}, 0.0);
     for (const io::ProbeFile* file : records) {
         auto stated = io::headerNumber(headerOf(*file), "D_mm");
         if (!stated) stated = io::headerNumber(headerOf(*file), "workpiece_diameter_mm");
@@ -57,7 +58,7 @@ double diameterOf(const Records& records, const TrajectoryParameters& parameters
                                                 {"found", *stated}});
         first = stated;
     }
-    return first.value();
+    return resolve<TrajectoryParameters>(used, "workpiece_diameter_mm", {}, first.value(), 0.0);
 }
 
 std::vector<double> parsePlaces(const std::string& typed)
@@ -136,9 +137,11 @@ void noteFormNotMeasured(TrajectoryResult& result)
                              {"asynchronous_um", rounded(worst->spindle.asynchronous_um)}}});
 }
 
-std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prepared,
-                       const TrajectoryParameters& parameters, Notes& notes, const Progress& progress)
+std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prepared, TrajectoryResult& result,
+                       const Progress& progress)
 {
+    const TrajectoryParameters& parameters = result.parameters;
+    Notes& notes = result.notes;
     if (parameters.feed_mm_rev && (records.size() != 1 || !parameters.z_mm.empty()))
         throw Error(errors::valueNotUnderstood,
                     {{"parameter", "feed_mm_rev"},
@@ -162,8 +165,11 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
         }
         const auto& record = std::get<io::ProbeRecord>(records[i]->record);
         const PreparedRecord& ready = prepared.emplace_back(prepare(record, path, parameters, notes));
+        for (const UsedValue& value : ready.used)
+            if (!std::count(result.used.begin(), result.used.end(), value)) result.used.push_back(value);
         std::vector<RecordSegment> segments;
-        if (const auto segmentation = records.size() == 1 ? segmentationOf(record, parameters, notes) : std::nullopt) {
+        if (const auto segmentation =
+                records.size() == 1 ? segmentationOf(record, parameters, notes, result.used) : std::nullopt) {
             segments = segmentRecord(ready, parameters, *segmentation);
         } else {
             segments.push_back(wholeRecord(ready, parameters));
@@ -271,14 +277,14 @@ TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records, co
     TrajectoryResult result;
     result.parameters = parameters;
     if (records.empty()) return result;
-    result.workpiece_diameter_mm = diameterOf(records, parameters);
+    result.workpiece_diameter_mm = diameterOf(records, parameters, result.used);
     for (const io::ProbeFile* file : records)
         for (const auto& [key, value] : headerOf(*file))
             if (!find(result.cutting, key)) result.cutting.emplace_back(key, value);
 
     std::vector<PreparedRecord> prepared;
-    const std::vector<Task> tasks = plan(records, prepared, parameters, result.notes,
-                                         progress.part(0, 0.2, LT_TEXT("Engine", "Finding revolutions")));
+    const std::vector<Task> tasks =
+        plan(records, prepared, result, progress.part(0, 0.2, LT_TEXT("Engine", "Finding revolutions")));
 
     const Progress evaluating = progress.part(0.2, 0.8, LT_TEXT("Engine", "Evaluating sections"));
     result.sections.resize(tasks.size());

@@ -14,6 +14,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/profile.h"
 #include "engine/core/progress.h"
+#include "engine/core/used_value.h"
 #include "engine/form/roundness/roundness.h"
 #include "engine/io/probe/probe_reader.h"
 
@@ -21,6 +22,17 @@ namespace lathelier::trajectory {
 
 enum class Rotation { Same, Opposite };  ///< the body angle runs as the recorded one, or against it
 enum class Drift { None, Section };      ///< Section: the slope within and between revolutions; the mean stays
+
+enum class Probe { X3, Y3, Xp, Yp };
+
+/// What the certificate of a displacement probe says.
+struct ProbeCalibration {
+    Probe probe = Probe::X3;           ///< which one
+    double sensitivity_um_per_V = 50;  ///< of its channel, when that is recorded in volts
+    std::string calibrated;            ///< date or number of the certificate; may be empty
+};
+
+const std::vector<Field<ProbeCalibration>>& fieldsOf(const ProbeCalibration*);
 
 struct TrajectoryParameters {
     std::optional<double> workpiece_diameter_mm;            ///< default: the record's own ("D_mm"); else Error
@@ -30,6 +42,7 @@ struct TrajectoryParameters {
     std::string channels = "marker=0,X3=1,Y3=2,Xp=3,Yp=4";  ///< places among the record's channels; "angle=0" too;
                                                             ///< "-X3=1" turns a sign
     std::optional<double> sensitivity_um_per_V;  ///< of displacement channels in volts; none: assumed, with a note
+    std::vector<ProbeCalibration> probes;        ///< where single probes differ from that; each at most once
     std::optional<double> marker_threshold_V;    ///< default: half way between its levels
     Rotation rotation = Rotation::Same;          ///< sense of the body angle against the recorded one
     std::string z_mm;                            ///< "5,10,15": one for each record
@@ -56,8 +69,6 @@ struct ErrorMotion {
     double total_um = 0;                       ///< likewise
     std::vector<double> synchronous_curve_um;  ///< mean for each angle, k = 0 and 1 removed
 };
-
-enum class Probe { X3, Y3, Xp, Yp };
 
 struct TrajectorySection {
     int section = 0;                                         ///< number from 1, or that of an averaged file
@@ -103,6 +114,7 @@ struct LongitudinalSection {
 struct TrajectoryResult {
     TrajectoryParameters parameters;          ///< as asked
     double workpiece_diameter_mm = 0;         ///< used
+    UsedValues used;                          ///< what may be left open, and who said it
     Values cutting;                           ///< what the records say of themselves: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;  ///< in the order of the records
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
@@ -120,10 +132,10 @@ struct TrajectoryResult {
 /// threads.
 /// Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
 /// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;
-/// valueNotUnderstood (channels, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown, revolutionsRejected,
-/// fewerRevolutions, revolutionsIncomplete, revolutionsUnused, noCylindricity, speedDiffers, Channel…,
-/// displacementsLarge, motionOutliers, averagesOnly, formNotMeasured, zUnknown or tooFewSections (no longitudinal
-/// section), valueAssumed, sizeReferenced, mandrelFloor; those of roundness() once each. Throws Cancelled.
+/// valueNotUnderstood (channels, probes, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown,
+/// revolutionsRejected, fewerRevolutions, revolutionsIncomplete, revolutionsUnused, noCylindricity, speedDiffers,
+/// Channel…, displacementsLarge, motionOutliers, averagesOnly, formNotMeasured, zUnknown or tooFewSections (no
+/// longitudinal section), valueAssumed, sizeReferenced, mandrelFloor; those of roundness() once each. Throws Cancelled.
 TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records,
                             const TrajectoryParameters& parameters = {}, const Progress& progress = {});
 TrajectoryResult trajectory(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {},

@@ -17,6 +17,25 @@ std::vector<Field<TrajectoryParameters>> formFields()
 
 }  // namespace
 
+const std::vector<Field<ProbeCalibration>>& fieldsOf(const ProbeCalibration*)
+{
+    using P = ProbeCalibration;
+    static const std::vector<Field<P>> all{
+        field("probe", &P::probe,
+              {{"X3", LT_TEXT("Engine", "X3")},
+               {"Y3", LT_TEXT("Engine", "Y3")},
+               {"Xp", LT_TEXT("Engine", "Xp")},
+               {"Yp", LT_TEXT("Engine", "Yp")}},
+              Label{LT_TEXT("Engine", "Probe"), LT_TEXT("Engine", "The signal that it gives.")}),
+        field("sensitivity_um_per_V", &P::sensitivity_um_per_V, Range{1e-6, 1e6},
+              Label{LT_TEXT("Engine", "Sensitivity"), LT_TEXT("Engine", "By its calibration certificate."),
+                    LT_TEXT("Engine", "µm/V")}),
+        field("calibrated", &P::calibrated,
+              Label{LT_TEXT("Engine", "Calibrated"), LT_TEXT("Engine", "Date of the calibration, for the report.")}),
+    };
+    return all;
+}
+
 const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParameters*)
 {
     using P = TrajectoryParameters;
@@ -54,6 +73,13 @@ const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParamet
                             "Engine",
                             "Of displacement channels recorded in volts; others need none. Not given: 50 is assumed."),
                         LT_TEXT("Engine", "µm/V"), true}),
+            rows("probes", &P::probes, Range{0, 4},
+                 Label{LT_TEXT("Engine", "Calibration of single probes"),
+                       LT_TEXT("Engine",
+                               "Where probes differ: signal, sensitivity, date of the calibration; X3,49.8,2026-01-31;"
+                               "Y3,50.2."),
+                       {},
+                       true}),
             field("marker_threshold_V", &P::marker_threshold_V, Range{-1000, 1000},
                   Label{LT_TEXT("Engine", "Marker threshold"),
                         LT_TEXT("Engine", "By default half way between the marker's two levels."),

@@ -108,9 +108,10 @@ report::Section motionSection(const TrajectorySection& worst, double workpiece_d
 
 }  // namespace
 
-report::Answer motionAnswer(const TrajectorySection& section, const Language& language)
+report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section, const Language& language)
 {
     report::Answer answer;
+    answer.used = result.used;
     answer.quantity = LT_TEXT("Engine", "Motion of the workpiece axis");
     answer.value = section.spindle.total_um;
     answer.unit = LT_TEXT("Engine", "µm");
@@ -128,6 +129,7 @@ report::Answer answer(const TrajectoryResult& result, const Language& language)
 {
     report::Answer answer;
     const Text um = LT_TEXT("Engine", "µm");
+    answer.used = result.used;
     answer.quantity = "RONt(" + std::string(name(result.parameters.form.circle)) + ")";
     answer.unit = um;
     answer.decimals = 1;
@@ -187,7 +189,7 @@ report::Section trajectoryMethod(const TrajectoryResult& result, const Language&
             "A = (X3, Y3), P = (D/2 + Xp, Yp), at the angle of the spindle plus atan2(Y3 - Yp, D/2 - X3 + Xp). "
             "Diameters are referenced to the nominal one. Roundness by ISO 12181 about the fitted centre."),
         {}});
-    method.blocks.push_back(report::parametersTable(result.parameters, language));
+    method.blocks.push_back(report::parametersTable(result.parameters, language, result.used));
     return method;
 }
 

@@ -1,6 +1,8 @@
 // The title block of a project's reports: asked for, undone, kept for the next project, printed.
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QFile>
+#include <QImage>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTimer>
@@ -8,6 +10,7 @@
 
 #include "app/gui/report_command.h"
 #include "app/gui/title_block_dialog.h"
+#include "engine/report/html.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/core/form/form.h"
 
@@ -32,6 +35,35 @@ private slots:
         session_->reset();
         QCOMPARE(titleBlockOf(session_->project()).company, std::string("Works 4"));
         QCOMPARE(titleBlockOf(session_->project()).part, std::string());
+    }
+
+    void theLogoIsReadMadeSmallAndPrinted()
+    {
+        const QString path = folder_.filePath("logo.png");
+        QImage picture(2000, 500, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(path));
+        const std::string logo = readLogo(path);
+        const QImage small = QImage::fromData(QByteArray::fromBase64(QByteArray::fromStdString(logo)));
+        QCOMPARE(small.width(), 640);
+        QCOMPARE(small.height(), 160);
+        QFile text(folder_.filePath("logo.txt"));
+        QVERIFY(text.open(QIODevice::WriteOnly));
+        text.write("no picture");
+        text.close();
+        QVERIFY_EXCEPTION_THROWN(readLogo(text.fileName()), Error);
+
+        report::TitleBlock block;
+        block.logo_png_base64 = logo;
+        QVERIFY(rowsOf(block).empty());
+        report::Document document;
+        document.title = std::string("Report");
+        setTitleBlock(document, block);
+        QVERIFY(report::toHtml(document).find("data:image/png;base64," + logo) != std::string::npos);
+        TitleBlockDialog dialog(block);
+        QCOMPARE(dialog.block().logo_png_base64, logo);
+        dialog.findChild<QPushButton*>("withoutLogo")->click();
+        QVERIFY(dialog.block().logo_png_base64.empty());
     }
 
     void cancelChangesNothing()

@@ -10,6 +10,7 @@
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
+#include "widgets/plot/colour_legend.h"
 
 namespace lathelier::compare_panel {
 namespace {
@@ -110,8 +111,10 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     for (plot::ChartView* chart : {p.along, p.meridian})
         connect(chart, &plot::PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
     connect(p.zones, &ZoneTable::zonePicked, this, pickZ);
-    connect(p.scene, &scene::SceneView::limitEdited, this, [this](double limit) { setLimit(limit); });
-    connect(p.map, &plot::MapView::limitEdited, this, [this](double limit) { setLimit(limit); });
+    connect(p.scene, &scene::SceneView::limitEdited, this,
+            [this](double upper, double lower) { setLimit(upper, lower > 0 ? std::optional(lower) : std::nullopt); });
+    connect(p.map, &plot::MapView::limitEdited, this,
+            [this](double upper, double lower) { setLimit(upper, lower > 0 ? std::optional(lower) : std::nullopt); });
     connect(p.histogram, &plot::ChartView::handleMoved, this,
             [this](const QString&, double value, double, bool dropped) {
                 const double tolerance_mm = std::max(std::abs(value), leastTolerance_mm);
@@ -159,6 +162,7 @@ void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& pictu
     p.picture = picture;
     if (!sameScans && !p.restored) {
         p.chosenLimit.reset();
+        p.chosenLower.reset();
         p.chosenFactor.reset();
     }
     if (!sameScans) p.place.reset();
@@ -197,6 +201,7 @@ Values CompareViews::view() const
                 {"surface", std::string(p.overlay->isChecked() ? "overlay" : "deviation")},
                 {"local_mean", p.smooth->isChecked()},
                 {"scale_limit_mm", p.chosenLimit ? Value(*p.chosenLimit) : Value()},
+                {"scale_lower_mm", p.chosenLower ? Value(*p.chosenLower) : Value()},
                 {"magnification", p.chosenFactor ? Value(*p.chosenFactor) : Value()}};
     if (std::vector<double> camera = p.scene->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
     return kept;
@@ -220,6 +225,7 @@ void CompareViews::restoreView(const Values& kept)
     (is("surface", std::string("overlay")) ? p.overlay : p.deviation)->setChecked(true);
     p.smooth->setChecked(!is("local_mean", false));
     p.chosenLimit = number("scale_limit_mm");
+    p.chosenLower = number("scale_lower_mm");
     p.chosenFactor = number("magnification");
     p.restored = true;
     if (const Value* camera = lathelier::find(kept, "camera"))
@@ -238,6 +244,10 @@ void CompareViews::showCharts()
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
     p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
+    const plot::ScaleCounts counts{result.histogram.edges_mm,
+                                   {result.histogram.counts.begin(), result.histogram.counts.end()}};
+    p.scene->setCounts(counts);
+    p.map->setCounts(counts);
     if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
     if (!p.hasAxis()) return;
     const double factor = p.factor->value();
@@ -289,6 +299,7 @@ void CompareViews::showSurface()
 void CompareViews::recolour(std::optional<double> tolerance_mm)
 {
     report::DeviationColours colours{limit_mm(), tolerance_mm};
+    colours.lower = parts_->chosenLower;
     if (!tolerance_mm && parts_->smooth->isChecked()) {
         colours.steps = registration::kContourSteps;
         if (parts_->picture) colours.marked = parts_->result().parameters.tolerance_mm;
@@ -297,9 +308,10 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
     parts_->scene->setColours(colours);
 }
 
-void CompareViews::setLimit(std::optional<double> limit_mm)
+void CompareViews::setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm)
 {
     parts_->chosenLimit = limit_mm;
+    parts_->chosenLower = limit_mm ? lower_mm : std::nullopt;
     recolour(parts_->greenWithin());
 }
 
@@ -364,25 +376,21 @@ std::vector<report::Picture> CompareViews::pictures()
     Parts& p = *parts_;
     std::vector<report::Picture> pictures;
     if (!p.picture || !p.scene->canDraw()) return pictures;
-    const QString hero = p.heroes->hero();
     QToolButton* before = p.deviation->isChecked() ? p.deviation : p.overlay;
-    const QSignalBlocker quiet(p.heroes);  // for the pictures only
-    p.heroes->setHero(view::part);
     const auto take = [&](const Text& title, scene::SceneViewpoint viewpoint) {
-        const QImage image = p.scene->picture(viewpoint);
+        const QImage image = p.scene->paperPicture(viewpoint);
         if (!image.isNull()) pictures.push_back({title, pngOf(image)});
     };
-    p.overlay->setChecked(true);
-    showSurface();
-    take(LT_TEXT("Engine", "Original (blue) and copy (red), oblique"), scene::SceneViewpoint::Oblique);
-    take(LT_TEXT("Engine", "Original (blue) and copy (red), from the side"), scene::SceneViewpoint::Side);
     p.deviation->setChecked(true);
     showSurface();
     take(LT_TEXT("Engine", "Deviation of the copy, oblique"), scene::SceneViewpoint::Oblique);
     take(LT_TEXT("Engine", "Deviation of the copy, from the side"), scene::SceneViewpoint::Side);
+    p.overlay->setChecked(true);
+    showSurface();
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), oblique"), scene::SceneViewpoint::Oblique);
+    take(LT_TEXT("Engine", "Original (blue) and copy (red), from the side"), scene::SceneViewpoint::Side);
     before->setChecked(true);
     showSurface();
-    p.heroes->setHero(hero);
     return pictures;
 }
 

@@ -29,8 +29,8 @@ public:
     void setPlace(const std::optional<ComparePlace>& place);
     const std::optional<ComparePlace>& place() const;
 
-    /// Half width of the colour scale; none: chosen from the data.
-    void setLimit(std::optional<double> limit_mm);
+    /// Ends of the colour scale; no upper one: chosen from the data; no lower one: as far below 0 as above.
+    void setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm = {});
     double limit_mm() const;
 
     /// 3-D pictures for the report: overlay and deviation, oblique and from the side. Empty without OpenGL.

@@ -28,6 +28,10 @@ public:
     /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
     void edit(const QString& text, const std::function<void(project::Project&)>& change, const QString& mergeKey = {});
 
+    /// Parameters that new evaluations begin with, by key, in place of the defaults: the user's settings.
+    void setStartingValues(const Values& values) { starting_ = values; }
+    const Values& startingValues() const { return starting_; }
+
     /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
     void setWorkspace(const std::string& id);
 
@@ -98,6 +102,7 @@ private:
     project::Project forDisk() const;
 
     project::Project project_;
+    Values starting_;
     QString path_;
     std::string sha256_;  ///< of the project file as it was opened or saved here
     int opened_ = 0;

@@ -90,7 +90,8 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     for (plot::ChartView* chart : {radius_, axis_})
         connect(chart, &plot::PlotCanvas::clicked, this,
                 [this](double z_mm, double) { markPlace(z_mm, place_ ? place_->y() : 90); });
-    connect(scene_, &scene::SceneView::limitEdited, this, [this](double limit_mm) { recolour(1000 * limit_mm); });
+    connect(scene_, &scene::SceneView::limitEdited, this,
+            [this](double upper_mm, double lower_mm) { recolour(1000 * upper_mm, 1000 * lower_mm); });
     connect(map_, &plot::MapView::limitEdited, this, &CylindricityViews::recolour);
     for (plot::PlotCanvas* canvas : {static_cast<plot::PlotCanvas*>(map_), static_cast<plot::PlotCanvas*>(radius_),
                                      static_cast<plot::PlotCanvas*>(axis_)})
@@ -106,7 +107,7 @@ void CylindricityViews::setPicture(const std::shared_ptr<const CylindricityPictu
     if (new_surface) {
         place_.reset();
         showPart();
-        recolour(colourLimit_um(*picture->surface));
+        recolour(colourLimit_um(*picture->surface), 0);
     }
     showCharts();
     showPlace();
@@ -153,10 +154,14 @@ void CylindricityViews::showCharts()
     synthetic_->setVisible(picture_->synthetic);
 }
 
-void CylindricityViews::recolour(double limit_um)
+void CylindricityViews::recolour(double upper_um, double lower_um)
 {
-    map_->setColours({limit_um, {}});
-    scene_->setColours({limit_um / 1000, {}});
+    report::DeviationColours colours{upper_um};
+    if (lower_um > 0) colours.lower = lower_um;
+    map_->setColours(colours);
+    colours.limit /= 1000;
+    if (colours.lower) *colours.lower /= 1000;
+    scene_->setColours(colours);
 }
 
 void CylindricityViews::markPlace(double z_mm, double angle_deg)

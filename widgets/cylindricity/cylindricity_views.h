@@ -44,7 +44,7 @@ private:
     void showPart();
     void showCharts();
     void showPlace();
-    void recolour(double limit_um);
+    void recolour(double upper_um, double lower_um);
 
     std::shared_ptr<const CylindricityPicture> picture_;
     std::optional<QPointF> place_;

@@ -63,9 +63,11 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
         on.weights.maxCoeff(&corner);
         choose(on.corners[static_cast<std::size_t>(corner)]);
     });
-    connect(scene_, &scene::SceneView::limitEdited, this, [this](double limit_um) {
-        limit_um_ = limit_um;
-        scene_->setColours({limit_um, {}});
+    connect(scene_, &scene::SceneView::limitEdited, this, [this](double upper_um, double lower_um) {
+        limit_um_ = upper_um;
+        report::DeviationColours colours{upper_um};
+        if (lower_um > 0) colours.lower = lower_um;
+        scene_->setColours(colours);
     });
     connect(profile_, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) {
         const auto& sections = picture_->trajectory->sections;
@@ -193,7 +195,7 @@ std::vector<report::Picture> LongitudinalViews::pictures()
 {
     std::vector<report::Picture> pictures;
     if (!stack_.scan || !scene_->canDraw()) return pictures;
-    const QImage image = scene_->picture(scene::SceneViewpoint::Oblique);
+    const QImage image = scene_->paperPicture(scene::SceneViewpoint::Oblique);
     if (image.isNull()) return pictures;
     QByteArray bytes;
     QBuffer buffer(&bytes);

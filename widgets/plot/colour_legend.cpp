@@ -1,9 +1,13 @@
 #include "widgets/plot/colour_legend.h"
 
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace lathelier::plot {
@@ -19,10 +23,10 @@ std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
 {
     std::vector<Tick> ticks;
     for (const std::optional<double>& line : {colours.tolerance, colours.marked})
-        if (line && *line > 0 && *line < colours.limit)
-            for (const double sign : {-1.0, 1.0}) ticks.push_back({sign * *line, true});
+        for (const double sign : {-1.0, 1.0})
+            if (line && *line > 0 && *line < colours.endOf(sign)) ticks.push_back({sign * *line, true});
     for (const double share : {-1.0, 1.0, 0.0, -0.5, 0.5}) {
-        const double value = share * colours.limit;
+        const double value = share * colours.endOf(share);
         bool free = true;
         for (const Tick& tick : ticks) free = free && std::abs(tick.value - value) > apart;
         if (free) ticks.push_back({value, false});
@@ -46,33 +50,63 @@ QString signedNumber(const Tick& tick, double limit, const QLocale& locale)
     return value < 0 ? QChar(0x2212) + text : text;
 }
 
+double countsWidth(const ScaleCounts& counts, double line)
+{
+    return counts.counts.empty() ? 0 : 2.2 * line;
+}
+
+/// Bars that grow from the scale to the left, the highest as wide as `room`.
+void paintCounts(QPainter& painter, const QRectF& room, const Legend& legend, const QColor& text)
+{
+    const auto& [edges, counts] = legend.counts;
+    if (counts.empty() || edges.size() != counts.size() + 1) return;
+    const double most = *std::max_element(counts.begin(), counts.end());
+    if (!(most > 0)) return;
+    const double least = legend.colours.least(), range = legend.colours.limit - least;
+    QColor fill = text;
+    fill.setAlphaF(0.45);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double from = std::max(edges[i], least), to = std::min(edges[i + 1], legend.colours.limit);
+        if (!(to > from)) continue;
+        const double width = counts[i] / most * (room.width() - 3);
+        painter.fillRect(QRectF(room.right() - 1 - width, room.bottom() - (to - least) / range * room.height(), width,
+                                (to - from) / range * room.height()),
+                         fill);
+    }
+}
+
 }  // namespace
 
-void paintColourLegend(QPainter& painter, const QRectF& room, const report::DeviationColours& colours,
-                       const QString& title, const QFont& font, const QColor& text, const QLocale& locale)
+void paintColourLegend(QPainter& painter, const QRectF& room, const Legend& legend, const QFont& font,
+                       const QColor& text, const QLocale& locale)
 {
+    const report::DeviationColours& colours = legend.colours;
     const QFontMetricsF metrics(font);
     const double line = metrics.height();
     painter.save();
     painter.setFont(font);
     painter.setPen(text);
-    painter.drawText(QRectF(room.left(), room.top(), room.width(), line), Qt::AlignLeft | Qt::AlignVCenter, title);
-    const QRectF bar(room.left(), room.top() + 1.7 * line, 1.1 * line, room.height() - 2.4 * line);
+    painter.drawText(QRectF(room.left(), room.top(), room.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
+                     legend.title);
+    const double aside = countsWidth(legend.counts, line);
+    const QRectF bar(room.left() + aside, room.top() + 1.7 * line, 1.1 * line, room.height() - 2.4 * line);
     if (bar.height() < 2 * line) return painter.restore();
 
-    const double limit = colours.limit;
-    const auto height = [&](double value) { return bar.center().y() - value / limit * bar.height() / 2; };
+    const double limit = std::max(colours.limit, -colours.least());
+    const double least = colours.least(), range = colours.limit - least;
+    const auto height = [&](double value) { return bar.bottom() - (value - least) / range * bar.height(); };
     const int rows = std::max(1, static_cast<int>(bar.height()));
     for (int row = 0; row < rows; ++row) {
-        const report::Rgb c = colours(limit * (1 - 2 * (row + 0.5) / rows));
+        const report::Rgb c = colours(colours.limit - range * (row + 0.5) / rows);
         painter.fillRect(
             QRectF(bar.left(), bar.top() + row * bar.height() / rows, bar.width(), bar.height() / rows + 0.6),
             QColor(c.red, c.green, c.blue));
     }
+    paintCounts(painter, QRectF(bar.left() - aside, bar.top(), aside, bar.height()), legend, text);
     painter.setPen(QPen(text, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
-    for (const Tick& tick : ticksOf(colours, 2.2 * limit * line / bar.height())) {
+    for (const Tick& tick : ticksOf(colours, 1.1 * range * line / bar.height())) {
         const double y = height(tick.value);
         painter.setPen(QPen(text, tick.tolerance ? 2 : 1));
         painter.drawLine(QPointF(tick.tolerance ? bar.left() : bar.right(), y), QPointF(bar.right() + 0.3 * line, y));
@@ -85,45 +119,84 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const report::Devi
     painter.restore();
 }
 
-int colourLegendWidth(const report::DeviationColours& colours, const QString& title, const QFont& font,
-                      const QLocale& locale)
+int colourLegendWidth(const Legend& legend, const QFont& font, const QLocale& locale)
 {
+    const report::DeviationColours& colours = legend.colours;
     QFont bold = font;
     bold.setBold(true);
     const QFontMetricsF metrics(bold);
     double widest = 0;
     for (const Tick& tick : ticksOf(colours, 0))
-        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(tick, colours.limit, locale)));
-    return static_cast<int>(std::ceil(
-        std::max(1.8 * QFontMetricsF(font).height() + widest, QFontMetricsF(font).horizontalAdvance(title) + 2)));
+        widest = std::max(
+            widest, metrics.horizontalAdvance(signedNumber(tick, std::max(colours.limit, -colours.least()), locale)));
+    const double line = QFontMetricsF(font).height();
+    return static_cast<int>(std::ceil(std::max(countsWidth(legend.counts, line) + 1.8 * line + widest,
+                                               QFontMetricsF(font).horizontalAdvance(legend.title) + 2)));
 }
 
-LimitEdit::LimitEdit(QWidget* parent) : QWidget(parent), box_(new QDoubleSpinBox(this))
+LimitEdit::LimitEdit(QWidget* parent)
+    : QWidget(parent), upper_(new QDoubleSpinBox(this)), lower_(new QDoubleSpinBox(this)), apart_(new QToolButton(this))
 {
-    auto* layout = new QVBoxLayout(this);
+    auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(box_);
-    box_->setDecimals(4);
-    box_->setRange(0.0001, 1000);
-    box_->setPrefix(QStringLiteral("± "));
-    box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box_->setKeyboardTracking(false);
-    box_->setToolTip(tr("The colour scale runs from minus to plus this many mm."));
-    box_->setAccessibleName(tr("Limit of the colour scale in mm"));
-    setFocusProxy(box_);
-    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &LimitEdit::edited);
+    layout->setSpacing(2);
+    layout->addWidget(upper_, 0, 0);
+    layout->addWidget(apart_, 0, 1);
+    layout->addWidget(lower_, 1, 0);
+    for (QDoubleSpinBox* box : {upper_, lower_}) {
+        box->setDecimals(4);
+        box->setRange(0.0001, 1000);
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        box->setKeyboardTracking(false);
+        connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { announce(); });
+    }
+    lower_->setPrefix(QString(QChar(0x2212)) + ' ');
+    upper_->setObjectName("scaleUpper");
+    lower_->setObjectName("scaleLower");
+    apart_->setObjectName("scaleApart");
+    apart_->setText(QString(QChar(0x2260)));
+    apart_->setCheckable(true);
+    apart_->setAutoRaise(true);
+    connect(apart_, &QToolButton::toggled, this, [this] {
+        lower_->setValue(upper_->value());
+        showSides();
+        announce();
+    });
+    setFocusProxy(upper_);
+    showSides();
 }
 
-void LimitEdit::setLimit(double limit)
+void LimitEdit::showSides()
 {
-    const QSignalBlocker quiet(box_);
-    box_->setDecimals(limit < 0.01 ? 5 : limit < 0.1 ? 4 : 3);
-    box_->setValue(limit);
+    const bool apart = apart_->isChecked();
+    upper_->setPrefix(apart ? QStringLiteral("+ ") : QStringLiteral("± "));
+    upper_->setToolTip(apart ? tr("Upper end of the colour scale in mm")
+                             : tr("The colour scale runs from minus to plus this many mm."));
+    upper_->setAccessibleName(tr("Limit of the colour scale in mm"));
+    lower_->setToolTip(tr("How far below 0 the colour scale goes, in mm"));
+    lower_->setAccessibleName(lower_->toolTip());
+    apart_->setToolTip(tr("Each side of the scale by itself"));
+    apart_->setAccessibleName(apart_->toolTip());
+    lower_->setVisible(apart);
+    adjustSize();
 }
 
-double LimitEdit::limit() const
+void LimitEdit::announce()
 {
-    return box_->value();
+    emit edited(upper_->value(), apart_->isChecked() ? lower_->value() : 0);
+}
+
+void LimitEdit::setColours(const report::DeviationColours& colours)
+{
+    const QSignalBlocker quiet[]{QSignalBlocker(upper_), QSignalBlocker(lower_), QSignalBlocker(apart_)};
+    const auto show = [](QDoubleSpinBox* box, double limit) {
+        box->setDecimals(limit < 0.01 ? 5 : limit < 0.1 ? 4 : 3);
+        box->setValue(limit);
+    };
+    apart_->setChecked(colours.lower.has_value());
+    show(upper_, colours.limit);
+    show(lower_, -colours.least());
+    showSides();
 }
 
 ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent), edit_(new LimitEdit(this))
@@ -137,22 +210,29 @@ ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent), edit_(new LimitEd
 
 void ColourLegend::setTitle(const QString& title)
 {
-    title_ = title;
+    legend_.title = title;
     updateGeometry();
     update();
 }
 
 void ColourLegend::setColours(const report::DeviationColours& colours)
 {
-    colours_ = colours;
-    edit_->setLimit(colours.limit);
+    legend_.colours = colours;
+    edit_->setColours(colours);
+    updateGeometry();
+    update();
+}
+
+void ColourLegend::setCounts(ScaleCounts counts)
+{
+    legend_.counts = std::move(counts);
     updateGeometry();
     update();
 }
 
 QSize ColourLegend::sizeHint() const
 {
-    const int wide = colourLegendWidth(colours_, title_, font(), locale());
+    const int wide = colourLegendWidth(legend_, font(), locale());
     return {std::max(wide + 8, edit_->sizeHint().width()), 14 * fontMetrics().height() + edit_->sizeHint().height()};
 }
 
@@ -160,7 +240,7 @@ void ColourLegend::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintColourLegend(painter, QRectF(rect()).adjusted(4, 2, 0, -edit_->height() - 2), colours_, title_, font(),
+    paintColourLegend(painter, QRectF(rect()).adjusted(4, 2, 0, -edit_->height() - 2), legend_, font(),
                       palette().color(QPalette::WindowText), locale());
 }
 

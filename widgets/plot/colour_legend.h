@@ -1,37 +1,57 @@
 // The colour scale of signed deviations, always shown beside what it colours, with its limit to edit.
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <vector>
 
 #include "engine/report/colours.h"
 
 class QDoubleSpinBox;
 class QPainter;
+class QToolButton;
 
 namespace lathelier::plot {
 
-/// Paints title, bar, numbers and the marks of the tolerance into `room`.
-void paintColourLegend(QPainter& painter, const QRectF& room, const report::DeviationColours& colours,
-                       const QString& title, const QFont& font, const QColor& text, const QLocale& locale);
+/// How many values there are of each size, drawn beside the scale.
+struct ScaleCounts {
+    std::vector<double> edges;   ///< ascending, one more than counts; empty: nothing is drawn
+    std::vector<double> counts;  ///< of each bin, of any sum
+};
+
+/// What a legend shows.
+struct Legend {
+    report::DeviationColours colours;
+    ScaleCounts counts;
+    QString title;
+};
+
+/// Paints title, bar, numbers, the marks of the tolerance and the counts into `room`.
+void paintColourLegend(QPainter& painter, const QRectF& room, const Legend& legend, const QFont& font,
+                       const QColor& text, const QLocale& locale);
 
 /// The narrowest width in which the numbers of a legend fit.
-int colourLegendWidth(const report::DeviationColours& colours, const QString& title, const QFont& font,
-                      const QLocale& locale);
+int colourLegendWidth(const Legend& legend, const QFont& font, const QLocale& locale);
 
-/// The edit field of a scale's limit: "± 0.15 mm".
+/// The ends of a scale: "± 0.15", or each side by itself.
 class LimitEdit : public QWidget {
     Q_OBJECT
 
 public:
     explicit LimitEdit(QWidget* parent = nullptr);
-    void setLimit(double limit);
-    double limit() const;
+    void setColours(const report::DeviationColours& colours);
 
 signals:
-    void edited(double limit);
+    /// `lower`: how far the scale is to go below 0; 0: as far as above.
+    void edited(double upper, double lower);
 
 private:
-    QDoubleSpinBox* box_;
+    void showSides();
+    void announce();
+
+    QDoubleSpinBox* upper_;
+    QDoubleSpinBox* lower_;
+    QToolButton* apart_;
 };
 
 /// Legend and limit as one widget, to lie over a picture.
@@ -42,17 +62,17 @@ public:
     explicit ColourLegend(QWidget* parent = nullptr);
     void setTitle(const QString& title);
     void setColours(const report::DeviationColours& colours);
+    void setCounts(ScaleCounts counts);
     QSize sizeHint() const override;
 
 signals:
-    void limitEdited(double limit);
+    void limitEdited(double upper, double lower);  ///< as LimitEdit::edited()
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QString title_;
-    report::DeviationColours colours_;
+    Legend legend_;
     LimitEdit* edit_;
 };
 

@@ -54,8 +54,7 @@ private:
 class LegendInMargin : public QCPLayerable {
 public:
     explicit LegendInMargin(QCustomPlot* plot) : QCPLayerable(plot, "axes") {}
-    report::DeviationColours colours;
-    QString title;
+    Legend shown;
     QFont font;
     QColor text;
     QLocale locale;
@@ -63,10 +62,7 @@ public:
 
     bool is_shown = true;
 
-    int width() const
-    {
-        return !is_shown ? 0 : std::max(narrowest, colourLegendWidth(colours, title, font, locale) + gap);
-    }
+    int width() const { return !is_shown ? 0 : std::max(narrowest, colourLegendWidth(shown, font, locale) + gap); }
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
@@ -74,8 +70,8 @@ protected:
     {
         if (!is_shown) return;
         const QRectF axes = parentPlot()->axisRect()->rect();
-        paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8),
-                          colours, title, font, text, locale);
+        paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8), shown,
+                          font, text, locale);
     }
 
 private:
@@ -134,7 +130,7 @@ void MapView::setData(report::ColourMap data)
     content_->data = std::move(data);
     const report::ColourMap& d = content_->data;
     setTitles(chartText(d.title), {}, chartText(d.x), chartText(d.y));
-    content_->legend->title = chartText(d.value);
+    content_->legend->shown.title = chartText(d.value);
     recolour();
     refresh(same);
     placeEdit();
@@ -143,9 +139,16 @@ void MapView::setData(report::ColourMap data)
 void MapView::setColours(const report::DeviationColours& colours)
 {
     content_->colours = colours;
-    content_->legend->colours = colours;
-    content_->edit->setLimit(colours.limit);
+    content_->legend->shown.colours = colours;
+    content_->edit->setColours(colours);
     recolour();
+    placeEdit();
+    redraw();
+}
+
+void MapView::setCounts(ScaleCounts counts)
+{
+    content_->legend->shown.counts = std::move(counts);
     placeEdit();
     redraw();
 }

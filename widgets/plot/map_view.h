@@ -5,6 +5,8 @@
 
 namespace lathelier::plot {
 
+struct ScaleCounts;
+
 class MapView : public PlotCanvas {
     Q_OBJECT
 
@@ -18,6 +20,7 @@ public:
 
     /// Recolours at once.
     void setColours(const report::DeviationColours& colours);
+    void setCounts(ScaleCounts counts);  ///< beside the scale
 
     /// Marks one place, picked here or in a linked view.
     void setMarker(std::optional<QPointF> place);
@@ -29,7 +32,7 @@ public:
     QString csv() const override;
 
 signals:
-    void limitEdited(double limit);  ///< the user wants another scale
+    void limitEdited(double upper, double lower);  ///< the user wants another scale; as LimitEdit::edited()
 
 protected:
     void applyStyle() override;

@@ -70,12 +70,14 @@ void RoundnessPanel::showPlace(const report::Place& place)
 report::Answer RoundnessPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     report::Answer answer = form::answer(*picture.roundness(), screenLanguage());
-    if (const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection())
+    if (const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection()) {
+        answer.used = picture.trajectory->used;
         answer.subject = tr("section %1 of %2")
                              .arg(section->section)
                              .arg(picture.trajectory->sections.size())
                              .replace(' ', QChar::Nbsp)  // one thing, on one line
                              .toStdString();
+    }
     return answer;
 }
 

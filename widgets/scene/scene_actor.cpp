@@ -160,15 +160,15 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
                             static_cast<std::uint8_t>(object.colour.blue())};
     // A table spares evaluating the colour rule (powers and roots) a million times.
     constexpr int steps = 4096;
+    const double least = colours.least(), range = colours.limit - least;
     std::vector<report::Rgb> table(steps + 1);
-    for (int i = 0; i <= steps; ++i)
-        table[static_cast<std::size_t>(i)] = colours(colours.limit * (2.0 * i / steps - 1));
+    for (int i = 0; i <= steps; ++i) table[static_cast<std::size_t>(i)] = colours(least + range * i / steps);
     parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             report::Rgb c = plain;
             if (valued) {
                 const double value = static_cast<double>((*object.values)[i]);
-                const double at = std::clamp((value / colours.limit + 1) / 2, 0.0, 1.0);
+                const double at = std::clamp((value - least) / range, 0.0, 1.0);
                 c = std::isnan(value) ? report::Rgb{150, 150, 150}
                                       : table[static_cast<std::size_t>(std::lround(at * steps))];
             }

@@ -245,6 +245,11 @@ void SceneView::setColours(const report::DeviationColours& colours)
     render();
 }
 
+void SceneView::setCounts(plot::ScaleCounts counts)
+{
+    if (canDraw()) parts_->legend->setCounts(std::move(counts));
+}
+
 void SceneView::setTag(const QString& value, const QString& place)
 {
     if (canDraw()) parts_->tag->say({value, place}, parts_->pointedAt);

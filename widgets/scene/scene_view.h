@@ -11,6 +11,10 @@
 #include "engine/report/colours.h"
 #include "widgets/scene/scene_data.h"
 
+namespace lathelier::plot {
+struct ScaleCounts;
+}
+
 namespace lathelier::scene {
 
 class SceneView : public QWidget {
@@ -33,6 +37,7 @@ public:
 
     /// Recolours at once. The legend stands beside the picture while an object has values.
     void setColours(const report::DeviationColours& colours);
+    void setCounts(plot::ScaleCounts counts);  ///< beside the scale
     void setScaleTitle(const QString& title);
 
     void setViewpoint(SceneViewpoint viewpoint);
@@ -56,6 +61,9 @@ public:
 
     /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn.
     QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true);
+
+    /// The same for paper: of one size and resolution whatever the window's, also while the view is hidden.
+    QImage paperPicture(std::optional<SceneViewpoint> viewpoint = {});
 
     /// Writes picture() as PNG, whole or not at all. Error fileNotWritable.
     void savePicture(const QString& path);
@@ -85,8 +93,8 @@ signals:
     void surfaceHovered(int object, const lathelier::scene::PickedPlace& place);  ///< likewise, on a mesh
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
     void surfacePicked(int object, const lathelier::scene::PickedPlace& place);  ///< of a mesh
-    void limitEdited(double limit);        ///< the user wants another colour scale
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void limitEdited(double upper, double lower);  ///< the user wants another colour scale; as LimitEdit::edited()
+    void notWritten(const QString& path);          ///< the system refused to write this file
 
 protected:
     bool event(QEvent* event) override;

@@ -15,6 +15,14 @@
 #include "widgets/scene/scene_parts.h"
 
 namespace lathelier::scene {
+namespace {
+
+// A picture for paper: 170 mm wide at 270 dpi, its words as large as those of the plots.
+constexpr int paperWide_px = 900;
+constexpr int paperHigh_px = 420;
+constexpr double paperDetail = 2;
+
+}  // namespace
 
 void SceneView::layOver()
 {
@@ -83,19 +91,42 @@ void SceneView::resizeEvent(QResizeEvent* event)
     layOver();
 }
 
+QImage SceneView::paperPicture(std::optional<SceneViewpoint> viewpoint)
+{
+    Parts& p = *parts_;
+    if (!canDraw()) return {};
+    const QRect place = p.canvas->geometry();
+    const QSize legend = p.legend->size();
+    const bool updates = updatesEnabled();
+    setUpdatesEnabled(false);
+    p.canvas->resize(paperWide_px, paperHigh_px);
+    p.legend->resize(p.legend->sizeHint().width(), paperHigh_px);
+    endMoving();  // which sets the detail
+    p.canvas->setDetail(paperDetail / p.canvas->devicePixelRatioF());
+    QImage image = picture(viewpoint);
+    p.canvas->setDetail(1);
+    p.canvas->setGeometry(place);
+    p.legend->resize(legend);
+    layOver();
+    setUpdatesEnabled(updates);
+    render();
+    return image;
+}
+
 QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
 {
     Parts& p = *parts_;
-    if (!canDraw() || !p.canvas->isVisible() || p.canvas->size().isEmpty()) return {};
+    if (!canDraw() || p.canvas->size().isEmpty()) return {};
     const SceneCamera before = p.camera();
-    const bool legendShown = p.legend->isVisible();
+    const bool legendShown = p.legend->isVisibleTo(this);
     endMoving();
     applyStyle(true);
     if (!legend) p.legend->hide();
     if (viewpoint) setViewpoint(*viewpoint);
+    layOver();
     const QImage drawn = p.canvas->drawNow();
     const double scale = static_cast<double>(drawn.width()) / p.canvas->width();
-    const int beside = p.legend->isVisible() ? p.legend->width() : 0;
+    const int beside = p.legend->isVisibleTo(this) ? p.legend->width() : 0;
     QImage image(static_cast<int>((p.canvas->width() + beside) * scale), drawn.height(), QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
@@ -103,7 +134,7 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     painter.scale(scale, scale);
     for (QWidget* over :
          {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
-        if (over->isVisible()) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
+        if (over->isVisibleTo(p.canvas)) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
     if (beside) p.legend->render(&painter, QPoint(p.canvas->width(), 0), {}, {});
     painter.end();
     p.legend->setVisible(legendShown);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/trajectory/channel_map.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/copy_table.h"
 
@@ -12,6 +13,10 @@ namespace lathelier::trajectory_panel {
 namespace {
 
 const QStringList signalKeys{"", "marker", "angle", "X3", "-X3", "Y3", "-Y3", "Xp", "-Xp", "Yp", "-Yp"};
+
+constexpr int signalColumn = 5;
+constexpr int sensitivityColumn = 6;
+constexpr int calibratedColumn = 7;
 
 QString bare(QString signal)
 {
@@ -45,18 +50,29 @@ QString signalText(const QString& key)
 ChannelTable::ChannelTable(QWidget* parent) : QTableWidget(parent)
 {
     setObjectName("channels");
-    setColumnCount(6);
+    setColumnCount(8);
     verticalHeader()->hide();
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::NoSelection);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setEditTriggers(AllEditTriggers);
+    connect(this, &QTableWidget::cellChanged, this, [this](int row, int column) {
+        if (column >= sensitivityColumn) takeCalibration(row);
+    });
 }
 
-void ChannelTable::setRecord(const io::ProbeRecord* record, const std::string& map)
+void ChannelTable::setRecord(const io::ProbeRecord* record, const trajectory::TrajectoryParameters& parameters)
 {
+    const QSignalBlocker quiet(this);
+    const std::string& map = parameters.channels;
+    calibrations_ = parameters.probes;
     setAccessibleName(tr("Channels of the record"));
-    setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Unit"), tr("Range"), tr("Gain"), tr("Signal")});
+    setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Unit"), tr("Range"), tr("Gain"), tr("Signal"),
+                               tr("Sensitivity (µm/V)"), tr("Calibrated")});
+    horizontalHeaderItem(sensitivityColumn)
+        ->setToolTip(tr("By the probe's certificate, in its own column; empty: the sensitivity of all probes"));
+    horizontalHeaderItem(calibratedColumn)->setToolTip(tr("Date of the calibration, for the report"));
     setRowCount(0);
     entries_.clear();
     for (const QString& entry : QString::fromStdString(map).split(',', Qt::SkipEmptyParts)) {
@@ -89,11 +105,63 @@ void ChannelTable::setRecord(const io::ProbeRecord* record, const std::string& m
         box->setAccessibleName(tr("Signal of channel %1").arg(row));
         connect(box, qOverload<int>(&QComboBox::activated), this,
                 [this, row, box] { choose(row, box->currentData().toString()); });
-        setCellWidget(row, 5, box);
+        setCellWidget(row, signalColumn, box);
+        showCalibration(row, channel, parameters);
         setRowHeight(row, box->sizeHint().height() + 2);
     }
     resizeColumnsToContents();
-    if (channels_ > 0) setColumnWidth(5, cellWidget(0, 5)->sizeHint().width() + 2);
+    if (channels_ > 0) setColumnWidth(signalColumn, cellWidget(0, signalColumn)->sizeHint().width() + 2);
+}
+
+QString ChannelTable::signalOf(int row) const
+{
+    return bare(static_cast<const QComboBox*>(cellWidget(row, signalColumn))->currentData().toString());
+}
+
+/// Cells of a probe in volts can be typed into; what is not stated of it is shown grey.
+void ChannelTable::showCalibration(int row, const io::ProbeChannel& channel,
+                                   const trajectory::TrajectoryParameters& parameters)
+{
+    const QString signal = signalOf(row);
+    const bool probe = !signal.isEmpty() && signal != "marker" && signal != "angle";
+    if (!probe || channel.unit != io::ProbeChannel::Unit::Volt) {
+        for (const int column : {sensitivityColumn, calibratedColumn})
+            setItem(row, column, tableCell(QStringLiteral("–"), false));
+        return;
+    }
+    const auto own = std::find_if(calibrations_.begin(), calibrations_.end(), [&](const auto& calibration) {
+        return signal == trajectory::name(calibration.probe);
+    });
+    auto* sensitivity = new QTableWidgetItem;
+    auto* calibrated = new QTableWidgetItem;
+    if (own != calibrations_.end()) {
+        sensitivity->setText(screenText(Value(own->sensitivity_um_per_V)));
+        calibrated->setText(QString::fromStdString(own->calibrated));
+    } else {
+        const auto& common = parameters.sensitivity_um_per_V;
+        const QString value = screenText(Value(common.value_or(trajectory::assumedSensitivity_um_per_V)));
+        sensitivity->setText(value);
+        sensitivity->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+        sensitivity->setToolTip(common ? tr("The sensitivity of all probes") : tr("Assumed: nobody has stated it"));
+    }
+    sensitivity->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setItem(row, sensitivityColumn, sensitivity);
+    setItem(row, calibratedColumn, calibrated);
+}
+
+void ChannelTable::takeCalibration(int row)
+{
+    const QString signal = signalOf(row);
+    std::vector<trajectory::ProbeCalibration> probes = calibrations_;
+    std::erase_if(probes, [&](const auto& calibration) { return signal == trajectory::name(calibration.probe); });
+    bool understood = false;
+    const double typed = QLocale().toDouble(item(row, sensitivityColumn)->text().trimmed(), &understood);
+    for (int i = 0; understood && typed > 0 && i < 4; ++i) {
+        const auto probe = static_cast<trajectory::Probe>(i);
+        if (signal == trajectory::name(probe))
+            probes.push_back({probe, typed, item(row, calibratedColumn)->text().trimmed().toStdString()});
+    }
+    emit calibrationsEdited(probes);
 }
 
 void ChannelTable::choose(int channel, const QString& signal)

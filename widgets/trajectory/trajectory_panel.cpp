@@ -46,7 +46,7 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
     report::Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"),
-                           {trajectory::motionAnswer(section, language)}};
+                           {trajectory::motionAnswer(result, section, language)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
     motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm, trajectory::Probe::X3, language));
@@ -86,18 +86,23 @@ TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
     connect(views_, &TrajectoryViews::notWritten, this, &TrajectoryPanel::sayNotWritten);
     connect(views_, &TrajectoryViews::mapEdited, this,
             [this](const std::string& map) { setParameter("channels", map, tr("Change the channels")); });
+    connect(views_, &TrajectoryViews::calibrationsEdited, this,
+            [this](const std::vector<trajectory::ProbeCalibration>& probes) {
+                trajectory::TrajectoryParameters parameters;
+                parameters.probes = probes;
+                setParameter("probes", *lathelier::find(toValues(parameters), "probes"), tr("Change a calibration"));
+            });
 }
 
 void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
 {
-    views_->setPicture(picture, isSectionChosen(),
-                       fromValues<trajectory::TrajectoryParameters>(state().parameters).channels);
+    views_->setPicture(picture, isSectionChosen(), fromValues<trajectory::TrajectoryParameters>(state().parameters));
 }
 
 report::Answer TrajectoryPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     const trajectory::TrajectorySection* chosen = picture.chosenSection();
-    return chosen ? trajectory::motionAnswer(*chosen, screenLanguage()) : report::Answer();
+    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen, screenLanguage()) : report::Answer();
 }
 
 report::Document TrajectoryPanel::document(const trajectory_common::SpindlePicture& picture) const
@@ -111,6 +116,16 @@ std::vector<PanelExport> TrajectoryPanel::exports() const
     if (!picture || !picture->trajectory) return {};
     return {{tr("Trajectories and images of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
              [picture](const QString& path) { writeImages(path.toStdString(), *picture->trajectory); }}};
+}
+
+Values TrajectoryPanel::view() const
+{
+    return views_->view();
+}
+
+void TrajectoryPanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
 }
 
 void TrajectoryPanel::retranslate()

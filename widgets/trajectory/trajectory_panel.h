@@ -23,6 +23,8 @@ protected:
     report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
     report::Document document(const trajectory_common::SpindlePicture& picture) const override;
     std::vector<PanelExport> exports() const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
     void retranslate() override;
 
 private:

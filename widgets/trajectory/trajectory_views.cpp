@@ -84,6 +84,8 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
         if (place.section != picture_->section) emit sectionWanted(inScene_->sections[place.section].section);
     });
     connect(channelTable_, &ChannelTable::mapEdited, this, &TrajectoryViews::mapEdited);
+    connect(channelTable_, &ChannelTable::calibrationsEdited, this, &TrajectoryViews::calibrationsEdited,
+            Qt::QueuedConnection);  // the answer fills the table anew, which must not happen within an edit
     connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &TrajectoryViews::markAngle);
     for (plot::PlotWidget* plot :
          {static_cast<plot::PlotWidget*>(axes_), static_cast<plot::PlotWidget*>(motion_),
@@ -133,12 +135,12 @@ QWidget* TrajectoryViews::makeRecord()
 }
 
 void TrajectoryViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
-                                 bool sectionChosen, const std::string& channels)
+                                 bool sectionChosen, const trajectory::TrajectoryParameters& parameters)
 {
     const bool problem = picture->problem.has_value();
     const bool news = !picture_ || picture_->problem.has_value() != problem;
     picture_ = picture;
-    channels_ = channels;
+    parameters_ = parameters;
     section_->setPicture(*picture, sectionChosen);
     synthetic_->setVisible(picture->synthetic);
     all_->setVisible(picture->trajectory && picture->trajectory->sections.size() > 1);
@@ -182,7 +184,7 @@ void TrajectoryViews::showRecord()
     const auto* record = std::get_if<io::ProbeRecord>(&file.record);
     heroes_->setAvailable("signals", record != nullptr);
     channelTable_->setVisible(record != nullptr);
-    channelTable_->setRecord(record, channels_);
+    channelTable_->setRecord(record, parameters_);
     if (picture_->time_signals) signals_->setData(signalsPlot(*picture_->time_signals, screenLanguage()));
     QStringList lines;
     if (picture_->records.size() > 1) lines << tr("The first of %1 records:").arg(picture_->records.size());
@@ -265,6 +267,26 @@ void TrajectoryViews::markAngle()
     if (nearest < chosen->angle_deg.size()) coordinates_->setMarker(chosen->angle_deg[nearest]);
 }
 
+Values TrajectoryViews::view() const
+{
+    Values kept{{"all_sections", all_->isChecked()}, {"probe", std::int64_t{probe_->currentIndex()}}};
+    if (std::vector<double> camera = scene_->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void TrajectoryViews::restoreView(const Values& kept)
+{
+    const QSignalBlocker quiet(all_);
+    const Value* const all = lathelier::find(kept, "all_sections");
+    all_->setChecked(!all || *all == Value(true));
+    const Value* const probe = lathelier::find(kept, "probe");
+    const auto* const index = probe ? std::get_if<std::int64_t>(probe) : nullptr;
+    probe_->setCurrentIndex(index && *index >= 0 && *index < probe_->count() ? static_cast<int>(*index) : 0);
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) scene_->setView(*numbers);
+    showSection();
+}
+
 void TrajectoryViews::retranslate()
 {
     all_->setText(tr("all sections"));
@@ -279,7 +301,7 @@ void TrajectoryViews::retranslate()
     heroes_->setTitle("signals", tr("Signals"));
     heroes_->setTitle("record", tr("Record and channels"));
     inScene_.reset();
-    if (picture_) setPicture(picture_, !section_->isWorst(), channels_);
+    if (picture_) setPicture(picture_, !section_->isWorst(), parameters_);
 }
 
 }  // namespace lathelier::trajectory_panel

@@ -26,15 +26,18 @@ class TrajectoryViews : public QWidget {
 public:
     explicit TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    /// `channels`: the map in force.
+    /// `parameters`: those in force.
     void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen,
-                    const std::string& channels);
+                    const trajectory::TrajectoryParameters& parameters);
+    Values view() const;                   ///< section mode, probe, camera: to be kept with the project
+    void restoreView(const Values& kept);  ///< as view() gave it; what is missing goes back to its default
     HeroViews* heroes() const { return heroes_; }
     void retranslate();
 
 signals:
     void sectionWanted(std::optional<int> section);
     void mapEdited(const std::string& map);
+    void calibrationsEdited(const std::vector<trajectory::ProbeCalibration>& probes);
     void notWritten(const QString& path);
 
 private:
@@ -51,7 +54,7 @@ private:
 
     trajectory_common::MarkedAngle& angle_;
     std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
-    std::string channels_;
+    trajectory::TrajectoryParameters parameters_;
     trajectory_common::SectionBar* section_;
     trajectory_common::AngleBar* angleBar_;
     QCheckBox* all_;

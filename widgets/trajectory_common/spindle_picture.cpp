@@ -243,6 +243,8 @@ void saySection(const SpindlePicture& picture, report::Document& document)
          {"turns", std::int64_t{section->revolutions_used}}}};
     if (placed) words.values.emplace_back("z_mm", section->z_mm);
     std::vector<report::Block>& blocks = document.sections.front().blocks;
+    for (report::Block& block : blocks)
+        if (auto* answer = std::get_if<report::Answer>(&block)) answer->used = picture.trajectory->used;
     blocks.insert(blocks.begin() + (blocks.empty() ? 0 : 1), words);  // below the headline
 }
 

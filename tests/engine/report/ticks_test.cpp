@@ -64,6 +64,10 @@ TEST(Ticks, LogarithmicAxesOfManyDecadesShowPowersOfTen)
 TEST(Ticks, AShortStretchOfALogarithmicAxisHasEvenTicks)
 {
     EXPECT_EQ(report::logTicks(100, 200, 5).values, (std::vector<double>{100, 120, 140, 160, 180, 200}));
+    EXPECT_EQ(report::axisTicks(report::Axis::Scale::Whole, {0.5, 3.5}, 10).values, (std::vector<double>{1, 2, 3}));
+    EXPECT_TRUE(report::axisTicks(report::Axis::Scale::Whole, {0.5, 3.5}, 10).minor.empty());
+    EXPECT_EQ(report::axisTicks(report::Axis::Scale::Whole, {0.5, 40.5}, 4).values,
+              (std::vector<double>{10, 20, 30, 40}));
     EXPECT_EQ(report::axisTicks(report::Axis::Scale::Logarithmic, {-1, 1}, 4).values,
               report::niceTicks(-1, 1, 4).values);
 }

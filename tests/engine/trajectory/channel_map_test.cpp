@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "tests/engine/core/code_of_error.h"
+
 namespace lathelier::trajectory {
 namespace {
 
@@ -52,6 +56,43 @@ TEST(ChannelMap, ASensitivityNobodyGaveIsAssumedAndSaidSo)
     const Unit um = Unit::Micrometre;
     mapChannels(recordWith({Unit::Volt, um, um, um, um}), asking("marker=0,X3=1,Y3=2,Xp=3,Yp=4"), notes);
     EXPECT_FALSE(contains(notes, notes::sensitivityAssumed));
+}
+
+TEST(ChannelMap, AProbeHasTheSensitivityOfItsCertificate)
+{
+    Notes notes;
+    TrajectoryParameters asked = asking("marker=0,-X3=1,Y3=2,Xp=3,Yp=4");
+    asked.probes = {{Probe::X3, 49.8, "2026-01-31"}, {Probe::Yp, 51, {}}};
+    ChannelMap map = mapChannels(volts, asked, notes);
+    EXPECT_EQ(map.probes[0].um_per_value, -49.8);
+    EXPECT_EQ(map.probes[1].um_per_value, assumedSensitivity_um_per_V);
+    EXPECT_EQ(map.probes[3].um_per_value, 51);
+    EXPECT_TRUE(contains(notes, notes::sensitivityAssumed));  // of the other two
+    ASSERT_EQ(map.used.size(), 1u);
+    EXPECT_EQ(map.used[0].key, "sensitivity_um_per_V");
+    EXPECT_EQ(map.used[0].origin, ValueOrigin::Assumed);
+
+    notes.clear();
+    asked.probes.push_back({Probe::Y3, 50, {}});
+    asked.probes.push_back({Probe::Xp, 50, {}});
+    map = mapChannels(volts, asked, notes);
+    EXPECT_TRUE(notes.empty());  // every probe has its own
+    EXPECT_TRUE(map.used.empty());
+
+    asked.probes.push_back({Probe::X3, 50, {}});
+    EXPECT_EQ(codeOfError([&] { mapChannels(volts, asked, notes); }), errors::valueNotUnderstood);
+}
+
+TEST(ChannelMap, CalibrationsAreTypedAsRows)
+{
+    const auto infos = lathelier::infos<TrajectoryParameters>();
+    const auto probes = std::find_if(infos.begin(), infos.end(), [](const auto& info) { return info.key == "probes"; });
+    ASSERT_NE(probes, infos.end());
+    const auto read = fromValues<TrajectoryParameters>({{"probes", parse(*probes, "X3,49.8,2026-01-31;Yp,51")}});
+    ASSERT_EQ(read.probes.size(), 2u);
+    EXPECT_EQ(read.probes[0].calibrated, "2026-01-31");
+    EXPECT_EQ(read.probes[1].probe, Probe::Yp);
+    EXPECT_EQ(read.probes[1].sensitivity_um_per_V, 51);
 }
 
 TEST(ChannelMap, ChannelsGoByPlaceOrName)

@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFrame>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -111,6 +112,50 @@ private slots:
         session_->undoStack().undo();
         settle();
         QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("copy").path), copy_);
+    }
+
+    void theNextCopyCanBecomeTheOriginal()
+    {
+        dropBoth();
+        auto* bar = panel_->findChild<QFrame*>("nextPartBar");
+        QVERIFY(bar && !bar->isVisible());
+        const QString next = folder_.filePath("next.xyz");
+        QVERIFY(QFile::exists(next) || QFile::copy(original_, next));
+        drop(panel_.get(), {next});
+        settle();
+        QVERIFY(bar->isVisible());
+        QVERIFY(bar->findChild<QLabel*>("nextPart")->text().contains("next.xyz"));
+        bar->findChild<QToolButton*>("useAsOther")->click();
+        settle();
+        QVERIFY(!bar->isVisible());
+        const auto& inputs = session_->panel("compare").inputs;
+        QCOMPARE(QString::fromStdString(inputs.at("reference").path), next);
+        QCOMPARE(QString::fromStdString(inputs.at("copy").path), copy_);
+        session_->undoStack().undo();
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(!bar->isVisible());
+        QCOMPARE(QString::fromStdString(session_->panel("compare").inputs.at("reference").path), original_);
+    }
+
+    void fieldsAndViewsAreCommands()
+    {
+        dropBoth();
+        settle();
+        QStringList paths;
+        std::function<void()> tolerance, meridian;
+        for (const PanelCommand& command : panel_->commands()) {
+            paths << command.path;
+            if (command.path.contains("Tolerance")) tolerance = command.run;
+            if (command.path.endsWith("Meridian")) meridian = command.run;
+        }
+        QVERIFY2(tolerance && meridian, qPrintable(paths.join('\n')));
+        QVERIFY(paths.join('\n').contains("JSON"));  // exports
+        QApplication::setActiveWindow(panel_->window());
+        tolerance();
+        QVERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == "tolerance_mm");
+        meridian();
+        QCOMPARE(panel_->findChild<HeroViews*>()->hero(), QString("meridian"));
     }
 
     void severalCopiesMakeATableWithTrend()

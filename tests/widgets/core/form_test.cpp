@@ -117,6 +117,26 @@ private slots:
         QVERIFY(form_->values() == someValues());
     }
 
+    void whatWasUsedIsTaggedAtItsField()
+    {
+        const auto label = [this](const char* key) {
+            for (const QLabel* each : form_->findChildren<QLabel*>())
+                if (each->buddy() && each->buddy() == form_->editor(key)) return each->text();
+            return QString();
+        };
+        UsedValue assumed{"name", Text{"Name"}, std::string("steel"), Text{}, ValueOrigin::Assumed};
+        UsedValue read{"limit_mm", Text{"Limit"}, 0.5, Text{"mm"}, ValueOrigin::File};
+        UsedValue given{"size_mm", Text{"Size"}, 2.0, Text{"mm"}, ValueOrigin::Given};
+        const QString before = label("size_mm");
+        form_->setUsed({assumed, read, given});
+        QVERIFY2(label("name").contains("assumed: steel"), qPrintable(label("name")));
+        QVERIFY2(label("limit_mm").contains("from the file: 0.5"), qPrintable(label("limit_mm")));
+        QCOMPARE(label("size_mm"), before);
+        QVERIFY(form_->findChild<QToolButton*>("advanced")->text().contains("1"));  // what the fold hides is counted
+        form_->setUsed({});
+        QVERIFY(!label("name").contains("steel"));
+    }
+
     void typedNumberIsAnnouncedOnce()
     {
         type("size_mm", "12.5");

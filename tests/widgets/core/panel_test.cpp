@@ -91,6 +91,20 @@ private slots:
         session_.reset();
     }
 
+    void newEvaluationsBeginWithTheUsersValues()
+    {
+        session_->setStartingValues({{"factor_mm", 5.0}, {"nobody_knows_it", true}});
+        drop({makeFile("start.txt", 3)});
+        QTRY_VERIFY(panel_->isCurrent());
+        QCOMPARE(panel_->shown(), QString("15"));
+        type("factor_mm", "4");
+        QTRY_COMPARE(panel_->shown(), QString("12"));
+        drop({makeFile("start2.txt", 2)});  // the evaluation has begun: what was chosen stays
+        QTRY_COMPARE(panel_->shown(), QString("8"));
+        session_->undoStack().setIndex(0);
+        QVERIFY(session_->project().panels.empty());
+    }
+
     void emptyStateInvites()
     {
         QVERIFY(find<QPushButton>("open")->isVisible());

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 
 using namespace lathelier;
@@ -123,6 +124,26 @@ private slots:
         view_->setColours({0.3, {}});  // set from outside: no echo
         QCOMPARE(box->value(), 0.3);
         QCOMPARE(edits.count(), 1);
+    }
+
+    void eachSideOfTheScaleByItself()
+    {
+        QSignalSpy edits(view_, &plot::MapView::limitEdited);
+        auto* lower = view_->findChild<QDoubleSpinBox*>("scaleLower");
+        QVERIFY(lower && !lower->isVisible());
+        view_->findChild<QToolButton*>("scaleApart")->click();
+        QVERIFY(lower->isVisible());
+        lower->setValue(0.05);
+        QCOMPARE(edits.back()[1].toDouble(), 0.05);
+        report::DeviationColours colours{0.2};
+        colours.lower = 0.05;
+        QCOMPARE(colours.least(), -0.05);
+        QVERIFY(colours(-0.05) == report::divergingColour(-1));
+        QVERIFY(colours(0.05) == report::divergingColour(0.25));
+        view_->setColours(colours);
+        QCOMPARE(lower->value(), 0.05);
+        view_->setColours({0.2, {}});
+        QVERIFY(!lower->isVisible());
     }
 
     void csvListsCellsWithData()

@@ -88,6 +88,22 @@ private slots:
         QVERIFY(count(view_->picture(), isRed) < 100);  // the axis triad has some
     }
 
+    void aPictureForPaperDoesNotDependOnTheWindow()
+    {
+        view_->setObjects({shaft(blue)});
+        const QImage before = view_->picture();
+        const QImage paper = view_->paperPicture(scene::SceneViewpoint::Side);
+        QCOMPARE(paper.height(), 840);
+        QVERIFY(paper.width() >= 1800);
+        QVERIFY(count(paper, isBlue) > 20000);
+        QCOMPARE(view_->picture().size(), before.size());
+        view_->resize(300, 200);
+        view_->hide();
+        const QImage hidden = view_->paperPicture(scene::SceneViewpoint::Side);
+        QCOMPARE(hidden.size(), paper.size());
+        QVERIFY(std::abs(count(hidden, isBlue) - count(paper, isBlue)) < 1000);
+    }
+
     void deviationRecoloursAtOnce()
     {
         scene::SceneObject object = shaft(blue);

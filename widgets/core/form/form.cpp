@@ -122,14 +122,46 @@ QWidget* Form::editor(const std::string& key) const
     return nullptr;
 }
 
-void Form::retranslate()
+void Form::setUsed(const UsedValues& used)
 {
-    if (fold_) fold_->setText(tr("Advanced"));
-    for (const auto& [text, heading] : headings_) heading->setText(screenText(text));
+    if (used == used_) return;
+    used_ = used;
+    showLabels();
+}
+
+/// Label, unit, and what was used where the field is open. What is assumed is counted where the fold hides it.
+void Form::showLabels()
+{
+    int folded = 0;
     for (const Row& row : rows_) {
         const QString unit = screenText(row.info.unit);
         const QString label = screenText(row.info.label);
-        row.label->setText(unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit));
+        const QString plain = unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit);
+        const auto used = std::find_if(used_.begin(), used_.end(), [&](const UsedValue& value) {
+            return value.key == row.info.key && value.origin != ValueOrigin::Given;
+        });
+        row.label->setTextFormat(used == used_.end() ? Qt::PlainText : Qt::RichText);
+        if (used == used_.end()) {
+            row.label->setText(plain);
+            continue;
+        }
+        const bool assumed = used->origin == ValueOrigin::Assumed;
+        const QString value = QString::fromStdString(lathelier::text(used->value, screenLanguage()));
+        const QString tag = assumed ? tr("assumed: %1").arg(value) : tr("from the file: %1").arg(value);
+        const QString colours = assumed ? QStringLiteral("background-color:#ffe08a; color:#4a3200;")
+                                        : QStringLiteral("background-color:#d6e4f0; color:#1f3a52;");
+        row.label->setText(QStringLiteral("%1 <span style='%2'>&nbsp;%3&nbsp;</span>")
+                               .arg(plain.toHtmlEscaped(), colours, tag.toHtmlEscaped()));
+        folded += assumed && row.info.advanced;
+    }
+    if (fold_) fold_->setText(folded ? tr("Advanced (%n assumed)", nullptr, folded) : tr("Advanced"));
+}
+
+void Form::retranslate()
+{
+    showLabels();
+    for (const auto& [text, heading] : headings_) heading->setText(screenText(text));
+    for (const Row& row : rows_) {
         row.label->setToolTip(screenText(row.info.help));
         row.editor->retranslate(row.info);
     }

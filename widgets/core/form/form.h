@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/fields.h"
+#include "engine/core/used_value.h"
 
 class QFormLayout;
 class QLabel;
@@ -29,6 +29,7 @@ public:
     Values values() const;
     void setValues(const Values& values);  ///< unknown names are ignored, missing ones stay
     void setUnfolded(bool unfolded);       ///< shows the advanced fields
+    void setUsed(const UsedValues& used);  ///< tags fields left open with what was used: assumed, from the file
 
     /// The widget that edits `key`, for the keyboard focus and for tests; nullptr when there is none.
     QWidget* editor(const std::string& key) const;
@@ -50,8 +51,10 @@ private:
     void addRow(const FieldInfo& info, QFormLayout* layout, Text& group);
     void enableGroups();
     void retranslate();
+    void showLabels();
 
     std::vector<Row> rows_;
+    UsedValues used_;
     std::vector<std::pair<Text, QLabel*>> headings_;
     QToolButton* fold_ = nullptr;
     QWidget* advanced_ = nullptr;

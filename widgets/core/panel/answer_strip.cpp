@@ -263,7 +263,10 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
     showPlate(answer.verdict, true);
     ruler_->setAnswer(answer);
     showRuler();
-    sentence_->say(said(report::sentenceText(answer, language)));
+    QString sentence = said(report::sentenceText(answer, language));
+    if (const QString assumed = said(report::assumedText(answer, language)); !assumed.isEmpty())
+        sentence += (sentence.isEmpty() ? QString() : QStringLiteral(" · ")) + assumed;
+    sentence_->say(sentence);
     sentence_->setToolTip(sentence_->text());
     for (std::size_t i = 0; i < findings_.size(); ++i) {
         const bool there = i < answer.findings.size();

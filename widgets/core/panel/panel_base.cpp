@@ -7,11 +7,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/core/form/form.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/panel/message_line.h"
+#include "widgets/core/panel/next_part_bar.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/progress_row.h"
 
@@ -64,12 +66,9 @@ QWidget* PanelBase::makeResultColumn()
 {
     answer_ = new AnswerStrip;
     connect(answer_, &AnswerStrip::placeWanted, this, &PanelBase::showPlace);
-    connect(answer_, &AnswerStrip::offerTaken, this, [this](const Values& proposed) {
-        editState(tr("Use what the answer proposes"), [&](project::PanelState& state) {
-            for (const auto& [key, value] : proposed) lathelier::set(state.parameters, key, value);
-        });
-    });
+    connect(answer_, &AnswerStrip::offerTaken, this, &PanelBase::takeOffer);
     message_ = new MessageLine;
+    nextPart_ = new NextPartBar;
     stack_ = new QStackedWidget;
     empty_ = new EmptyState;
     viewsPage_ = new QWidget;
@@ -85,6 +84,7 @@ QWidget* PanelBase::makeResultColumn()
     layout->setSpacing(8);
     layout->addWidget(answer_);
     layout->addWidget(message_);
+    layout->addWidget(nextPart_);
     layout->addWidget(stack_, 1);
     layout->addWidget(progress_);
 
@@ -139,6 +139,7 @@ void PanelBase::readProject()
     if (asked_ && state == state_) return;
     asked_ = true;
     state_ = state;
+    if (state_.inputs != takenInputs_) nextPart_->hide();
     column_->showState(state_);
     request();
 }
@@ -258,13 +259,16 @@ void PanelBase::updateStack()
 void PanelBase::showAnswer()
 {
     if (hasResult() && !problemOf(result_.get())) {
-        answer_->setAnswer(answerOf(result_.get()));
+        const report::Answer answer = answerOf(result_.get());
+        answer_->setAnswer(answer);
+        column_->form().setUsed(answer.used);
         Notes notes = session_.watch().notesOf(state_);
         for (Note& note : notesOf(result_.get())) notes.push_back(std::move(note));
         answer_->setNotes(notes);
     } else {
         answer_->clear();
         answer_->setNotes({});
+        column_->form().setUsed({});
     }
     const bool dimmed = shade_->isVisibleTo(viewsPage_);
     answer_->setEnabled(!dimmed);

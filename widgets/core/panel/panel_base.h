@@ -22,6 +22,7 @@ class HeroViews;
 class EmptyState;
 class InputColumn;
 class MessageLine;
+class NextPartBar;
 class ProgressRow;
 class Shade;
 
@@ -52,6 +53,9 @@ public:
 
     /// What the Export menu offers for the result on screen: the panel's own exports, and all numbers as JSON.
     std::vector<PanelExport> offeredExports() const;
+
+    /// Fields, views, exports and findings, as commands.
+    std::vector<PanelCommand> commands();
 
     /// For the last row of a room: the window enlarges the application's font, which type and lines of all views
     /// follow; a panel leaves out what only takes room. Overriders call this one too.
@@ -144,10 +148,12 @@ private:
     void showFacts();
     bool hasInputs() const;
     bool isLate() const;
+    void offerOtherRole(const project::PanelState& before);
     void takeSources(const InputRole& role, const std::vector<project::Source>& sources, const QString& step);
     void editParameter(const std::string& key, const Value& value, int gesture, const QString& step);
     void fillExportMenu();
     void runExport(const PanelExport& item);
+    void takeOffer(const Values& proposed);
 
     Session& session_;
     PanelFacts facts_;
@@ -166,6 +172,8 @@ private:
     HeroViews* heroes_ = nullptr;
     Value keptHero_;  ///< which view is large by the project; not given: nobody chose one
     MessageLine* message_ = nullptr;
+    NextPartBar* nextPart_ = nullptr;
+    std::map<std::string, project::Source> takenInputs_;  ///< at the time of nextPart_'s offer
     QStackedWidget* stack_ = nullptr;
     EmptyState* empty_ = nullptr;
     QWidget* viewsPage_ = nullptr;

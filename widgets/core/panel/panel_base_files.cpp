@@ -14,12 +14,15 @@
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
 #include "widgets/core/files/scan_store.h"
+#include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/form/number_edit.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
+#include "widgets/core/panel/hero_views.h"
 #include "widgets/core/panel/message_line.h"
+#include "widgets/core/panel/next_part_bar.h"
 #include "widgets/core/panel/panel_base.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/progress_row.h"
@@ -67,7 +70,16 @@ void PanelBase::editState(const QString& step, const std::function<void(project:
                           const QString& mergeKey)
 {
     session_.edit(
-        step, [&](project::Project& project) { change(project.panels[facts_.stateKey()]); }, mergeKey);
+        step,
+        [&](project::Project& project) {
+            const bool begins = !project.panels.count(facts_.stateKey());
+            project::PanelState& state = project.panels[facts_.stateKey()];
+            if (begins)
+                for (const auto& [key, value] : session_.startingValues())
+                    if (lathelier::find(inputs_.defaults, key)) lathelier::set(state.parameters, key, value);
+            change(state);
+        },
+        mergeKey);
 }
 
 void PanelBase::keepItem(const std::string& name, const std::string& kind, const Values& values)
@@ -100,8 +112,36 @@ void PanelBase::openFiles(const QStringList& paths)
 
 void PanelBase::openFound(const std::vector<FoundFile>& files)
 {
+    const project::PanelState before = state_;
     editState(tr("Open %1").arg(screenFileName(QString::fromStdString(files.front().path))),
               [&](project::PanelState& state) { assignFiles(state, files); });
+    if (files.size() == 1) offerOtherRole(before);
+}
+
+/// One file on a full desk was taken as the next part. What was meant as a new original is a click away.
+void PanelBase::offerOtherRole(const project::PanelState& before)
+{
+    const auto role = [&](bool takes_next) {
+        return std::find_if(inputs_.roles.begin(), inputs_.roles.end(),
+                            [&](const InputRole& each) { return each.required && each.takes_next == takes_next; });
+    };
+    const auto next = role(true), other = role(false);
+    if (next == inputs_.roles.end() || other == inputs_.roles.end()) return;
+    const auto earlier = before.inputs.find(next->role), kept = before.inputs.find(other->role);
+    if (earlier == before.inputs.end() || kept == before.inputs.end()) return;
+    const auto taken = state_.inputs.find(next->role);
+    if (taken == state_.inputs.end() || taken->second == earlier->second) return;
+    takenInputs_ = state_.inputs;
+    nextPart_->disconnect(this);
+    connect(nextPart_, &NextPartBar::otherWanted, this,
+            [this, next = next->role, other = other->role, earlier = earlier->second, taken = taken->second] {
+                editState(tr("Use as another input"), [&](project::PanelState& state) {
+                    state.inputs[other] = taken;
+                    state.inputs[next] = earlier;
+                });
+            });
+    nextPart_->offer(screenFileName(QString::fromStdString(taken->second.path)), screenText(next->label),
+                     screenText(other->label));
 }
 
 void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
@@ -171,6 +211,46 @@ void PanelBase::fillExportMenu()
     menu->clear();
     for (const PanelExport& item : offeredExports())
         menu->addAction(item.label, this, [this, item] { runExport(item); });
+}
+
+std::vector<PanelCommand> PanelBase::commands()
+{
+    std::vector<PanelCommand> all;
+    const auto add = [&](const QString& kind, const QString& name, std::function<void()> run) {
+        all.push_back({kind + QStringLiteral(" › ") + name, [alive = QPointer<PanelBase>(this), run = std::move(run)] {
+                           if (alive) run();
+                       }});
+    };
+    for (const FieldInfo& info : inputs_.fields)
+        add(tr("Input"), screenText(info.label), [this, key = info.key, folded = info.advanced] {
+            if (folded) column_->form().setUnfolded(true);
+            QWidget* editor = column_->form().editor(key);
+            if (!editor) return;
+            column_->ensureWidgetVisible(editor);
+            editor->setFocus(Qt::ShortcutFocusReason);
+        });
+    if (heroes_ && hasResult())
+        for (const QString& key : heroes_->keys())
+            add(tr("View"), heroes_->title(key), [this, key] { heroes_->setHero(key); });
+    for (const PanelExport& item : offeredExports()) add(tr("Export"), item.label, [this, item] { runExport(item); });
+    if (isCurrent() && !problemOf(result_.get()))
+        for (const report::Finding& finding : answerOf(result_.get()).findings)
+            if (!finding.offer.empty() || finding.place.isAny())
+                add(tr("Finding"), QString::fromStdString(report::findingText(finding, screenLanguage())),
+                    [this, finding] {
+                        if (finding.offer.empty())
+                            showPlace(finding.place);
+                        else
+                            takeOffer(finding.offer);
+                    });
+    return all;
+}
+
+void PanelBase::takeOffer(const Values& proposed)
+{
+    editState(tr("Use what the answer proposes"), [&](project::PanelState& state) {
+        for (const auto& [key, value] : proposed) lathelier::set(state.parameters, key, value);
+    });
 }
 
 void PanelBase::runExport(const PanelExport& item)

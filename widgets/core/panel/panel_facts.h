@@ -98,6 +98,12 @@ struct PanelInputs {
     Text invitation;                ///< the one sentence of the empty state
 };
 
+/// Something that a panel can do, for the window's list of all commands.
+struct PanelCommand {
+    QString path;               ///< "Input › Tolerance"
+    std::function<void()> run;  ///< does nothing when the panel is gone
+};
+
 /// A way to write the result to a file. The label stands in the Export menu.
 struct PanelExport {
     QString label;                                   ///< what people read

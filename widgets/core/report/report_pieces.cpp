@@ -60,6 +60,8 @@ public:
             if (finding.verdict) said += "  " + lathelier::text(shortName(*finding.verdict), language_);
             lines += "<p style='margin:2px 0 0 0;'>– " + escaped(said) + "</p>";
         }
+        if (const std::string assumed = report::assumedText(answer, language_); !assumed.empty())
+            lines += "<p style='margin:4px 0 0 0; font-style:italic;'>" + escaped(assumed) + "</p>";
         return text(QString("<table width='100%' cellpadding='10' bgcolor='%1'><tr><td>%2</td></tr></table>")
                         .arg(back(), lines));
     }
@@ -190,6 +192,8 @@ std::vector<Piece> piecesOf(const report::Document& document, const Language& la
 {
     const Maker maker(language);
     std::vector<Piece> pieces;
+    if (const QString logo = QString::fromStdString(document.logo_png_base64).toHtmlEscaped(); !logo.isEmpty())
+        pieces.push_back(Maker::text("<img src='data:image/png;base64," + logo + "' height='56'>"));
     pieces.push_back(Maker::text(heading(maker.caption(document.title), 24)));
     QString origin = "Lathelier " LATHELIER_VERSION;
     if (!document.created.empty())

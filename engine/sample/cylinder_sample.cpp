@@ -31,7 +31,8 @@ SampleContent makeCylinder(std::uint64_t seed, const Progress& progress)
         const double u = 2.0 * s / (sections - 1) - 1, middle = 1 - u * u;
         for (int i = 0; i < angles; ++i) {
             const double angle = 2 * std::numbers::pi * i / angles;
-            const auto place = static_cast<std::uint64_t>(s * angles + i);
+            const auto place =
+                static_cast<std::uint64_t>(s) * static_cast<std::uint64_t>(angles) + static_cast<std::uint64_t>(i);
             const double r = radius_mm + 1e-3 * (barrel_um * middle + lobes_um * std::cos(3 * angle) +
                                                  noise_um * randomNormal(seed, 11, place));
             text += fmt::format("{:.6f} {:.6f} {:.4f}\n", r * std::cos(angle) + 1e-3 * bow_um * middle,

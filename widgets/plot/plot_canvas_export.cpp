@@ -9,7 +9,7 @@ QImage PlotCanvas::picture(double scale)
 {
     hideCrosshair();
     restyle(paperPalette());
-    const QImage image = plot_->toPixmap(width(), height(), scale).toImage();
+    QImage image = plot_->toPixmap(width(), height(), scale).toImage();
     restyle(palette());
     redraw();
     return image;

@@ -50,10 +50,10 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
                       const Eigen::Vector3d& high, double aspect, bool parallel)
 {
     const auto [toEye, up] = directions(viewpoint);
-    Eigen::Matrix3d view_R_frame;
-    view_R_frame.row(0) = up.cross(toEye).normalized();
-    view_R_frame.row(2) = toEye;
-    view_R_frame.row(1) = toEye.cross(view_R_frame.row(0).transpose());
+    Eigen::Matrix3d view_T_frame;
+    view_T_frame.row(0) = up.cross(toEye).normalized();
+    view_T_frame.row(2) = toEye;
+    view_T_frame.row(1) = toEye.cross(view_T_frame.row(0).transpose());
     const Eigen::Vector3d centre = (low + high) / 2;
 
     // The eye is as near as lets all eight corners of the box into the picture.
@@ -62,7 +62,7 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
                                     corner & 4 ? high.z() : low.z());
-        const Eigen::Vector3d v = view_R_frame * (point - centre);
+        const Eigen::Vector3d v = view_T_frame * (point - centre);
         const double reach = std::max(std::abs(v.y()), std::abs(v.x()) / aspect);
         half = std::max(half, reach);
         front = std::max(front, v.z());
@@ -73,9 +73,9 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     camera.aspect = aspect;
     camera.distance_mm = std::max(parallel ? 2 * front + half / slope : distance, 1e-3);
     camera.halfHeight_mm = std::max(parallel ? margin * half : camera.distance_mm * slope, 1e-6);
-    const Eigen::Matrix3d view_R_scene = view_R_frame * frame.transpose();
-    camera.view_T_scene.linear() = view_R_scene;
-    camera.view_T_scene.translation() = -(view_R_scene * (frame * centre)) - Eigen::Vector3d(0, 0, camera.distance_mm);
+    const Eigen::Matrix3d viewTurn = view_T_frame * frame.transpose();
+    camera.view_T_scene.linear() = viewTurn;
+    camera.view_T_scene.translation() = -(viewTurn * (frame * centre)) - Eigen::Vector3d(0, 0, camera.distance_mm);
     return camera;
 }
 

@@ -18,7 +18,7 @@ constexpr int signalColumn = 5;
 constexpr int sensitivityColumn = 6;
 constexpr int calibratedColumn = 7;
 
-QString bare(QString signal)
+QString bare(const QString& signal)
 {
     return signal.startsWith('-') ? signal.mid(1) : signal;
 }

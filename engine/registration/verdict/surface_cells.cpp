@@ -307,7 +307,8 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
                 result.windows[place].wider = static_cast<std::uint32_t>(place + 1);
                 result.windows[place].smallest = k == 0;
                 if (k + 1 < levels.size())
-                    result.windows[place + 1].wider = static_cast<std::uint32_t>(start[k + 1] + 2 * level.parent[c]);
+                    result.windows[place + 1].wider =
+                        static_cast<std::uint32_t>(start[k + 1] + 2 * std::size_t{level.parent[c]});
             }
         });
     }

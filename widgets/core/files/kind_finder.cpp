@@ -15,7 +15,8 @@ void KindFinder::find(const QStringList& paths, Done done)
 void KindFinder::next()
 {
     if (waiting_.empty()) return;
-    auto [names, done] = std::move(waiting_.front());
+    const std::vector<std::string> names = std::move(waiting_.front().first);
+    const auto done = std::move(waiting_.front().second);
     waiting_.pop_front();
     task_.compute<std::vector<FoundFile>>(
         [names, kinds = kinds_](const Progress& progress) {

@@ -22,10 +22,10 @@ SourceWatch::SourceWatch(std::shared_ptr<Stores> stores, QObject* parent) : QObj
 Notes SourceWatch::notesOf(const project::PanelState& state) const
 {
     Notes notes;
-    for (const auto& [path, finding] : findings_)
+    for (const auto& item : findings_)
         if (std::any_of(state.inputs.begin(), state.inputs.end(),
-                        [&](const auto& input) { return input.second.path == path; }))
-            notes.push_back(finding.note);
+                        [&](const auto& input) { return input.second.path == item.first; }))
+            notes.push_back(item.second.note);
     return notes;
 }
 

@@ -21,7 +21,7 @@ Worker::Outcome compute(const Worker::Job& job, const Progress& progress)
 
 }  // namespace
 
-Worker::Worker() : thread_([this](std::stop_token quit) { run(quit); }) {}
+Worker::Worker() : thread_([this](const std::stop_token& quit) { run(quit); }) {}
 
 Worker::~Worker()
 {
@@ -73,7 +73,7 @@ std::optional<Worker::Outcome> Worker::take()
     return std::exchange(outcome_, std::nullopt);
 }
 
-void Worker::run(std::stop_token quit)
+void Worker::run(const std::stop_token& quit)
 {
     while (true) {
         std::unique_lock lock(mutex_);
@@ -87,7 +87,7 @@ void Worker::run(std::stop_token quit)
     }
 }
 
-void Worker::work(std::uint64_t number, const Job& job, std::stop_token stop)
+void Worker::work(std::uint64_t number, const Job& job, const std::stop_token& stop)
 {
     const Progress progress(stop, [this, number](double fraction, Text stage) {
         const std::lock_guard lock(mutex_);

@@ -52,8 +52,8 @@ public:
     std::optional<Outcome> take();
 
 private:
-    void run(std::stop_token quit);
-    void work(std::uint64_t number, const Job& job, std::stop_token stop);
+    void run(const std::stop_token& quit);
+    void work(std::uint64_t number, const Job& job, const std::stop_token& stop);
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;

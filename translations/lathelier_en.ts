@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>lathelier::Form</name>
+    <message numerus="yes">
+        <source>Advanced (%n assumed)</source>
+        <translation><numerusform>Advanced (%n assumed)</numerusform><numerusform>Advanced (%n assumed)</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>lathelier::InputBox</name>
     <message numerus="yes">
         <source>%1 and %n more</source>

@@ -4211,6 +4211,74 @@
         <source>Reference and copy are the same points in the same order: the surfaces differ nowhere, and nothing was measured.</source>
         <translation>Oryginał i kopia to te same punkty w tej samej kolejności: powierzchnie nigdzie się nie różnią i niczego nie zmierzono.</translation>
     </message>
+    <message>
+        <source>assumed: {values}</source>
+        <translation>założono: {values}</translation>
+    </message>
+    <message>
+        <source>{value} (from the file)</source>
+        <translation>{value} (z pliku)</translation>
+    </message>
+    <message>
+        <source>{value} (assumed)</source>
+        <translation>{value} (założono)</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Of the company, on the first page.</source>
+        <translation>Firmy, na pierwszej stronie.</translation>
+    </message>
+    <message>
+        <source>each probe once</source>
+        <translation>każdej sondy jeden raz</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>Y3</source>
+        <translation>Y3</translation>
+    </message>
+    <message>
+        <source>Xp</source>
+        <translation>Xp</translation>
+    </message>
+    <message>
+        <source>Yp</source>
+        <translation>Yp</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonda</translation>
+    </message>
+    <message>
+        <source>The signal that it gives.</source>
+        <translation>Sygnał, który daje.</translation>
+    </message>
+    <message>
+        <source>By its calibration certificate.</source>
+        <translation>Według jej świadectwa wzorcowania.</translation>
+    </message>
+    <message>
+        <source>Date of the calibration, for the report.</source>
+        <translation>Data wzorcowania, do raportu.</translation>
+    </message>
+    <message>
+        <source>Calibration of single probes</source>
+        <translation>Wzorcowanie poszczególnych sond</translation>
+    </message>
+    <message>
+        <source>Where probes differ: signal, sensitivity, date of the calibration; X3,49.8,2026-01-31;Y3,50.2.</source>
+        <translation>Gdy sondy się różnią: sygnał, czułość, data wzorcowania; X3,49.8,2026-01-31;Y3,50.2.</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>obrazu</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -4326,6 +4394,22 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>assumed: %1</source>
+        <translation>założono: %1</translation>
+    </message>
+    <message>
+        <source>from the file: %1</source>
+        <translation>z pliku: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Advanced (%n assumed)</source>
+        <translation>
+            <numerusform>Zaawansowane (%n założona)</numerusform>
+            <numerusform>Zaawansowane (%n założone)</numerusform>
+            <numerusform>Zaawansowane (%n założonych)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4731,6 +4815,21 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::NextPartBar</name>
+    <message>
+        <source>“%1” is the next part: it took the place of “%2”, everything else stays.</source>
+        <translation>„%1” to następna część: zajęła miejsce „%2”, reszta pozostaje.</translation>
+    </message>
+    <message>
+        <source>Use as “%1” instead</source>
+        <translation>Użyj zamiast tego jako „%1”</translation>
+    </message>
+    <message>
+        <source>Leave it so</source>
+        <translation>Zostaw tak</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::NotesChips</name>
     <message numerus="yes">
         <source>%n warning(s)</source>
@@ -4813,6 +4912,26 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Use what the answer proposes</source>
         <translation>Użyj propozycji odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Use as another input</source>
+        <translation>Użycie jako innego wejścia</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Dane wejściowe</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Widok</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Spostrzeżenie</translation>
     </message>
 </context>
 <context>
@@ -5006,6 +5125,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Theme</source>
         <translation>Motyw</translation>
     </message>
+    <message>
+        <source>What new evaluations begin with; each can be changed</source>
+        <translation>Od czego zaczynają nowe oceny; każdą można zmienić</translation>
+    </message>
+    <message>
+        <source>Decision rule of new evaluations</source>
+        <translation>Reguła decyzyjna nowych ocen</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::TitleBlockDialog</name>
@@ -5016,6 +5143,22 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>What is filled in stands on the first page of every report of this project.</source>
         <translation>Co tu wypełniono, stoi na pierwszej stronie każdego raportu tego projektu.</translation>
+    </message>
+    <message>
+        <source>Without logo</source>
+        <translation>Bez logo</translation>
+    </message>
+    <message>
+        <source>Logo…</source>
+        <translation>Logo…</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg *.bmp)</source>
+        <translation>Obrazy (*.png *.jpg *.jpeg *.svg *.bmp)</translation>
     </message>
 </context>
 <context>
@@ -5501,6 +5644,18 @@ odchyłka %3 µm</translation>
         <source>Limit of the colour scale in mm</source>
         <translation>Granica skali barw w mm</translation>
     </message>
+    <message>
+        <source>Upper end of the colour scale in mm</source>
+        <translation>Górny koniec skali barw w mm</translation>
+    </message>
+    <message>
+        <source>How far below 0 the colour scale goes, in mm</source>
+        <translation>Jak daleko poniżej 0 sięga skala barw, w mm</translation>
+    </message>
+    <message>
+        <source>Each side of the scale by itself</source>
+        <translation>Każda strona skali osobno</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::plot::MapView</name>
@@ -5886,6 +6041,30 @@ Wszystkie inne widoki działają.</translation>
         <source>Signal of channel %1</source>
         <translation>Sygnał kanału %1</translation>
     </message>
+    <message>
+        <source>Sensitivity (µm/V)</source>
+        <translation>Czułość (µm/V)</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Wzorcowano</translation>
+    </message>
+    <message>
+        <source>Date of the calibration, for the report</source>
+        <translation>Data wzorcowania, do raportu</translation>
+    </message>
+    <message>
+        <source>The sensitivity of all probes</source>
+        <translation>Czułość wszystkich sond</translation>
+    </message>
+    <message>
+        <source>Assumed: nobody has stated it</source>
+        <translation>Założono: nikt jej nie podał</translation>
+    </message>
+    <message>
+        <source>By the certificate of the probe; empty: the sensitivity of all probes</source>
+        <translation>Według świadectwa sondy; puste: czułość wszystkich sond</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::trajectory_panel::TrajectoryCharts</name>
@@ -5923,6 +6102,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Change a calibration</source>
+        <translation>Zmiana wzorcowania</translation>
     </message>
 </context>
 <context>

@@ -71,7 +71,7 @@ void ChannelTable::setRecord(const io::ProbeRecord* record, const trajectory::Tr
     setHorizontalHeaderLabels({tr("No."), tr("Name"), tr("Unit"), tr("Range"), tr("Gain"), tr("Signal"),
                                tr("Sensitivity (µm/V)"), tr("Calibrated")});
     horizontalHeaderItem(sensitivityColumn)
-        ->setToolTip(tr("By the probe's certificate, in its own column; empty: the sensitivity of all probes"));
+        ->setToolTip(tr("By the certificate of the probe; empty: the sensitivity of all probes"));
     horizontalHeaderItem(calibratedColumn)->setToolTip(tr("Date of the calibration, for the report"));
     setRowCount(0);
     entries_.clear();

@@ -53,7 +53,7 @@ void CommandPalette::narrow(const QString& typed)
     list_->clear();
     for (int i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        if (!matches(command.path, words)) continue;
+        if (!command.enabled || !matches(command.path, words)) continue;
         auto* item = new QListWidgetItem(
             command.icon, command.keys.isEmpty() ? command.path : command.path + "   " + command.keys, list_);
         item->setData(Qt::UserRole, i);
@@ -91,12 +91,12 @@ QList<CommandPalette::Command> commandsOf(const QList<QAction*>& actions, const 
         const QString here = path.isEmpty() ? text : path + QStringLiteral(" › ") + text;
         if (action->menu())
             result += commandsOf(action->menu()->actions(), here);
-        else if (action->isEnabled())
+        else
             result.append({here,
                            [action = QPointer<QAction>(action)] {
                                if (action) action->trigger();
                            },
-                           action->icon(), action->shortcut().toString(QKeySequence::NativeText)});
+                           action->icon(), action->shortcut().toString(QKeySequence::NativeText), action->isEnabled()});
     }
     return result;
 }

@@ -20,7 +20,8 @@ public:
         QString path;               ///< "File › Save"
         std::function<void()> run;  ///< does nothing when what it works on is gone
         QIcon icon = {};
-        QString keys = {};  ///< its shortcut, as people read it
+        QString keys = {};    ///< its shortcut, as people read it
+        bool enabled = true;  ///< false: not offered now
     };
 
     explicit CommandPalette(const QList<Command>& commands, QWidget* parent = nullptr);
@@ -37,7 +38,7 @@ private:
     QListWidget* list_;
 };
 
-/// The commands under a menu bar or menu that can be used now, with their paths.
+/// The commands under a menu bar or menu, with their paths.
 QList<CommandPalette::Command> commandsOf(const QList<QAction*>& actions, const QString& path = {});
 
 }  // namespace lathelier

@@ -1,14 +1,17 @@
 #include "widgets/plot/colour_legend.h"
 
+#include <QAction>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QLineEdit>
 #include <QPainter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include "widgets/core/icons.h"
 
 namespace lathelier::plot {
 namespace {
@@ -135,13 +138,12 @@ int colourLegendWidth(const Legend& legend, const QFont& font, const QLocale& lo
 }
 
 LimitEdit::LimitEdit(QWidget* parent)
-    : QWidget(parent), upper_(new QDoubleSpinBox(this)), lower_(new QDoubleSpinBox(this)), apart_(new QToolButton(this))
+    : QWidget(parent), upper_(new QDoubleSpinBox(this)), lower_(new QDoubleSpinBox(this)), apart_(new QAction(this))
 {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     layout->addWidget(upper_, 0, 0);
-    layout->addWidget(apart_, 0, 1);
     layout->addWidget(lower_, 1, 0);
     for (QDoubleSpinBox* box : {upper_, lower_}) {
         box->setDecimals(4);
@@ -154,10 +156,10 @@ LimitEdit::LimitEdit(QWidget* parent)
     upper_->setObjectName("scaleUpper");
     lower_->setObjectName("scaleLower");
     apart_->setObjectName("scaleApart");
-    apart_->setText(QString(QChar(0x2260)));
+    apart_->setIcon(icon("sides"));
     apart_->setCheckable(true);
-    apart_->setAutoRaise(true);
-    connect(apart_, &QToolButton::toggled, this, [this] {
+    upper_->findChild<QLineEdit*>()->addAction(apart_, QLineEdit::TrailingPosition);
+    connect(apart_, &QAction::toggled, this, [this] {
         lower_->setValue(upper_->value());
         showSides();
         announce();
@@ -175,8 +177,7 @@ void LimitEdit::showSides()
     upper_->setAccessibleName(tr("Limit of the colour scale in mm"));
     lower_->setToolTip(tr("How far below 0 the colour scale goes, in mm"));
     lower_->setAccessibleName(lower_->toolTip());
-    apart_->setToolTip(tr("Each side of the scale by itself"));
-    apart_->setAccessibleName(apart_->toolTip());
+    apart_->setText(tr("Each side of the scale by itself"));
     lower_->setVisible(apart);
     adjustSize();
 }

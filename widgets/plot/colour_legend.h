@@ -7,9 +7,9 @@
 
 #include "engine/report/colours.h"
 
+class QAction;
 class QDoubleSpinBox;
 class QPainter;
-class QToolButton;
 
 namespace lathelier::plot {
 
@@ -51,7 +51,7 @@ private:
 
     QDoubleSpinBox* upper_;
     QDoubleSpinBox* lower_;
-    QToolButton* apart_;
+    QAction* apart_;
 };
 
 /// Legend and limit as one widget, to lie over a picture.

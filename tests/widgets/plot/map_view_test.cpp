@@ -1,11 +1,11 @@
 #include "widgets/plot/map_view.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
-#include <QToolButton>
 #include <cmath>
 
 using namespace lathelier;
@@ -131,7 +131,7 @@ private slots:
         QSignalSpy edits(view_, &plot::MapView::limitEdited);
         auto* lower = view_->findChild<QDoubleSpinBox*>("scaleLower");
         QVERIFY(lower && !lower->isVisible());
-        view_->findChild<QToolButton*>("scaleApart")->click();
+        view_->findChild<QAction*>("scaleApart")->trigger();
         QVERIFY(lower->isVisible());
         lower->setValue(0.05);
         QCOMPARE(edits.back()[1].toDouble(), 0.05);

@@ -244,10 +244,6 @@ void CompareViews::showCharts()
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
     p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
-    const plot::ScaleCounts counts{result.histogram.edges_mm,
-                                   {result.histogram.counts.begin(), result.histogram.counts.end()}};
-    p.scene->setCounts(counts);
-    p.map->setCounts(counts);
     if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
     if (!p.hasAxis()) return;
     const double factor = p.factor->value();
@@ -288,6 +284,7 @@ void CompareViews::showSurface()
     if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
+    p.coloured = copy.values;
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
@@ -306,6 +303,11 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
     }
     parts_->map->setColours(colours);
     parts_->scene->setColours(colours);
+    if (!parts_->picture) return;
+    // What is coloured is counted: local means, or the points by themselves.
+    const auto counts = plot::countsOf(parts_->coloured ? *parts_->coloured : parts_->result().deviation_mm, colours);
+    parts_->scene->setCounts(counts);
+    parts_->map->setCounts(counts);
 }
 
 void CompareViews::setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm)

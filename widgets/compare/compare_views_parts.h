@@ -31,10 +31,11 @@ inline constexpr const char* copies = "copies";
 struct CompareViews::Parts {
     std::shared_ptr<const ComparePicture> picture;  ///< what is shown; null: nothing yet
     std::optional<ComparePlace> place;              ///< the marked place; none: no place
-    std::optional<double> chosenLimit;   ///< end of the colour scale that the user chose, in mm; none: from the result
-    std::optional<double> chosenLower;   ///< how far below 0 it goes then, in mm; none: as far as above
-    std::optional<double> chosenFactor;  ///< likewise, magnification of the meridian's error
-    bool restored = false;               ///< the choices above are those of the project that is being opened
+    std::optional<double> chosenLimit;  ///< end of the colour scale that the user chose, in mm; none: from the result
+    std::shared_ptr<const std::vector<float>> coloured;  ///< deviations that the part shows; null: none
+    std::optional<double> chosenLower;                   ///< how far below 0 it goes then, in mm; none: as far as above
+    std::optional<double> chosenFactor;                  ///< likewise, magnification of the meridian's error
+    bool restored = false;                   ///< the choices above are those of the project that is being opened
     std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
 
     scene::SceneView* scene = nullptr;                 ///< reference and copy in space

@@ -80,6 +80,20 @@ void paintCounts(QPainter& painter, const QRectF& room, const Legend& legend, co
 
 }  // namespace
 
+ScaleCounts countsOf(const std::vector<float>& values, const report::DeviationColours& colours)
+{
+    constexpr int bins = 48;
+    const double least = colours.least(), range = colours.limit - least;
+    ScaleCounts result;
+    for (int i = 0; i <= bins; ++i) result.edges.push_back(least + range * i / bins);
+    result.counts.assign(bins, 0);
+    for (const float value : values) {
+        const double place = (static_cast<double>(value) - least) / range * bins;
+        if (place >= 0 && place < bins) ++result.counts[static_cast<std::size_t>(place)];
+    }
+    return result;
+}
+
 void paintColourLegend(QPainter& painter, const QRectF& room, const Legend& legend, const QFont& font,
                        const QColor& text, const QLocale& locale)
 {

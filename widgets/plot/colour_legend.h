@@ -19,6 +19,9 @@ struct ScaleCounts {
     std::vector<double> counts;  ///< of each bin, of any sum
 };
 
+/// Counts of `values` in even bins of the scale; those beyond its ends in none.
+ScaleCounts countsOf(const std::vector<float>& values, const report::DeviationColours& colours);
+
 /// What a legend shows.
 struct Legend {
     report::DeviationColours colours;

@@ -56,6 +56,7 @@ ChannelTable::ChannelTable(QWidget* parent) : QTableWidget(parent)
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::NoSelection);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     setEditTriggers(AllEditTriggers);
     connect(this, &QTableWidget::cellChanged, this, [this](int row, int column) {
         if (column >= sensitivityColumn) takeCalibration(row);
@@ -109,8 +110,6 @@ void ChannelTable::setRecord(const io::ProbeRecord* record, const trajectory::Tr
         showCalibration(row, channel, parameters);
         setRowHeight(row, box->sizeHint().height() + 2);
     }
-    resizeColumnsToContents();
-    if (channels_ > 0) setColumnWidth(signalColumn, cellWidget(0, signalColumn)->sizeHint().width() + 2);
 }
 
 QString ChannelTable::signalOf(int row) const

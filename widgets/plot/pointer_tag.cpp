@@ -58,9 +58,9 @@ void PointerTag::paintEvent(QPaintEvent*)
     painter.setPen(palette().color(QPalette::ToolTipText));
     const QFontMetrics value(large());
     painter.setFont(large());
-    painter.drawText(QPointF(air_px, air_px / 2 + value.ascent()), words_.value);
+    painter.drawText(QPointF(air_px, 0.5 * air_px + value.ascent()), words_.value);
     painter.setFont(font());
-    painter.drawText(QPointF(air_px, air_px / 2 + value.height() + QFontMetrics(font()).ascent()), words_.place);
+    painter.drawText(QPointF(air_px, 0.5 * air_px + value.height() + QFontMetrics(font()).ascent()), words_.place);
 }
 
 }  // namespace lathelier::plot

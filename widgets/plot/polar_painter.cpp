@@ -86,7 +86,7 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
 
 QString PolarPainter::remark() const
 {
-    const QString division = PolarWords::tr("%1 µm/div").arg(locale_.toString(division_um_, 'g', 6));
+    QString division = PolarWords::tr("%1 µm/div").arg(locale_.toString(division_um_, 'g', 6));
     if (picture_.plot.base_radius_mm <= 0) return division;
     return PolarWords::tr("deviation × %1 · %2").arg(locale_.toString(magnification_, 'f', 0), division);
 }

@@ -35,6 +35,7 @@ void KindFinder::next()
         [this, names, done](const Error&) {  // the reader of the files will say why
             next();
             std::vector<FoundFile> files;
+            files.reserve(names.size());
             for (const std::string& name : names) files.push_back({name});
             done(files);
         });

@@ -1,0 +1,24 @@
+// What a beam refuses: codes with their English patterns. {name} is replaced by the named value; text() puts path,
+// line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode shaftEmpty{"shaft_empty", ErrorKind::InputRejected,
+                                      LT_TEXT("Engine", "The shaft has no segment that is longer than 0.")};
+
+inline constexpr ErrorCode shaftSegmentUnusable{
+    "shaft_segment_unusable", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Segment {segment} of the shaft: {quantity} is {found_mm} mm; expected {expected}.")};
+
+inline constexpr ErrorCode placeOutsideShaft{
+    "place_outside_shaft", ErrorKind::WrongUsage,
+    LT_TEXT("Engine", "The place z = {z_mm} mm is not on the shaft; expected 0 to {length_mm} mm.")};
+
+}  // namespace errors
+
+}  // namespace lathelier

@@ -1,0 +1,74 @@
+// 2×2 matrices over deflection w and rotation t, real or complex: the algebra of one line of a beam's response.
+#pragma once
+
+#include <complex>
+
+namespace lathelier::beam {
+
+using Complex = std::complex<double>;
+
+inline double reciprocal(double x)
+{
+    return 1 / x;
+}
+/// Without the checks for infinity that std::complex makes: the numbers here stay far from the ends of double.
+inline Complex reciprocal(const Complex& x)
+{
+    const double size = 1 / (x.real() * x.real() + x.imag() * x.imag());
+    return {x.real() * size, -x.imag() * size};
+}
+inline double product(double a, double b)
+{
+    return a * b;
+}
+inline Complex product(const Complex& a, const Complex& b)
+{
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// Row: response (force or deflection), column: cause.
+template <class S>
+struct Matrix2 {
+    S ww{};  ///< deflection by deflection
+    S wt{};  ///< deflection by rotation
+    S tw{};  ///< rotation by deflection
+    S tt{};  ///< rotation by rotation
+
+    friend Matrix2 operator+(const Matrix2& a, const Matrix2& b)
+    {
+        return {a.ww + b.ww, a.wt + b.wt, a.tw + b.tw, a.tt + b.tt};
+    }
+    friend Matrix2 operator-(const Matrix2& a, const Matrix2& b)
+    {
+        return {a.ww - b.ww, a.wt - b.wt, a.tw - b.tw, a.tt - b.tt};
+    }
+    friend Matrix2 operator-(const Matrix2& a) { return {-a.ww, -a.wt, -a.tw, -a.tt}; }
+    friend Matrix2 operator*(const Matrix2& a, const Matrix2& b)
+    {
+        return {product(a.ww, b.ww) + product(a.wt, b.tw), product(a.ww, b.wt) + product(a.wt, b.tt),
+                product(a.tw, b.ww) + product(a.tt, b.tw), product(a.tw, b.wt) + product(a.tt, b.tt)};
+    }
+    Matrix2 transposed() const { return {ww, tw, wt, tt}; }
+    /// The same about axes that point the other way: rotation changes its sign, deflection does not.
+    Matrix2 mirrored() const { return {ww, -wt, -tw, tt}; }
+};
+
+/// Which motions of a node are held rigidly.
+struct Held {
+    bool w = false;  ///< deflection
+    bool t = false;  ///< rotation
+    friend bool operator==(const Held&, const Held&) = default;
+};
+
+/// Compliance of stiffness `a`; motions that are held have none.
+template <class S>
+Matrix2<S> compliance(const Matrix2<S>& a, Held held)
+{
+    if (held.w && held.t) return {};
+    if (held.w) return {{}, {}, {}, reciprocal(a.tt)};
+    if (held.t) return {reciprocal(a.ww), {}, {}, {}};
+    const S size = reciprocal(product(a.ww, a.tt) - product(a.wt, a.tw));
+    return {product(a.tt, size), product(-a.wt, size), product(-a.tw, size), product(a.ww, size)};
+}
+
+}  // namespace lathelier::beam

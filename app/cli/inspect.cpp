@@ -15,6 +15,32 @@ std::string corner(const std::optional<std::array<double, 3>>& point)
     return text(Value((*point)[0])) + "  " + text(Value((*point)[1])) + "  " + text(Value((*point)[2]));
 }
 
+/// "type 58, line 2, function 4"; what an item does not have is left out.
+std::string itemText(const Row& row)
+{
+    std::string line;
+    for (const auto& [name, value] : row.cells) {
+        if (std::holds_alternative<std::monostate>(value)) continue;
+        if (!line.empty()) line += ", ";
+        line.append(name).append(" ").append(text(value));
+    }
+    return line;
+}
+
+/// A list is one row for each of its items, as far as people read on.
+void addDetail(const std::string& name, const Value& value, report::QuantityTable& table)
+{
+    constexpr std::size_t mostItems = 100;
+    const auto* list = std::get_if<Rows>(&value);
+    if (!list) {
+        table.rows.push_back({name, value, {}});
+        return;
+    }
+    table.rows.push_back({name, static_cast<std::int64_t>(list->rows.size()), {}});
+    for (std::size_t k = 0; k < std::min(list->rows.size(), mostItems); ++k)
+        table.rows.push_back({name + ' ' + std::to_string(k + 1), itemText(list->rows[k]), {}});
+}
+
 /// The facts of one file as rows; what does not apply is left out.
 report::QuantityTable factsTable(const io::FileFacts& facts)
 {
@@ -28,9 +54,9 @@ report::QuantityTable factsTable(const io::FileFacts& facts)
     add(LT_TEXT("Engine", "Delimiter"), facts.delimiter);
     add(LT_TEXT("Engine", "Decimal mark"), facts.decimal);
     add(LT_TEXT("Engine", "Unit"), facts.unit.empty() ? "" : facts.unit + " (" + facts.unit_source + ")");
-    add(LT_TEXT("Engine", "Rows"), facts.rows);
+    if (facts.rows > 0) add(LT_TEXT("Engine", "Rows"), facts.rows);
     if (facts.columns > 0) add(LT_TEXT("Engine", "Columns"), facts.columns);
-    for (const auto& [name, value] : facts.details) table.rows.push_back({name, value, {}});
+    for (const auto& [name, value] : facts.details) addDetail(name, value, table);
     add(LT_TEXT("Engine", "Smallest x, y, z (mm)"), corner(facts.min_mm));
     add(LT_TEXT("Engine", "Largest x, y, z (mm)"), corner(facts.max_mm));
     for (const io::SkippedRow& row : facts.skipped)
@@ -101,7 +127,7 @@ Verb inspectVerb(const io::FileKinds& kinds)
             "Say what was understood of files: format, units, columns, rows, extent.",
             {{"FILE",
               "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, a probe record "
-              "(CSV, L-Graph .dat/.par), or characteristics (Q-DAS .dfq).",
+              "(CSV, L-Graph .dat/.par), frequency responses (UFF, CSV, MAT), or characteristics (Q-DAS .dfq).",
               true}},
             {},
             kinds,

@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/io/cloud/scan_reader.h"
 #include "engine/io/file.h"
+#include "engine/io/frf/frf_reader.h"
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/profile/profile_reader.h"
 #include "engine/io/qdas/dfq_reader.h"
@@ -162,6 +163,23 @@ const FileKind& qdasFiles()
                                {},
                                likeQdas,
                                [](const FileToRead& file, Notes&) { return readDfqFacts(file.path, file.bytes); }};
+    return kind;
+}
+
+const FileKind& frfFiles()
+{
+    static const FileKind kind{"frf",
+                               LT_TEXT("Engine", "Frequency responses"),
+                               "*.uff *.unv *.csv *.mat",
+                               infos<FrfOptions>(),
+                               toValues(FrfOptions{}),
+                               [](const std::string& path, std::string_view head, const Values& reading) {
+                                   return likeFrf(path, head, fromValues<ImportOptions>(reading));
+                               },
+                               [](const FileToRead& file, Notes& notes) {
+                                   return readFrfFacts(file.path, file.bytes, fromValues<ImportOptions>(file.reading),
+                                                       fromValues<FrfOptions>(file.reading), notes, file.progress);
+                               }};
     return kind;
 }
 

@@ -64,5 +64,7 @@ const FileKind& profileFiles();
 const FileKind& probeRecordFiles();
 /// Q-DAS characteristics.
 const FileKind& qdasFiles();
+/// Frequency responses: universal files, tables, MAT files.
+const FileKind& frfFiles();
 
 }  // namespace lathelier::io

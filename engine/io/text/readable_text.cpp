@@ -80,6 +80,7 @@ const Extension extensions[] = {
     {".dfx", qdasFile},
     {".uff", LT_TEXT("Engine", "a universal file (UFF)")},
     {".unv", LT_TEXT("Engine", "a universal file (UFF)")},
+    {".mat", LT_TEXT("Engine", "a MAT file")},
     {".json", jsonText},
     {".nc", LT_TEXT("Engine", "an NC program")},
     {".ngc", LT_TEXT("Engine", "an NC program")},

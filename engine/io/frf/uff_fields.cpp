@@ -1,0 +1,144 @@
+#include "engine/io/frf/uff_fields.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/io/text/encoding.h"
+#include "engine/io/text/number.h"
+
+namespace lathelier::io {
+namespace {
+
+using Kind = UffColumn::Kind;
+
+constexpr Text expectedNumber = LT_TEXT("Engine", "a number in its columns");
+
+/// The number that a whole word is, NaN for words such as "NaN"; nothing for others and for what is too large.
+std::optional<double> wordNumber(std::string_view word)
+{
+    if (const auto value = wholeNumber(word, '.')) return std::isfinite(*value) ? value : std::nullopt;
+    if (isNotFiniteWord(word)) return std::numeric_limits<double>::quiet_NaN();
+    return std::nullopt;
+}
+
+std::size_t widthInBytes(std::string_view text, int characters, bool countBytes)
+{
+    if (countBytes) return std::min(text.size(), static_cast<std::size_t>(characters));
+    std::size_t bytes = 0;
+    for (int k = 0; k < characters && bytes < text.size(); ++k) {
+        ++bytes;
+        while (bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) ++bytes;
+    }
+    return bytes;
+}
+
+std::vector<std::string_view> split(std::string_view line, std::span<const UffColumn> columns, bool countBytes)
+{
+    std::vector<std::string_view> parts;
+    for (const UffColumn& column : columns) {
+        const std::size_t width = widthInBytes(line, column.width, countBytes);
+        parts.push_back(line.substr(0, width));
+        line.remove_prefix(width);
+    }
+    return parts;
+}
+
+std::optional<double> numberIn(std::string_view part, Kind kind)
+{
+    part = trimmed(part);
+    if (part.empty() || kind == Kind::Word) return 0;
+    if (kind == Kind::Blank) return std::nullopt;
+    if (kind == Kind::Real) return wholeNumber(part, '.');
+    const auto integer = wholeInteger(part);
+    return integer ? std::optional(static_cast<double>(*integer)) : std::nullopt;
+}
+
+/// The first field that does not hold what it should, blanks between texts included; columns.size() when all do.
+std::size_t firstWrong(std::span<const std::string_view> parts, std::span<const UffColumn> columns)
+{
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        if (!numberIn(parts[k], columns[k].kind)) return k;
+    return parts.size();
+}
+
+/// The words of a line are numbers, and not laid out in the columns: another program's own layout.
+bool readWords(std::string_view line, std::span<const int> widths, std::vector<double>& values)
+{
+    std::vector<std::string_view> words;
+    splitWords(line, words);
+    bool aligned = true;
+    std::vector<double> found;
+    for (const std::string_view word : words) {
+        const auto value = wordNumber(word);
+        if (!value) return false;
+        found.push_back(*value);
+        const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
+        std::size_t boundary = 0;
+        for (std::size_t k = 0; boundary < end && k < widths.size(); ++k)
+            boundary += static_cast<std::size_t>(widths[k]);
+        aligned = aligned && boundary == end;
+    }
+    if (aligned) return false;
+    values.insert(values.end(), found.begin(), found.end());
+    return true;
+}
+
+}  // namespace
+
+std::string uffText(std::string_view line)
+{
+    try {
+        return std::string(decodeText(line, Encoding::Auto).view());
+    } catch (const Error&) {
+        return std::string(decodeText(line, Encoding::Latin1).view());
+    }
+}
+
+UffFields::UffFields(std::int64_t lineNumber, std::string_view line, std::span<const UffColumn> columns)
+    : lineNumber_(lineNumber), line_(uffText(line))
+{
+    parts_ = split(line_, columns, false);
+    if (firstWrong(parts_, columns) < columns.size()) {
+        std::vector<std::string_view> byBytes = split(line_, columns, true);
+        if (firstWrong(byBytes, columns) == columns.size()) parts_ = std::move(byBytes);
+    }
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const auto number = numberIn(parts_[k], columns[k].kind);
+        const bool counts = columns[k].kind != Kind::Blank;  // what runs into a gap changes no number
+        if (counts && (!number || !std::isfinite(*number))) throw wrong(k, expectedNumber);
+        numbers_.push_back(number.value_or(0));
+    }
+}
+
+Error UffFields::wrong(std::size_t k, Text expected) const
+{
+    return malformed(lineNumber_, line_, trimmed(parts_[k]), expected);
+}
+
+void readUffNumbers(std::int64_t lineNumber, std::string_view line, std::span<const int> widths,
+                    std::vector<double>& values)
+{
+    const std::string_view written = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    if (readWords(written, widths, values)) return;
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < widths.size() && begin < written.size(); ++k) {
+        const std::string_view part = trimmed(written.substr(begin, static_cast<std::size_t>(widths[k])));
+        const auto value = wordNumber(part);
+        if (!value) throw malformed(lineNumber, line, part, expectedNumber);
+        values.push_back(*value);
+        begin += static_cast<std::size_t>(widths[k]);
+    }
+    const std::string_view rest = trimmed(written.substr(std::min(begin, written.size())));
+    if (!rest.empty()) throw malformed(lineNumber, line, rest, LT_TEXT("Engine", "the end of the line"));
+}
+
+bool isUffSeparator(std::string_view line)
+{
+    if (line.size() < 2) return false;
+    const std::size_t at = line.find("-1");
+    if (at != 4 && at != 0) return false;
+    return trimmed(line.substr(0, at)).empty() && trimmed(line.substr(at + 2)).empty();
+}
+
+}  // namespace lathelier::io

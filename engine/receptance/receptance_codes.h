@@ -1,0 +1,76 @@
+// What the receptances of shafts on machines refuse or remark: codes with their English patterns. {name} is replaced by
+// the named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode frequencyOutsideSpindle{
+    "frequency_outside_spindle", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The spindle is not known at {frequency_hz} Hz, only from {from_hz} to {to_hz} Hz.")};
+
+inline constexpr ErrorCode boresStatedTwice{
+    "bores_stated_twice", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The shaft states bores in its segments and in a list of bores; one of the two is allowed.")};
+
+inline constexpr ErrorCode tooFewMeasuredPoints{
+    "too_few_measured_points", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "{points} points with {frfs} frequency responses are too few for the spindle; at least 2 points and 3 "
+            "responses are needed.")};
+
+inline constexpr ErrorCode measuredPointBeyondRod{
+    "measured_point_beyond_rod", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "Rod {rod}, point {point}: {distance_mm} mm from the chuck; expected 0 to {length_mm} mm, the rod's "
+            "length.")};
+
+inline constexpr ErrorCode measuredPairUnknown{
+    "measured_pair_unknown", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "A frequency response belongs to rod {rod}, points {first} and {second}, which are not stated.")};
+
+inline constexpr ErrorCode measuredNodeMissing{
+    "measured_node_missing", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Rod {rod}: no frequency response with the node {node} is in the file.")};
+
+inline constexpr ErrorCode frfLinesDiffer{
+    "frf_lines_differ", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The frequency responses have different lines: {first}, {second}.")};
+
+inline constexpr ErrorCode holdOutUnknown{"hold_out_unknown", ErrorKind::WrongUsage,
+                                          LT_TEXT("Engine", "Rod {rod} cannot be held out; there are {rods} rods.")};
+
+}  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode materialAssumed{
+    "material_assumed", Severity::Info,
+    LT_TEXT("Engine",
+            "No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).")};
+
+inline constexpr NoteCode spindleHasNoModes{
+    "spindle_has_no_modes", Severity::Info,
+    LT_TEXT("Engine", "The spindle is a table of receptances: natural frequencies do not follow from it.")};
+
+inline constexpr NoteCode spindleIllConditioned{
+    "spindle_ill_conditioned", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "At {lines} of {all} frequencies the measurements hardly tell the three receptances apart (condition number "
+        "above {limit}).")};
+
+inline constexpr NoteCode spindleNotConverged{
+    "spindle_not_converged", Severity::Warning,
+    LT_TEXT("Engine", "At {lines} of {all} frequencies the fit of the spindle did not converge.")};
+
+inline constexpr NoteCode spindleNotPassive{
+    "spindle_not_passive", Severity::Warning,
+    LT_TEXT("Engine", "At {lines} of {all} frequencies the spindle found would give power away.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

@@ -1,0 +1,34 @@
+#include "engine/receptance/receptance_quantities.h"
+
+namespace lathelier::receptance {
+namespace {
+
+std::vector<double> realParts(const ShaftReceptanceResult& result)
+{
+    std::vector<double> parts;
+    for (const Complex& value : result.frf.value) parts.push_back(value.real());
+    return parts;
+}
+
+std::vector<double> imaginaryParts(const ShaftReceptanceResult& result)
+{
+    std::vector<double> parts;
+    for (const Complex& value : result.frf.value) parts.push_back(value.imag());
+    return parts;
+}
+
+}  // namespace
+
+const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftReceptanceResult*)
+{
+    using R = ShaftReceptanceResult;
+    static const auto all = describedBy<R>(
+        quantity<R>("length_mm", &R::length_mm, {LT_TEXT("Engine", "Length"), LT_TEXT("Engine", "mm")}),
+        quantity<R>("natural_frequencies_hz", &R::natural_frequencies_hz,
+                    {LT_TEXT("Engine", "Natural frequencies"), LT_TEXT("Engine", "Hz"), 2}),
+        quantity<R>("receptance.frequency_hz", [](const R& r) { return r.frf.frequency_hz; }),
+        quantity<R>("receptance.real_mm_N", realParts), quantity<R>("receptance.imag_mm_N", imaginaryParts));
+    return all;
+}
+
+}  // namespace lathelier::receptance

@@ -1,0 +1,11 @@
+// Results of shaftReceptance() described: keys, names, units and decimals for JSON and tables.
+#pragma once
+
+#include "engine/core/quantities.h"
+#include "engine/receptance/shaft_receptance.h"
+
+namespace lathelier::receptance {
+
+const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftReceptanceResult*);
+
+}  // namespace lathelier::receptance

@@ -1,0 +1,154 @@
+#include "engine/receptance/receptance_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/texts.h"
+#include "engine/receptance/frf_plots.h"
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
+
+namespace lathelier::receptance {
+namespace {
+
+const Text hz = LT_TEXT("Engine", "Hz");
+constexpr double millionth = 1e6;
+
+report::Table frequenciesTable(const std::vector<double>& frequencies_hz)
+{
+    report::Table table;
+    table.title = LT_TEXT("Engine", "Natural frequencies, undamped");
+    table.columns = {LT_TEXT("Engine", "mode"), LT_TEXT("Engine", "frequency (Hz)")};
+    table.decimals = {0, 2};
+    for (std::size_t i = 0; i < frequencies_hz.size(); ++i)
+        table.rows.push_back({static_cast<std::int64_t>(i + 1), frequencies_hz[i]});
+    return table;
+}
+
+/// One entry of the chuck face's receptance over frequency, magnitude.
+report::Plot entryPlot(const SpindleTable& table, const std::vector<Complex>& values, Text title, Text unit)
+{
+    report::Plot plot;
+    plot.title = title;
+    plot.x = {LT_TEXT("Engine", "Frequency"), hz};
+    plot.y = {LT_TEXT("Engine", "Magnitude"), unit, report::Axis::Scale::Logarithmic};
+    report::Curve curve{{}, table.frequency_hz, {}};
+    for (const Complex& value : values) curve.y.push_back(std::abs(value));
+    plot.curves = {std::move(curve)};
+    return plot;
+}
+
+report::Plot conditionPlot(const SpindleIdentification& result)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Condition of each line");
+    plot.x = {LT_TEXT("Engine", "Frequency"), hz};
+    plot.y = {LT_TEXT("Engine", "Condition"), {}, report::Axis::Scale::Logarithmic};
+    plot.curves = {{{}, result.frequency_hz, result.condition}};
+    return plot;
+}
+
+}  // namespace
+
+report::Answer answer(const ShaftReceptanceResult& result, const Language& language)
+{
+    report::Answer answer;
+    answer.used = result.used;
+    const Frf& frf = result.frf;
+    std::size_t peak = 0;
+    for (std::size_t i = 0; i < frf.value.size(); ++i)
+        if (!(std::abs(frf.value[peak]) >= std::abs(frf.value[i]))) peak = i;
+    if (result.natural_frequencies_hz && !result.natural_frequencies_hz->empty()) {
+        answer.quantity = LT_TEXT("Engine", "First natural frequency");
+        answer.value = result.natural_frequencies_hz->front();
+        answer.unit = hz;
+        answer.decimals = 2;
+    } else {
+        answer.quantity = LT_TEXT("Engine", "Receptance");
+    }
+    if (frf.value.empty() || !std::isfinite(std::abs(frf.value[peak]))) return answer;
+    answer.sentence = LT_TEXT("Engine", "Largest receptance {magnitude} nm/N at {frequency} Hz · lines: {lines}");
+    answer.values = {{"magnitude", fixed(millionth * std::abs(frf.value[peak]), 2, language)},
+                     {"frequency", fixed(frf.frequency_hz[peak], 1, language)},
+                     {"lines", static_cast<std::int64_t>(frf.value.size())}};
+    return answer;
+}
+
+report::Answer answer(const SpindleIdentification& result, const Language& language)
+{
+    report::Answer answer;
+    answer.used = result.used;
+    answer.quantity = LT_TEXT("Engine", "Residual of the identification");
+    answer.value = result.residual_rms_percent;
+    answer.unit = LT_TEXT("Engine", "%");
+    answer.decimals = 2;
+    answer.values = {
+        {"responses", static_cast<std::int64_t>(result.frfs)},
+        {"lines", static_cast<std::int64_t>(result.frequency_hz.size())},
+        {"held_out", result.hold_out_rms_percent ? Value(fixed(*result.hold_out_rms_percent, 2, language)) : Value()}};
+    answer.sentence =
+        result.hold_out_rms_percent
+            ? LT_TEXT("Engine", "Of the rod held out {held_out} % · responses: {responses} · lines: {lines}")
+            : LT_TEXT("Engine", "Responses: {responses} · lines: {lines}");
+    return answer;
+}
+
+report::Section frfSummary(const ShaftReceptanceResult& result, const Language& language)
+{
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
+    if (result.natural_frequencies_hz && !result.natural_frequencies_hz->empty())
+        section.blocks.push_back(frequenciesTable(*result.natural_frequencies_hz));
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+report::Section spindleSummary(const SpindleIdentification& result, const Language& language)
+{
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+report::Document frfReport(const ShaftReceptanceResult& result, const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Frequency response of a shaft");
+    document.sections.push_back(frfSummary(result, language));
+    document.sections.push_back({LT_TEXT("Engine", "Frequency response"),
+                                 {magnitudePlot(result.frf), realImaginaryPlot(result.frf, {}, language)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Method and parameters"),
+         {report::Paragraph{
+              LT_TEXT("Engine",
+                      "Timoshenko's beam with shear and rotary inertia in closed form, piece by piece; on a "
+                      "spindle joined at the chuck face by receptance coupling."),
+              {}},
+          report::parametersTable(result.parameters, language, result.used)}});
+    return document;
+}
+
+report::Document spindleReport(const SpindleIdentification& result, const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Receptance of a spindle");
+    document.sections.push_back(spindleSummary(result, language));
+    if (const auto* table = std::get_if<SpindleTable>(&result.spindle.source))
+        document.sections.push_back(
+            {LT_TEXT("Engine", "Receptance of the chuck face"),
+             {entryPlot(*table, table->H_mm_N, LT_TEXT("Engine", "H: deflection per force"), LT_TEXT("Engine", "mm/N")),
+              entryPlot(*table, table->L_mm_Nmm, LT_TEXT("Engine", "L: deflection per moment"),
+                        LT_TEXT("Engine", "mm/(N·mm)")),
+              entryPlot(*table, table->P_rad_Nmm, LT_TEXT("Engine", "P: rotation per moment"),
+                        LT_TEXT("Engine", "rad/(N·mm)")),
+              conditionPlot(result)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Method and parameters"),
+         {report::Paragraph{LT_TEXT("Engine",
+                                    "Inverse receptance coupling line by line: a linear start from the motion of the "
+                                    "joint, then weighted least squares on the measured responses."),
+                            {}},
+          report::parametersTable(result.parameters, language, result.used)}});
+    return document;
+}
+
+}  // namespace lathelier::receptance

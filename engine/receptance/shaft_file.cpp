@@ -1,0 +1,144 @@
+#include "engine/receptance/shaft_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/beam/beam_codes.h"
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/io/json/json_fields.h"
+#include "engine/io/text/encoding.h"
+#include "engine/io/text/number.h"
+#include "engine/io/text/text_lines.h"
+#include "engine/receptance/shaft_bores.h"
+
+namespace lathelier::receptance {
+namespace {
+
+constexpr std::size_t mostBores = 2;
+constexpr int piecesOfBore = 50;
+
+/// Keys of rows that others read (tolerances, what was measured) are no mistakes.
+void forgetKeysOfOthers(Notes& notes, std::size_t from)
+{
+    const auto of_others = [](const Note& note) {
+        if (!(note.code == notes::unknownKey)) return false;
+        const Value* key = find(note.values, "key");
+        return key && (*key == Value(std::string("tolerance")) || *key == Value(std::string("measured")));
+    };
+    notes.erase(std::remove_if(notes.begin() + static_cast<std::ptrdiff_t>(from), notes.end(), of_others), notes.end());
+}
+
+void checkSchema(const io::JsonCursor& root)
+{
+    if (const auto schema = root.member("schema"); schema && schema->string() != "lathelier-shaft")
+        schema->reject(LT_TEXT("Engine", "“lathelier-shaft”"));
+    if (const auto version = root.member("schema_version"); version && version->integer() != 1)
+        version->reject(LT_TEXT("Engine", "version 1"));
+}
+
+Bore readBore(const io::JsonCursor& item, Notes& notes)
+{
+    Bore bore;
+    const io::JsonCursor from = item.at("from", LT_TEXT("Engine", "“free” or “chuck”"));
+    const std::string end = from.string();
+    if (end != "free" && end != "chuck") from.reject(LT_TEXT("Engine", "“free” or “chuck”"));
+    bore.from_free_end = end == "free";
+    for (const ShaftSegment& segment : io::readFields<Shaft>(item, notes, {"from"}).segments)
+        bore.segments.push_back(segment);
+    return bore;
+}
+
+/// One line of a stock file.
+struct StockLine {
+    double start_radius_mm, start_bore_mm, end_radius_mm, end_bore_mm, length_mm;
+};
+
+StockLine stockLine(const io::Lines& lines, std::string_view content)
+{
+    const Text expected =
+        LT_TEXT("Engine", "outer and bore radius at the start, outer and bore radius at the end, length");
+    std::vector<std::string_view> words;
+    io::splitWords(content, words);
+    std::array<double, 5> numbers{};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i >= numbers.size()) throw io::malformed(lines.number(), lines.line(), words[i], expected);
+        const auto value = io::wholeNumber(words[i], '.');
+        if (!value || !std::isfinite(*value) || *value < 0)
+            throw io::malformed(lines.number(), lines.line(), words[i],
+                                LT_TEXT("Engine", "a number that is 0 or more"));
+        numbers[i] = *value;
+    }
+    if (words.size() < numbers.size())
+        throw io::malformed(lines.number(), lines.line(), lines.line().substr(lines.line().size()), expected);
+    for (const std::size_t end : {std::size_t{0}, std::size_t{2}})
+        if (numbers[4] > 0 && numbers[end + 1] >= numbers[end])
+            throw io::malformed(lines.number(), lines.line(), words[end + 1],
+                                LT_TEXT("Engine", "a bore radius below the outer radius"));
+    return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+}
+
+void append(const StockLine& line, std::vector<ShaftSegment>& segments)
+{
+    const int pieces = line.start_bore_mm == line.end_bore_mm ? 1 : piecesOfBore;
+    const auto between = [pieces](double start, double end, double piece) {
+        return start + (end - start) * piece / pieces;
+    };
+    for (int i = 0; i < pieces; ++i)
+        segments.push_back({line.length_mm / pieces, 2 * between(line.start_radius_mm, line.end_radius_mm, i),
+                            2 * between(line.start_radius_mm, line.end_radius_mm, i + 1),
+                            2 * between(line.start_bore_mm, line.end_bore_mm, i + 0.5), std::nullopt, ""});
+}
+
+}  // namespace
+
+Shaft readShaft(const std::string& json, Notes& notes)
+{
+    const io::JsonDocument document{json};
+    const io::JsonCursor root = document.root();
+    checkSchema(root);
+    const std::size_t known = notes.size();
+    auto shaft = io::readFields<Shaft>(
+        root, notes, {"schema", "schema_version", "bores", "marks", "general_tolerance", "tolerance", "measured"});
+    std::vector<Bore> bores;
+    if (const auto list = root.member("bores"))
+        list->items(mostBores, [&](const io::JsonCursor& item) { bores.push_back(readBore(item, notes)); });
+    forgetKeysOfOthers(notes, known);
+    return withBores(std::move(shaft), bores);
+}
+
+Material readMaterial(const std::string& json, Notes& notes)
+{
+    const io::JsonDocument document{json};
+    return io::readFields<Material>(document.root(), notes);
+}
+
+Shaft readStock(std::string_view text)
+{
+    Shaft shaft;
+    for (io::Lines lines(text); lines.next();) {
+        const std::string_view content = io::trimmed(lines.line().substr(0, lines.line().find('#')));
+        if (!content.empty()) append(stockLine(lines, content), shaft.segments);
+    }
+    if (!(shaft.length_mm() > 0)) throw Error(errors::shaftEmpty, {});
+    return shaft;
+}
+
+Shaft readShaftFile(const std::string& path, Notes& notes, const Progress& progress)
+{
+    const io::FileBytes bytes(path, progress);
+    try {
+        const io::DecodedText text = io::decodeText(bytes.view(), io::Encoding::Auto, progress);
+        const std::string_view content = io::trimmed(text.view());
+        if (content.empty()) throw Error(errors::fileEmpty, {});
+        const std::size_t first = content.find_first_not_of(" \t\r\n");
+        if (first != std::string_view::npos && content[first] == '{') return readShaft(std::string(text.view()), notes);
+        return readStock(text.view());
+    } catch (Error& error) {
+        error.with("path", path);
+        throw;
+    }
+}
+
+}  // namespace lathelier::receptance

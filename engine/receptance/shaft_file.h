@@ -1,0 +1,33 @@
+// Files that describe a shaft: SHAFT.json, a material as JSON, and the stock text file.
+//
+// SHAFT.json: {"schema": "lathelier-shaft", "schema_version": 1, "name", "segments": [{"length_mm",
+// "start_diameter_mm", "end_diameter_mm", "bore_diameter_mm"?, "arc_radius_mm"?, "role"?}… from the free end],
+// "bores"?, "material"?}. What else such a file holds (marks, tolerances, measured values) is read by others and
+// changes nothing here. Stock file: a line for each segment from the free end, with outer radius and bore radius at its
+// start, the same at its end, and its length, all in mm; blank lines and remarks after # are passed over.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/core/error.h"
+#include "engine/core/progress.h"
+#include "engine/core/shaft.h"
+
+namespace lathelier::receptance {
+
+/// Errors with line and column: malformed (also a schema that is not this one), keyMissing, keyOutOfRange;
+/// boresStatedTwice. Notes: unknownKey.
+Shaft readShaft(const std::string& json, Notes& notes);
+
+/// {"name"?, "elastic_modulus_MPa", "poisson_ratio", "density_kg_m3", "loss_factor"}; what is missing is that of steel.
+/// Errors and notes as above.
+Material readMaterial(const std::string& json, Notes& notes);
+
+/// A bore that widens becomes 50 segments of constant bore. Errors malformed with line and column; shaftEmpty.
+Shaft readStock(std::string_view text);
+
+/// Either kind of file, told apart by its content. Errors of the above and of io::FileBytes, with `path`.
+Shaft readShaftFile(const std::string& path, Notes& notes, const Progress& progress = {});
+
+}  // namespace lathelier::receptance

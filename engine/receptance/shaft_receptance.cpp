@@ -1,0 +1,135 @@
+#include "engine/receptance/shaft_receptance.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+#include "engine/beam/beam_receptance.h"
+#include "engine/beam/natural_frequencies.h"
+#include "engine/core/core_codes.h"
+#include "engine/core/parallel.h"
+#include "engine/receptance/coupling.h"
+#include "engine/receptance/receptance_codes.h"
+
+namespace lathelier::receptance {
+namespace {
+
+constexpr double mostLines = 1e6;
+constexpr std::size_t linesAtOnce = 64;
+constexpr std::size_t places = 3;  // response, excitation, chuck face
+constexpr double singular = 1e-14;
+
+/// Receptance of the shaft on a spindle, response place by excitation place.
+ReceptanceMatrix onSpindle(beam::BeamReceptance& shaft, const ReceptanceMatrix& spindle, double frequency_hz)
+{
+    std::array<ReceptanceMatrix, places * places> g;
+    const Complex determinant = spindle(0, 0) * spindle(1, 1) - spindle(0, 1) * spindle(1, 0);
+    const double size = std::abs(spindle(0, 0) * spindle(1, 1)) + std::abs(spindle(0, 1) * spindle(1, 0));
+    if (std::abs(determinant) > singular * size) {
+        shaft.at(frequency_hz, spindle.inverse(), g);
+        return g[1];
+    }
+    shaft.at(frequency_hz, g);  // a motion of the chuck face that nothing excites has no stiffness
+    return coupled({g[1], g[2], g[8], g[7]}, spindle);
+}
+
+beam::BeamParameters beamParameters(const ReceptanceParameters& parameters)
+{
+    beam::BeamParameters result;
+    result.shear = parameters.shear;
+    result.method = parameters.method;
+    result.step_correction = parameters.step_correction;
+    return result;
+}
+
+std::vector<double> naturalFrequencies(const Shaft& shaft, const Material& material,
+                                       const ReceptanceParameters& parameters, const SpindleSprings* springs,
+                                       double length_mm, const Progress& progress)
+{
+    beam::BeamParameters on = beamParameters(parameters);
+    if (springs) on.supports.push_back({length_mm, springs->radial_N_mm, springs->tilt_N_mm_rad, 0});
+    return beam::naturalFrequencies(beam::beamModel(shaft, material, on, {}), parameters.to_hz, progress);
+}
+
+/// Refuses frequencies the spindle does not reach before anything is computed.
+void checkReach(const SpindleReceptance& spindle, const std::vector<double>& frequency_hz)
+{
+    spindle.at(frequency_hz.front());
+    spindle.at(frequency_hz.back());
+}
+
+}  // namespace
+
+std::vector<double> linesOf(const ReceptanceParameters& parameters)
+{
+    const auto reject = [](const char* parameter, double found, Text expected) {
+        throw Error(errors::valueNotUnderstood, {{"parameter", parameter}, {"found", found}, {"expected", expected}});
+    };
+    if (!(parameters.step_hz > 0)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "more than 0"));
+    if (!(parameters.from_hz >= 0)) reject("from_hz", parameters.from_hz, LT_TEXT("Engine", "0 or more"));
+    if (!(parameters.to_hz >= parameters.from_hz) || !std::isfinite(parameters.to_hz))
+        reject("to_hz", parameters.to_hz, LT_TEXT("Engine", "not less than the first frequency"));
+    constexpr double rounding = 1e-9;
+    const double steps = std::floor((parameters.to_hz - parameters.from_hz) / parameters.step_hz * (1 + rounding));
+    if (!(steps < mostLines)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "at most a million lines"));
+    std::vector<double> result;
+    result.reserve(static_cast<std::size_t>(steps) + 1);
+    for (double i = 0; i <= steps; ++i) result.push_back(parameters.from_hz + i * parameters.step_hz);
+    return result;
+}
+
+Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes)
+{
+    Material material = shaft.material.value_or(Material{});
+    for (const Field<Material>& field : fields<Material>())
+        addUsed(used, field.info, field.get(material), shaft.material ? ValueOrigin::File : ValueOrigin::Assumed);
+    if (!shaft.material && !contains(notes, notes::materialAssumed))
+        notes.push_back({notes::materialAssumed,
+                         {{"elastic_modulus_MPa", material.elastic_modulus_MPa},
+                          {"poisson_ratio", material.poisson_ratio},
+                          {"density_kg_m3", material.density_kg_m3},
+                          {"loss_factor", material.loss_factor}}});
+    return material;
+}
+
+ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
+                                      const std::optional<SpindleReceptance>& spindle, const Progress& progress)
+{
+    ShaftReceptanceResult result;
+    result.parameters = parameters;
+    result.length_mm = shaft.length_mm();
+    const Material material = materialOf(shaft, result.used, result.notes);
+    result.frf.name = shaft.name;
+    result.frf.frequency_hz = linesOf(parameters);
+    if (spindle) checkReach(*spindle, result.frf.frequency_hz);
+    const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, result.length_mm};
+    const beam::BeamReceptance prepared(beam::beamModel(shaft, material, beamParameters(parameters), places_z_mm));
+
+    const std::vector<double>& frequency_hz = result.frf.frequency_hz;
+    std::vector<Complex>& value = result.frf.value;
+    value.resize(frequency_hz.size());
+    parallelFor(frequency_hz.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
+        beam::BeamReceptance mine = prepared;
+        std::array<ReceptanceMatrix, places * places> g;
+        for (std::size_t line = begin; line < end; ++line) {
+            const double f = frequency_hz[line];
+            if (spindle) {
+                value[line] = onSpindle(mine, spindle->at(f), f)(0, 0);
+            } else {
+                mine.at(f, g);
+                value[line] = g[1](0, 0);
+            }
+        }
+    });
+    progress.report(0.7);
+    const SpindleSprings* springs = spindle ? spindle->springs() : nullptr;
+    if (!spindle || springs)
+        result.natural_frequencies_hz =
+            naturalFrequencies(shaft, material, parameters, springs, result.length_mm, progress.part(0.7, 1));
+    else
+        result.notes.push_back({notes::spindleHasNoModes, {}});
+    progress.report(1);
+    return result;
+}
+
+}  // namespace lathelier::receptance

@@ -1,0 +1,57 @@
+// The frequency response of a shaft, free or on a machine: w per F between two places.
+// Sources: exact Timoshenko beam (engine/beam), receptance coupling (coupling.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/beam/beam_model.h"
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/frf.h"
+#include "engine/core/progress.h"
+#include "engine/core/shaft.h"
+#include "engine/core/used_value.h"
+#include "engine/receptance/spindle_receptance.h"
+
+namespace lathelier::receptance {
+
+/// What is asked of a shaft. z is measured from the free end toward the chuck.
+struct ReceptanceParameters {
+    double respond_z_mm = 0;                                ///< place of the deflection
+    double excite_z_mm = 0;                                 ///< place of the force
+    double from_hz = 50;                                    ///< first line
+    double to_hz = 5000;                                    ///< last line, if a step ends there
+    double step_hz = 1;                                     ///< from line to line
+    beam::ShearModel shear = beam::ShearModel::Hutchinson;  ///< shear coefficient
+    beam::BeamMethod method = beam::BeamMethod::Exact;      ///< motion within a uniform piece
+    bool step_correction = false;                           ///< limit the stiffness beside steps to a 45° cone
+    friend bool operator==(const ReceptanceParameters&, const ReceptanceParameters&) = default;
+};
+
+const std::vector<Field<ReceptanceParameters>>& fieldsOf(const ReceptanceParameters*);
+
+struct ShaftReceptanceResult {
+    ReceptanceParameters parameters;  ///< as asked
+    double length_mm = 0;             ///< of the shaft; the chuck face is at this z
+    Frf frf;                          ///< receptance, mm/N; NaN where there is none: a free shaft at 0 Hz
+    std::optional<std::vector<double>> natural_frequencies_hz;  ///< undamped, up to the last frequency; with a spindle
+                                                                ///< those on its springs; none with a table
+    UsedValues used;                                            ///< the material, and who stated it
+    Notes notes;                                                ///< materialAssumed, spindleHasNoModes
+};
+
+/// The lines that the parameters ask for. Error valueNotUnderstood for more than a million, or a range reversed.
+std::vector<double> linesOf(const ReceptanceParameters& parameters);
+
+/// Without a spindle the shaft is free; with one it is joined to its chuck face at z = length.
+/// Errors: placeOutsideShaft (wrong usage), valueNotUnderstood, valueOutOfRange, frequencyOutsideSpindle,
+/// shaftSegmentUnusable, shaftEmpty. Throws Cancelled.
+ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters = {},
+                                      const std::optional<SpindleReceptance>& spindle = {},
+                                      const Progress& progress = {});
+
+/// The material of a shaft, or steel; with its values written down, and the note materialAssumed.
+Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes);
+
+}  // namespace lathelier::receptance

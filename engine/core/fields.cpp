@@ -107,6 +107,7 @@ Rows parseRows(const FieldInfo& info, std::string_view typed)
             const std::string_view cell = line.substr(0, comma);
             FieldInfo named = column;
             named.key = info.key + "[" + std::to_string(result.rows.size() + 1) + "]." + column.key;
+            if (cell.empty() && column.required) reject(info, std::string(typed.substr(0, end)));
             if (!cell.empty()) row.cells.emplace_back(column.key, parse(named, std::string(cell)));
             line.remove_prefix(std::min(comma + 1, line.size()));
         }

@@ -1,0 +1,38 @@
+// The stability boundary of a single-point cut over the chatter frequency, before a speed is chosen.
+// Source: J. Tlusty; regenerative chatter with one direction: 1 + K_r a G(iω) (1 - e^{-iωT}) = 0. The real part gives
+// a_lim = -1 / (2 K_r Re G); the phase gives the turns between the waves of two revolutions, k + ε/2π with
+// ε = 3π + 2ψ, ψ = arg G.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/frf.h"
+
+namespace lathelier::stability {
+
+/// Where the real part is negative, the cut may chatter with this frequency.
+struct BoundaryPoint {
+    double frequency_hz = 0;     ///< of the chatter
+    double compliance_mm_N = 0;  ///< -2 Re G > 0: the limiting depth is 1/(K_r compliance)
+    double phase_turns = 0;      ///< ε/2π, in 0…1
+};
+
+/// Unbroken stretches of the frequency axis with Re G < 0, each of at least two points, ascending.
+using Boundary = std::vector<std::vector<BoundaryPoint>>;
+
+/// Between the lines of `frf` real and imaginary part are interpolated by cubics (Lagrange, four lines), so many steps
+/// from line to line; the values are multiplied by `factor` (of the direction). Errors: notAReceptance, tooFewLines.
+Boundary boundaryOf(const Frf& frf, double factor, int steps);
+
+/// The value of the receptance at `frequency_hz` by that interpolation; the nearest line's outside.
+std::complex<double> interpolated(const Frf& frf, double frequency_hz);
+
+/// The line of the smallest real part, refined between lines by the same cubic.
+struct LeastRealPart {
+    double frequency_hz = 0;  ///< where
+    double real_mm_N = 0;     ///< how small; not negative: nothing chatters
+    bool at_edge = false;     ///< it is the first or last line
+};
+LeastRealPart leastRealPart(const Frf& frf, double factor = 1);
+
+}  // namespace lathelier::stability

@@ -1,0 +1,87 @@
+// Stability lobes: the limiting depth of cut over the spindle speed, lobe by lobe, and their lower envelope.
+// Source: Jasiewicz and Miądlicki, "An integrated CNC system for chatter suppression in turning", eq. 21-24, with the
+// phase of the regeneration kept: N = 60 f / (k + ε/2π). The papers' N = 60 f/k sets ε to zero and is offered to
+// reproduce them. Terms: J. Tlusty, "Manufacturing Processes and Equipment"; Y. Altintas, "Manufacturing Automation".
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/frf.h"
+#include "engine/core/progress.h"
+#include "engine/stability/boundary.h"
+
+namespace lathelier::stability {
+
+enum class SpeedRelation { Exact, Published };  ///< Published: N = 60 f/k, the papers' eq. 23
+
+struct LobeParameters {
+    std::optional<double> cutting_coefficient_N_mm2;  ///< K_r; none: depths are multiples of the least one
+    SpeedRelation relation = SpeedRelation::Exact;    ///< which speed belongs to a chatter frequency
+    std::vector<Interval> speed_rpm;                  ///< at most one; none: about the first lobes
+    int points = 2000;                                ///< of the envelope, evenly over the speeds
+    double direction_factor = 1;                      ///< D: the oriented receptance is D·G
+    double uncertainty_frequency_percent = 0;         ///< standard uncertainty of the natural frequencies
+    double uncertainty_compliance_percent = 0;        ///< standard uncertainty of the receptance's size
+    double uncertainty_coefficient_percent = 0;       ///< standard uncertainty of the cutting coefficient
+};
+
+const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*);
+
+/// One lobe within the range of speeds, by ascending chatter frequency. NaN in all three parts its stretches.
+struct Lobe {
+    int k = 0;                         ///< whole waves between two revolutions
+    std::vector<double> speed_rpm;     ///< of the spindle
+    std::vector<double> depth_mm;      ///< limiting depth; without K_r a multiple of the least one
+    std::vector<double> frequency_hz;  ///< of the chatter
+};
+
+/// The lower envelope of all lobes.
+struct LobeLimit {
+    std::vector<double> speed_rpm;     ///< evenly spaced
+    std::vector<double> depth_mm;      ///< NaN where no lobe limits; without K_r a multiple of the least one
+    std::vector<double> frequency_hz;  ///< of the chatter at the limit; NaN likewise
+    std::vector<int> k;                ///< of the lobe that limits; -1 where none does
+};
+
+/// 95 % band of the limit under the stated uncertainties.
+struct LobeBand {
+    std::vector<double> low_mm;   ///< 2.5 % quantile at each speed of the limit; NaN where no lobe limits
+    std::vector<double> high_mm;  ///< 97.5 % quantile
+};
+
+struct LobeResult {
+    LobeParameters parameters;                      ///< as asked
+    Interval speed_rpm;                             ///< range that is shown
+    std::optional<double> minimum_depth_mm;         ///< limit at every speed; 1 without K_r; none: nothing chatters
+    std::optional<double> frequency_of_minimum_hz;  ///< of the chatter there
+    LobeLimit limit;                                ///< lower envelope
+    std::vector<Lobe> lobes;                        ///< that reach the range, k ascending
+    std::optional<LobeBand> band;                   ///< with uncertainties
+    Notes notes;                                    ///< noLimit, coefficientUnknown, publishedRelation, minimumAtEdge
+
+    /// Are depths multiples of the least one?
+    bool isRelative() const { return !parameters.cutting_coefficient_N_mm2; }
+};
+
+/// The lobes of the receptance `frf` (mm/N) of the point that is cut. Errors: notAReceptance, tooFewLines;
+/// valueNotUnderstood for more than one range of speeds. Throws Cancelled.
+LobeResult findLobes(const Frf& frf, const LobeParameters& parameters = {}, const Progress& progress = {});
+
+/// The limit at evenly spaced speeds from `from_rpm` to `to_rpm`, in 1/compliance (N/mm): divided by K_r it is a depth.
+LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, int points);
+
+/// What is known of a point of the chart.
+struct PointOfWork {
+    double limit_mm = std::numeric_limits<double>::quiet_NaN();      ///< limiting depth there; NaN: none
+    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< chatter frequency at that limit
+    int k = -1;                                                      ///< lobe that limits
+    bool stable = true;                                              ///< depth below the limit
+    double probability_stable = 1;  ///< under the stated uncertainties; 0 or 1 without any
+};
+PointOfWork pointOfWork(const LobeResult& result, double speed_rpm, double depth_mm);
+
+}  // namespace lathelier::stability

@@ -1,0 +1,66 @@
+#include "engine/stability/modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier::stability {
+namespace {
+
+constexpr double perWidth = 16;      ///< lines in half a resonance's width ζ f_n
+constexpr double widthsAround = 12;  ///< so many of these widths on each side are dense
+constexpr double ratio = 1.004;      ///< of neighbouring lines elsewhere
+constexpr double belowLowest = 0.1;  ///< first line over the lowest natural frequency
+constexpr double aboveHighest = 5;   ///< last line over the highest natural frequency, at least
+
+}  // namespace
+
+const std::vector<Field<Mode>>& fieldsOf(const Mode*)
+{
+    static const std::vector<Field<Mode>> all{
+        field("frequency_hz", &Mode::frequency_hz, {1e-3, 1e6},
+              Label{LT_TEXT("Engine", "Natural frequency"), LT_TEXT("Engine", "Undamped."), LT_TEXT("Engine", "Hz"),
+                    false, true}),
+        field("damping_ratio", &Mode::damping_ratio, {1e-6, 1},
+              Label{LT_TEXT("Engine", "Damping ratio"), LT_TEXT("Engine", "ζ, of critical damping."), {}, false, true}),
+        field("stiffness_N_mm", &Mode::stiffness_N_mm, {1e-6, 1e12},
+              Label{LT_TEXT("Engine", "Modal stiffness"), LT_TEXT("Engine", "Force over displacement at rest."),
+                    LT_TEXT("Engine", "N/mm"), false, true})};
+    return all;
+}
+
+std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz)
+{
+    std::complex<double> sum = 0;
+    for (const Mode& mode : modes) {
+        const double r = frequency_hz / mode.frequency_hz;
+        sum += 1.0 / (mode.stiffness_N_mm * std::complex<double>(1 - r * r, 2 * mode.damping_ratio * r));
+    }
+    return sum;
+}
+
+Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm)
+{
+    Frf frf;
+    if (modes.empty()) return frf;
+    double lowest = modes.front().frequency_hz, highest = lowest;
+    for (const Mode& mode : modes) {
+        lowest = std::min(lowest, mode.frequency_hz);
+        highest = std::max(highest, mode.frequency_hz);
+    }
+    // The lobe k = 0 carries frequencies up to N/60.
+    const double end = std::max(aboveHighest * highest, 1.1 * highest_speed_rpm / 60);
+    for (double f = belowLowest * lowest; f < end; f *= ratio) frf.frequency_hz.push_back(f);
+    frf.frequency_hz.push_back(end);
+    for (const Mode& mode : modes) {
+        const double step = mode.damping_ratio * mode.frequency_hz / perWidth;
+        const int count = static_cast<int>(widthsAround * perWidth);
+        for (int i = -count; i <= count; ++i)
+            if (const double f = mode.frequency_hz + i * step; f > 0) frf.frequency_hz.push_back(f);
+    }
+    std::sort(frf.frequency_hz.begin(), frf.frequency_hz.end());
+    frf.frequency_hz.erase(std::unique(frf.frequency_hz.begin(), frf.frequency_hz.end()), frf.frequency_hz.end());
+    for (const double f : frf.frequency_hz) frf.value.push_back(receptanceOf(modes, f));
+    return frf;
+}
+
+}  // namespace lathelier::stability

@@ -1,0 +1,29 @@
+// Modes of vibration as given by hand or by a modal fit, and their receptance.
+// G(f) = Σ (1/k) / (1 - r² + 2 i ζ r), r = f/f_n (viscous damping; Ewins, "Modal Testing", 2nd ed., section 2.4).
+#pragma once
+
+#include <vector>
+
+#include "engine/core/fields.h"
+#include "engine/core/frf.h"
+
+namespace lathelier::stability {
+
+/// One mode of the point that is cut, in the direction of the oriented receptance.
+struct Mode {
+    double frequency_hz = 100;    ///< undamped natural frequency f_n, > 0
+    double damping_ratio = 0.03;  ///< ζ, > 0
+    double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0
+    friend bool operator==(const Mode&, const Mode&) = default;
+};
+
+const std::vector<Field<Mode>>& fieldsOf(const Mode*);
+
+/// Receptance in mm/N at one frequency.
+std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz);
+
+/// The receptance over lines dense enough for lobes up to `highest_speed_rpm`: from a tenth of the lowest natural
+/// frequency to well above the highest, and dense about each of them.
+Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm);
+
+}  // namespace lathelier::stability

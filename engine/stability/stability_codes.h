@@ -1,0 +1,57 @@
+// What the stability of cutting refuses or remarks: codes with their English patterns. {name} is replaced by the named
+// value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode noStableSpeed{
+    "no_stable_speed", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "No stable speed can be recommended for {selected_rpm} 1/min: {reason}.")};
+
+inline constexpr ErrorCode tooFewLines{
+    "too_few_lines", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The frequency response has {found} lines; at least {minimum} are needed.")};
+
+inline constexpr ErrorCode notAReceptance{
+    "not_a_receptance", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "Stability needs a receptance (displacement per force); convert the frequency response first.")};
+
+}  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode noLimit{
+    "no_limit", Severity::Warning,
+    LT_TEXT("Engine",
+            "The real part of the frequency response is nowhere negative: in its range no depth of cut chatters.")};
+
+inline constexpr NoteCode coefficientUnknown{
+    "coefficient_unknown", Severity::Info,
+    LT_TEXT("Engine", "The cutting coefficient is not given: depths are multiples of the least limiting depth.")};
+
+inline constexpr NoteCode publishedRelation{
+    "published_relation", Severity::Warning,
+    LT_TEXT("Engine",
+            "Speeds by N = 60 f/k as published, which sets the phase of the regeneration to zero. It finds the lobes "
+            "of the papers; depths at a given speed are those of the exact relation only.")};
+
+inline constexpr NoteCode fromAnotherLobe{
+    "recommended_from_another_lobe", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is "
+        "the nearest inside.")};
+
+inline constexpr NoteCode minimumAtEdge{
+    "minimum_at_edge", Severity::Warning,
+    LT_TEXT("Engine",
+            "The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits "
+            "the depth may lie outside.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

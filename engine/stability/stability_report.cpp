@@ -1,0 +1,142 @@
+#include "engine/stability/stability_report.h"
+
+#include <cmath>
+
+#include "engine/core/texts.h"
+#include "engine/receptance/frf_plots.h"
+#include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
+#include "engine/report/quantity_table.h"
+#include "engine/stability/stability_quantities.h"
+
+namespace lathelier::stability {
+namespace {
+
+report::Section methodSection(SpeedRelation relation, report::QuantityTable parameters)
+{
+    const Text words =
+        relation == SpeedRelation::Exact
+            ? LT_TEXT("Engine",
+                      "Regenerative chatter of a single-point cut: the limiting depth is -1/(2 K_r Re G) of the "
+                      "oriented receptance G; its speeds are 60 f/(k + ε/2π), ε = 3π + 2 arg G, k = 0, 1, 2 …")
+            : LT_TEXT("Engine",
+                      "Regenerative chatter of a single-point cut by the published relation: the limiting depth is "
+                      "-1/(2 K_r Re G), its speeds are 60 f/k; the phase of the regeneration is set to zero.");
+    return {LT_TEXT("Engine", "Method and parameters"), {report::Paragraph{words, {}}, std::move(parameters)}};
+}
+
+report::Section responseSection(const Frf& frf, std::optional<double> least_hz, const Language& language)
+{
+    return {LT_TEXT("Engine", "Frequency response"),
+            {receptance::magnitudePlot(frf), receptance::realImaginaryPlot(frf, least_hz, language)}};
+}
+
+}  // namespace
+
+report::Table candidatesTable(const SpeedResult& result)
+{
+    return report::listTable<SpeedCandidate>(LT_TEXT("Engine", "Stable speeds, one for each lobe"), result.candidates,
+                                             {"k", "speed_rpm", "in_range"});
+}
+
+report::Answer answer(const LobeResult& result, const Language& language)
+{
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Depth that is stable at every speed");
+    if (!result.minimum_depth_mm) {
+        answer.sentence = LT_TEXT("Engine", "Nothing chatters: the real part is nowhere negative.");
+        return answer;
+    }
+    answer.decimals = 3;
+    answer.values = {{"frequency", fixed(*result.frequency_of_minimum_hz, 1, language)},
+                     {"lobes", static_cast<std::int64_t>(result.lobes.size())}};
+    if (result.isRelative()) {
+        answer.sentence =
+            LT_TEXT("Engine",
+                    "Depths are multiples of it, for K_r is not given · chatter at {frequency} Hz · lobes in "
+                    "the range: {lobes}");
+        return answer;
+    }
+    answer.value = result.minimum_depth_mm;
+    answer.unit = LT_TEXT("Engine", "mm");
+    answer.sentence = LT_TEXT("Engine", "Chatter at {frequency} Hz · lobes in the range: {lobes}");
+    return answer;
+}
+
+report::Answer answer(const SpeedResult& result, const Language& language)
+{
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Recommended spindle speed");
+    answer.value = result.recommended_rpm;
+    answer.unit = LT_TEXT("Engine", "1/min");
+    answer.decimals = 0;
+    answer.sentence =
+        std::isfinite(result.recommended_cutting_speed_m_min)
+            ? LT_TEXT("Engine", "Instead of {selected} · {cutting_speed} m/min · f_m {frequency} Hz · lobe {k}")
+            : LT_TEXT("Engine", "Instead of {selected} · f_m {frequency} Hz · lobe {k}");
+    answer.values = {{"selected", fixed(result.selected_rpm, 0, language)},
+                     {"cutting_speed", fixed(result.recommended_cutting_speed_m_min, 0, language)},
+                     {"frequency", fixed(result.frequency_hz, 1, language)},
+                     {"k", std::int64_t{result.k}}};
+    return answer;
+}
+
+report::Section lobesSummary(const LobeResult& result, const Language& language)
+{
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
+    section.blocks.push_back(
+        report::quantityTable(LT_TEXT("Engine", "Stability"), result, {"minimum_depth_mm", "frequency_of_minimum_hz"}));
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+report::Section speedSummary(const SpeedResult& result, const Language& language)
+{
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
+    section.blocks.push_back(
+        report::quantityTable(LT_TEXT("Engine", "Spindle speed"), result,
+                              {"selected_rpm", "recommended_rpm", "recommended_cutting_speed_m_min", "frequency_hz",
+                               "lobe.k", "lobe.low_rpm", "lobe.high_rpm"}));
+    section.blocks.push_back(candidatesTable(result));
+    if (!result.notes.empty()) section.blocks.push_back(result.notes);
+    return section;
+}
+
+report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
+                             const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Stability of cutting");
+    document.sections.push_back(lobesSummary(result, language));
+    std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Lobes"), {lobesPlot(result, speed, {}, language), chatterFrequencyPlot(result)}});
+    if (speed) document.sections.push_back(speedSummary(*speed, language));
+    document.sections.push_back(responseSection(frf, result.frequency_of_minimum_hz, language));
+    document.sections.push_back(
+        methodSection(result.parameters.relation, report::parametersTable(result.parameters, language)));
+    return document;
+}
+
+report::Document speedReport(const SpeedResult& result, const Frf& frf, const UsedValues& used,
+                             const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Spindle speed without chatter");
+    document.sections.push_back(speedSummary(result, language));
+    std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
+    LobeParameters shown;
+    shown.relation = result.parameters.relation;
+    shown.direction_factor = result.parameters.direction_factor;
+    double low = std::fmin(result.selected_rpm, result.recommended_rpm),
+           high = std::fmax(result.selected_rpm, result.recommended_rpm);
+    shown.speed_rpm = {{0.6 * low, 1.5 * high}};
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Lobes"), {lobesPlot(findLobes(frf, shown), &result, {}, language)}});
+    document.sections.push_back(responseSection(frf, result.frequency_hz, language));
+    document.sections.push_back(
+        methodSection(result.parameters.relation, report::parametersTable(result.parameters, language)));
+    return document;
+}
+
+}  // namespace lathelier::stability

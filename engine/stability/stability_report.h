@@ -1,0 +1,28 @@
+// Lobes and the recommended speed as a report, and as an answer.
+#pragma once
+
+#include <vector>
+
+#include "engine/report/document.h"
+#include "engine/stability/stability_plots.h"
+
+namespace lathelier::stability {
+
+report::Answer answer(const LobeResult& result, const Language& language = {});
+report::Answer answer(const SpeedResult& result, const Language& language = {});
+
+/// One row for each lobe.
+report::Table candidatesTable(const SpeedResult& result);
+
+/// What the command line prints.
+report::Section lobesSummary(const LobeResult& result, const Language& language = {});
+report::Section speedSummary(const SpeedResult& result, const Language& language = {});
+
+/// Lobes, the frequency response they rest on, the chosen speed where there is one, method and parameters. `used`: what
+/// was assumed on the way to the frequency response.
+report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
+                             const Language& language = {});
+report::Document speedReport(const SpeedResult& result, const Frf& frf, const UsedValues& used,
+                             const Language& language = {});
+
+}  // namespace lathelier::stability

@@ -26,19 +26,20 @@ void addOption(CLI::App& command, const Option& option, const std::string& group
 {
     const std::string& key = option.info.key;
     CLI::Option* added = nullptr;
+    const bool is_rows = option.info.kind == FieldInfo::Kind::Rows;
     const bool is_flag = option.info.kind == FieldInfo::Kind::Flag || option.info.kind == FieldInfo::Kind::Group;
     if (is_flag)
         added = command.add_flag_callback(optionName(key), [&typed, key] { typed.values[key] = "yes"; });
     else
-        added =
-            command.add_option_function<std::vector<std::string>>(optionName(key), [&typed, key](const auto& words) {
+        added = command.add_option_function<std::vector<std::string>>(
+            optionName(key), [&typed, key, is_rows](const auto& words) {
                 for (const std::string& word : words) {
                     std::string& all = typed.values[key];
-                    all += (all.empty() ? "" : ",") + word;
+                    all += (all.empty() ? "" : is_rows ? ";" : ",") + word;
                 }
             });
-    // Ranges may be given one by one; every other option once.
-    const bool several = option.info.kind == FieldInfo::Kind::Intervals;
+    // Ranges and rows may be given one by one; every other option once.
+    const bool several = option.info.kind == FieldInfo::Kind::Intervals || is_rows;
     if (!is_flag)
         added->type_name(placeholder(option.info))
             ->type_size(1)
@@ -63,7 +64,9 @@ void addVerb(CLI::App& app, const Verb& verb, Typed& typed)
             words.resize(1);
             added = command.add_option(operand.name, words.front());
         }
-        added->required()->description(wrapHelp(operand.help))->type_name(operand.repeated ? "..." : "");
+        added->required(!operand.optional)
+            ->description(wrapHelp(operand.help))
+            ->type_name(operand.repeated ? "..." : "");
     }
     for (const Option& option : verb.parameters) addOption(command, option, "Parameters", typed);
     for (const Option& option : readingOptions(verb)) addOption(command, option, "Reading files", typed);
@@ -119,8 +122,9 @@ Invocation toInvocation(const Verb& verb, const Typed& typed)
 {
     checkNames(typed);
     Invocation result{&verb, {}, typed.common};
-    for (const auto& words : typed.operands)
-        result.request.operands.insert(result.request.operands.end(), words.begin(), words.end());
+    for (std::size_t i = 0; i < typed.operands.size(); ++i)
+        for (const std::string& word : typed.operands[i])
+            if (!word.empty() || !verb.operands[i].optional) result.request.operands.push_back(word);
     const std::vector<Option> reading = readingOptions(verb);
     for (const auto* options : {&verb.parameters, &reading})
         for (const Option& option : *options) {

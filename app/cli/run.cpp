@@ -44,7 +44,7 @@ void blame(Error& error, const Invocation& invocation)
     if (kind != ErrorKind::InputRejected && kind != ErrorKind::NoAnswer) return;
     const std::vector<Operand>& operands = invocation.verb->operands;
     const std::vector<std::string>& paths = invocation.request.operands;
-    if (operands.empty() || operands.back().is_output) return;
+    if (operands.empty() || operands.back().is_output || paths.empty()) return;
     if (operands.back().repeated && paths.size() > 1) return;  // the verb itself knows which
     std::size_t which = paths.size() - 1;
     if (const Value* role = find(error.values(), "role"))

@@ -24,6 +24,7 @@ struct Operand {
     std::string help;
     bool repeated = false;
     bool is_output = false;  ///< a place to write to, no input
+    bool optional = false;   ///< may be left out; it is the last one then
 };
 
 /// An option made from a described field: key `tolerance_mm` becomes `--tolerance-mm`.

@@ -11,6 +11,10 @@ Verb compareVerb();
 Verb roundnessVerb();
 Verb cylindricityVerb();
 Verb trajectoryVerb();
+Verb frfVerb();
+Verb spindleVerb();
+Verb lobesVerb();
+Verb speedVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

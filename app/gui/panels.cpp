@@ -2,6 +2,7 @@
 
 #include "widgets/compare/compare_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
+#include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
@@ -11,9 +12,9 @@ namespace lathelier {
 const std::vector<PanelFacts>& panelTable()
 {
     static const std::vector<PanelFacts> table{
-        compare_panel::comparePanelFacts(), roundness_panel::roundnessPanelFacts(),
-        trajectory_panel::trajectoryPanelFacts(), longitudinal_panel::longitudinalPanelFacts(),
-        cylindricity_panel::cylindricityPanelFacts()};
+        compare_panel::comparePanelFacts(),           roundness_panel::roundnessPanelFacts(),
+        trajectory_panel::trajectoryPanelFacts(),     longitudinal_panel::longitudinalPanelFacts(),
+        cylindricity_panel::cylindricityPanelFacts(), lobes_panel::lobesPanelFacts()};
     return table;
 }
 

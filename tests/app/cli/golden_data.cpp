@@ -11,6 +11,7 @@
 
 #include "engine/sample/sample.h"
 #include "engine/sample/sample_files.h"
+#include "tests/app/cli/golden_frf.h"
 #include "tests/app/cli/golden_spindle.h"
 #include "tests/app/cli/golden_wrong_kind.h"
 #include "tests/engine/io/lgraph_files.h"
@@ -182,6 +183,7 @@ void makeData(const std::string& folder)
     makeRecords(write);
     makeSpindleRecords(write);
     makeWrongKinds(folder);
+    makeFrfs(folder);
 
     write("lobes.csv", section(360, 3, 0.005));
     write("lobes_um.csv", section(360, 3, 0.005, 1000));

@@ -1,0 +1,67 @@
+// frf SHAFT: the frequency response of a shaft, free or on its spindle.
+#include <nlohmann/json.hpp>
+
+#include "app/cli/shafts.h"
+#include "app/cli/verbs.h"
+#include "engine/io/frf/frf_writer.h"
+#include "engine/receptance/receptance_quantities.h"
+#include "engine/receptance/receptance_report.h"
+#include "engine/report/plain_text.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr const char* tableOption = "--csv";
+constexpr const char* universalOption = "--uff";
+
+/// A universal file holds lines with values only.
+Frf finiteLines(const Frf& frf)
+{
+    Frf result = frf;
+    result.frequency_hz.clear();
+    result.value.clear();
+    for (std::size_t i = 0; i < frf.value.size(); ++i)
+        if (std::isfinite(frf.value[i].real()) && std::isfinite(frf.value[i].imag())) {
+            result.frequency_hz.push_back(frf.frequency_hz[i]);
+            result.value.push_back(frf.value[i]);
+        }
+    return result;
+}
+
+void runFrf(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
+{
+    const auto parameters = fromValues<receptance::ReceptanceParameters>(request.parameters);
+    const Shaft shaft = readShaft(request.operands.at(0), request, inputs, progress.part(0, 0.05), answer);
+    const auto spindle = readSpindle(request, inputs, progress.part(0.05, 0.1), answer);
+    const auto result = std::make_shared<receptance::ShaftReceptanceResult>(
+        receptance::shaftReceptance(shaft, parameters, spindle, progress.part(0.1, 1, LT_TEXT("Engine", "Computing"))));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;
+    answer.json = [result] { return nestedJson(describedValues(*result)); };
+    answer.report = [result] { return frfReport(*result); };
+    answer.summary = report::toPlainText(frfSummary(*result));
+    if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
+        io::writeFrfCsv(table->second, finiteLines(result->frf));
+    if (const auto universal = request.outputs.find(universalOption); universal != request.outputs.end()) {
+        io::MeasuredFrf response;
+        response.frf = finiteLines(result->frf);
+        io::writeUff(universal->second, {&response, 1});
+    }
+}
+
+}  // namespace
+
+Verb frfVerb()
+{
+    return {"frf",
+            "Frequency response and natural frequencies of a shaft, free or on its spindle.",
+            {{"SHAFT", "The shaft: SHAFT.json, or a stock file."}},
+            shaftOptions(),
+            {},
+            {{tableOption, "Write the receptance as FILE.csv."},
+             {universalOption, "Write the receptance as a universal file (58)."}},
+            true,
+            runFrf};
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,24 @@
+// The frequency response that lobes and speeds rest on: a file, modes, or a shaft on its spindle.
+#pragma once
+
+#include "app/cli/verb.h"
+#include "engine/core/frf.h"
+#include "engine/core/used_value.h"
+
+namespace lathelier::cli {
+
+/// What a verb found of its source.
+struct FrfSource {
+    Frf frf;          ///< a receptance, mm/N
+    UsedValues used;  ///< what was assumed on the way
+};
+
+/// The options --mode and --shaft, and those of the verb `frf` that say how a shaft is computed.
+std::vector<Option> frfSourceOptions();
+
+/// Reads or computes it. `highest_speed_rpm`: that the lobes have to reach. Errors: valueNotUnderstood when the request
+/// names no source or more than one; those of readers and of the computation. Throws Cancelled.
+FrfSource frfSource(const Request& request, double highest_speed_rpm, io::InputFiles& inputs, const Progress& progress,
+                    Answer& answer);
+
+}  // namespace lathelier::cli

@@ -1,0 +1,55 @@
+// lobes [FRF]: the limiting depth of cut over the spindle speed.
+#include "engine/stability/lobes.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/frf_source.h"
+#include "app/cli/verbs.h"
+#include "engine/io/frf/frf_reader.h"
+#include "engine/report/plain_text.h"
+#include "engine/stability/stability_quantities.h"
+#include "engine/stability/stability_report.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr double usualSpeed_rpm = 10000;
+
+std::vector<Option> lobesOptions()
+{
+    std::vector<Option> options = optionsOf<stability::LobeParameters>();
+    for (Option& option : frfSourceOptions()) options.push_back(std::move(option));
+    return options;
+}
+
+void runLobes(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
+{
+    const auto parameters = fromValues<stability::LobeParameters>(request.parameters);
+    const double highest = parameters.speed_rpm.empty() ? usualSpeed_rpm : parameters.speed_rpm.front().to;
+    const auto source =
+        std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.5), answer));
+    const auto result =
+        std::make_shared<stability::LobeResult>(findLobes(source->frf, parameters, progress.part(0.5, 1)));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;
+    answer.json = [result] { return toJson(*result); };
+    answer.report = [result, source] { return lobesReport(*result, source->frf, nullptr, source->used); };
+    answer.summary = report::toPlainText(lobesSummary(*result));
+}
+
+}  // namespace
+
+Verb lobesVerb()
+{
+    return {
+        "lobes",
+        "Stability lobes: the limiting depth of cut over the spindle speed.",
+        {{"FRF", "A receptance of the point that is cut (UFF, CSV, MAT); or --mode, or --shaft.", false, false, true}},
+        lobesOptions(),
+        {&io::frfFiles()},
+        {},
+        true,
+        runLobes};
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,85 @@
+#include "app/cli/shafts.h"
+
+#include <cctype>
+
+#include "engine/receptance/shaft_file.h"
+#include "engine/receptance/spindle_file.h"
+
+namespace lathelier::cli {
+namespace {
+
+/// Files that options name.
+struct ShaftFiles {
+    std::string material;  ///< path; empty: as the shaft states
+    std::string spindle;   ///< path; empty: the shaft is free
+};
+
+const std::vector<Field<ShaftFiles>>& fieldsOf(const ShaftFiles*)
+{
+    static const std::vector<Field<ShaftFiles>> all{
+        field("material", &ShaftFiles::material,
+              Label{LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Of the shaft, from FILE.json.")}),
+        field(
+            "spindle", &ShaftFiles::spindle,
+            Label{LT_TEXT("Engine", "Spindle"),
+                  LT_TEXT("Engine", "The machine at the chuck face, from FILE.json; without it the shaft is free.")})};
+    return all;
+}
+
+/// Calls `read` with the text of the file; its errors get the path.
+template <class Read>
+auto readText(const std::string& path, io::InputFiles& inputs, const Progress& progress, Read read)
+{
+    try {
+        return read(inputs.open(path, progress));
+    } catch (Error& error) {
+        throw error.with("path", path);
+    }
+}
+
+bool isJson(std::string_view text)
+{
+    for (const char c : text)
+        if (!std::isspace(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80) return c == '{';
+    return false;
+}
+
+}  // namespace
+
+std::string wordOf(const Request& request, const char* key)
+{
+    const Value* const value = find(request.parameters, key);
+    const auto* const text = value ? std::get_if<std::string>(value) : nullptr;
+    return text ? *text : std::string();
+}
+
+std::vector<Option> shaftOptions()
+{
+    std::vector<Option> options = optionsOf<receptance::ReceptanceParameters>();
+    for (Option& option : optionsOf<ShaftFiles>()) options.push_back(std::move(option));
+    return options;
+}
+
+Shaft readShaft(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
+                Answer& answer)
+{
+    Shaft shaft = readText(path, inputs, progress, [&](std::string_view text) {
+        return isJson(text) ? receptance::readShaft(std::string(text), answer.notes) : receptance::readStock(text);
+    });
+    if (const std::string material = wordOf(request, "material"); !material.empty())
+        shaft.material = readText(material, inputs, progress, [&](std::string_view text) {
+            return receptance::readMaterial(std::string(text), answer.notes);
+        });
+    return shaft;
+}
+
+std::optional<receptance::SpindleReceptance> readSpindle(const Request& request, io::InputFiles& inputs,
+                                                         const Progress& progress, Answer& answer)
+{
+    const std::string path = wordOf(request, "spindle");
+    if (path.empty()) return std::nullopt;
+    return readText(path, inputs, progress,
+                    [&](std::string_view text) { return receptance::readSpindle(std::string(text), answer.notes); });
+}
+
+}  // namespace lathelier::cli

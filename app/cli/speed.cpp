@@ -1,0 +1,54 @@
+// speed [FRF]: a spindle speed without chatter in place of a selected one.
+#include <nlohmann/json.hpp>
+
+#include "app/cli/frf_source.h"
+#include "app/cli/verbs.h"
+#include "engine/io/frf/frf_reader.h"
+#include "engine/report/plain_text.h"
+#include "engine/stability/speed_choice.h"
+#include "engine/stability/stability_quantities.h"
+#include "engine/stability/stability_report.h"
+
+namespace lathelier::cli {
+namespace {
+
+constexpr double usualSpeed_rpm = 10000;
+
+std::vector<Option> speedOptions()
+{
+    std::vector<Option> options = optionsOf<stability::SpeedParameters>();
+    for (Option& option : frfSourceOptions()) options.push_back(std::move(option));
+    return options;
+}
+
+void runSpeed(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
+{
+    const auto parameters = fromValues<stability::SpeedParameters>(request.parameters);
+    const double highest = std::max(usualSpeed_rpm, parameters.speed_rpm.value_or(0));
+    const auto source =
+        std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.8), answer));
+    const auto result = std::make_shared<stability::SpeedResult>(chooseSpeed(source->frf, parameters));
+    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
+    result->notes = answer.notes;
+    answer.json = [result] { return nestedJson(describedValues(*result)); };
+    answer.report = [result, source] { return speedReport(*result, source->frf, source->used); };
+    answer.summary = report::toPlainText(speedSummary(*result));
+    progress.report(1);
+}
+
+}  // namespace
+
+Verb speedVerb()
+{
+    return {
+        "speed",
+        "Recommend a spindle speed without chatter in place of the selected one.",
+        {{"FRF", "A receptance of the point that is cut (UFF, CSV, MAT); or --mode, or --shaft.", false, false, true}},
+        speedOptions(),
+        {&io::frfFiles()},
+        {},
+        true,
+        runSpeed};
+}
+
+}  // namespace lathelier::cli

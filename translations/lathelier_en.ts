@@ -5,7 +5,10 @@
     <name>lathelier::Form</name>
     <message numerus="yes">
         <source>Advanced (%n assumed)</source>
-        <translation><numerusform>Advanced (%n assumed)</numerusform><numerusform>Advanced (%n assumed)</numerusform></translation>
+        <translation>
+            <numerusform>Advanced (%n assumed)</numerusform>
+            <numerusform>Advanced (%n assumed)</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -4279,6 +4279,1242 @@
         <source>a picture</source>
         <translation>obrazu</translation>
     </message>
+    <message>
+        <source>The shaft has no segment that is longer than 0.</source>
+        <translation>Wał nie ma odcinka dłuższego niż 0.</translation>
+    </message>
+    <message>
+        <source>Segment {segment} of the shaft: {quantity} is {found_mm} mm; expected {expected}.</source>
+        <translation>Odcinek {segment} wału: {quantity} wynosi {found_mm} mm; oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>The place z = {z_mm} mm is not on the shaft; expected 0 to {length_mm} mm.</source>
+        <translation>Miejsce z = {z_mm} mm nie leży na wale; oczekiwano od 0 do {length_mm} mm.</translation>
+    </message>
+    <message>
+        <source>more than 0</source>
+        <translation>więcej niż 0</translation>
+    </message>
+    <message>
+        <source>the bore</source>
+        <translation>otwór</translation>
+    </message>
+    <message>
+        <source>less than the outer diameter</source>
+        <translation>mniej niż średnica zewnętrzna</translation>
+    </message>
+    <message>
+        <source>the length</source>
+        <translation>długość</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 lub więcej</translation>
+    </message>
+    <message>
+        <source>the start diameter</source>
+        <translation>średnica początkowa</translation>
+    </message>
+    <message>
+        <source>the end diameter</source>
+        <translation>średnica końcowa</translation>
+    </message>
+    <message>
+        <source>the arc radius</source>
+        <translation>promień łuku</translation>
+    </message>
+    <message>
+        <source>at least half the chord</source>
+        <translation>co najmniej połowa cięciwy</translation>
+    </message>
+    <message>
+        <source>the diameter of the arc</source>
+        <translation>średnica łuku</translation>
+    </message>
+    <message>
+        <source>Frequency responses</source>
+        <translation>Charakterystyki częstotliwościowe</translation>
+    </message>
+    <message>
+        <source>A data set declares {expected} points (line {declared_line}) and holds {found}.</source>
+        <translation>Zbiór danych deklaruje {expected} punktów (wiersz {declared_line}), a zawiera {found}.</translation>
+    </message>
+    <message>
+        <source>No unit of the frequency response is stated: found “{found}”, expected {expected}. State it.</source>
+        <translation>Nie podano jednostki charakterystyki: znaleziono „{found}”, oczekiwano {expected}. Podaj ją.</translation>
+    </message>
+    <message>
+        <source>The file holds no frequency response: found {found}.</source>
+        <translation>Plik nie zawiera charakterystyki częstotliwościowej: znaleziono {found}.</translation>
+    </message>
+    <message>
+        <source>The frequencies do not ascend: {found} Hz follows {previous} Hz.</source>
+        <translation>Częstotliwości nie rosną: {found} Hz następuje po {previous} Hz.</translation>
+    </message>
+    <message>
+        <source>The variables cannot be told: found {found}, expected {expected}. Name them as f=NAME,H=NAME.</source>
+        <translation>Nie można rozpoznać zmiennych: znaleziono {found}, oczekiwano {expected}. Nazwij je jako f=NAZWA,H=NAZWA.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} functions are no frequency responses of a motion ({reason}), the first at line {line}.</source>
+        <translation>{path}: funkcji, które nie są charakterystyką ruchu ({reason}): {count}, pierwsza w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>{path}: “{label}” is stated in {unit}, which is {quantity}; the unit rules ({count} times, first at line {line}).</source>
+        <translation>{path}: „{label}” podano w {unit}, czyli {quantity}; obowiązuje jednostka (razy: {count}, pierwszy w wierszu {line}).</translation>
+    </message>
+    <message>
+        <source>{path}: no unit of the force is stated; read as N ({count} times, first at line {line}).</source>
+        <translation>{path}: nie podano jednostki siły; przyjęto N (razy: {count}, pierwszy w wierszu {line}).</translation>
+    </message>
+    <message>
+        <source>{path}: the file states {unit}; the given unit {given} is not used ({count} times, first at line {line}).</source>
+        <translation>{path}: plik podaje {unit}; podana jednostka {given} nie jest używana (razy: {count}, pierwszy w wierszu {line}).</translation>
+    </message>
+    <message>
+        <source>{path}: the receptance of driving point {node} has a positive imaginary part in {percent} % of its lines; a direction, a unit or the sign of time is stated wrongly ({count} times, first at line {line}).</source>
+        <translation>{path}: receptancja punktu wzbudzenia {node} ma dodatnią część urojoną w {percent} % prążków; kierunek, jednostka albo znak czasu są podane błędnie (razy: {count}, pierwszy w wierszu {line}).</translation>
+    </message>
+    <message>
+        <source>{path}: frequency lines without finite values, left out: {lines} ({count} times, first at line {line}).</source>
+        <translation>{path}: pominięte prążki bez skończonych wartości: {lines} (razy: {count}, pierwszy w wierszu {line}).</translation>
+    </message>
+    <message>
+        <source>{path}: {count} coherence functions fit the lines of no frequency response, the first at line {line}.</source>
+        <translation>{path}: funkcji koherencji niepasujących do prążków żadnej charakterystyki: {count}, pierwsza w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>{path}: {count} data sets hold more than their declared points, which were read, the first at line {line}.</source>
+        <translation>{path}: zbiorów danych zawierających więcej niż zadeklarowane punkty, które odczytano: {count}, pierwszy w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>no line with finite values</source>
+        <translation>żadnego prążka o skończonych wartościach</translation>
+    </message>
+    <message>
+        <source>f=NAME,H=NAME</source>
+        <translation>f=NAZWA,H=NAZWA</translation>
+    </message>
+    <message>
+        <source>a real vector of frequencies of the given name</source>
+        <translation>rzeczywisty wektor częstotliwości o podanej nazwie</translation>
+    </message>
+    <message>
+        <source>an array of the given name, as long as the frequencies</source>
+        <translation>tablica o podanej nazwie, tak długa jak częstotliwości</translation>
+    </message>
+    <message>
+        <source>one vector of frequencies</source>
+        <translation>jeden wektor częstotliwości</translation>
+    </message>
+    <message>
+        <source>a real vector f, freq, frequency or one that ends with _hz</source>
+        <translation>rzeczywisty wektor f, freq, frequency albo kończący się na _hz</translation>
+    </message>
+    <message>
+        <source>one complex array as long as frequencies</source>
+        <translation>jedna tablica zespolona tak długa jak częstotliwości</translation>
+    </message>
+    <message>
+        <source>a unit; a MAT file states none</source>
+        <translation>jednostka; plik MAT jej nie podaje</translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation>jak podano</translation>
+    </message>
+    <message>
+        <source>Unit of the response</source>
+        <translation>Jednostka charakterystyki</translation>
+    </message>
+    <message>
+        <source>Unit of a frequency response that states none. A stated unit always rules.</source>
+        <translation>Jednostka charakterystyki, która żadnej nie podaje. Podana jednostka zawsze obowiązuje.</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Zmienne</translation>
+    </message>
+    <message>
+        <source>Of a MAT file, where names do not tell: f=NAME,H=NAME.</source>
+        <translation>Pliku MAT, gdy nazwy nie wystarczają: f=NAZWA,H=NAZWA.</translation>
+    </message>
+    <message>
+        <source>a table of a frequency response: frequency, real and imaginary part</source>
+        <translation>tabela charakterystyki: częstotliwość, część rzeczywista i urojona</translation>
+    </message>
+    <message>
+        <source>headings such as real_mm_N and imag_mm_N, or phase_deg</source>
+        <translation>nagłówki takie jak real_mm_N i imag_mm_N albo phase_deg</translation>
+    </message>
+    <message>
+        <source>a column of a frequency response</source>
+        <translation>kolumna charakterystyki częstotliwościowej</translation>
+    </message>
+    <message>
+        <source>frequency_hz, real_mm_N, imag_mm_N</source>
+        <translation>frequency_hz, real_mm_N, imag_mm_N</translation>
+    </message>
+    <message>
+        <source>bytes of a variable</source>
+        <translation>bajty zmiennej</translation>
+    </message>
+    <message>
+        <source>a small data element</source>
+        <translation>mały element danych</translation>
+    </message>
+    <message>
+        <source>memory for zlib</source>
+        <translation>pamięć dla zlib</translation>
+    </message>
+    <message>
+        <source>data compressed by zlib</source>
+        <translation>dane skompresowane przez zlib</translation>
+    </message>
+    <message>
+        <source>flags, dimensions and the name of a variable</source>
+        <translation>znaczniki, wymiary i nazwa zmiennej</translation>
+    </message>
+    <message>
+        <source>a type of numbers</source>
+        <translation>typ liczb</translation>
+    </message>
+    <message>
+        <source>a matrix</source>
+        <translation>macierz</translation>
+    </message>
+    <message>
+        <source>a MAT file of level 5 (MATLAB 5 to 7)</source>
+        <translation>plik MAT poziomu 5 (MATLAB 5 do 7)</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>coś innego</translation>
+    </message>
+    <message>
+        <source>a MAT file 7.3 (HDF5); save it with -v7</source>
+        <translation>plik MAT 7.3 (HDF5); zapisz go z -v7</translation>
+    </message>
+    <message>
+        <source>a number in its columns</source>
+        <translation>liczba w swoich kolumnach</translation>
+    </message>
+    <message>
+        <source>another type of function</source>
+        <translation>inny typ funkcji</translation>
+    </message>
+    <message>
+        <source>real values</source>
+        <translation>wartości rzeczywiste</translation>
+    </message>
+    <message>
+        <source>no axis of frequency</source>
+        <translation>brak osi częstotliwości</translation>
+    </message>
+    <message>
+        <source>a rotation or a moment</source>
+        <translation>obrót albo moment</translation>
+    </message>
+    <message>
+        <source>no motion per force by its unit</source>
+        <translation>według jednostki nie jest ruchem na siłę</translation>
+    </message>
+    <message>
+        <source>no motion by its kind</source>
+        <translation>według rodzaju nie jest ruchem</translation>
+    </message>
+    <message>
+        <source>no points</source>
+        <translation>brak punktów</translation>
+    </message>
+    <message>
+        <source>a unit of motion and force for the ordinate, or a set 164</source>
+        <translation>jednostka ruchu i siły rzędnej albo zbiór 164</translation>
+    </message>
+    <message>
+        <source>the header of a function</source>
+        <translation>nagłówek funkcji</translation>
+    </message>
+    <message>
+        <source>the number of a node</source>
+        <translation>numer węzła</translation>
+    </message>
+    <message>
+        <source>2, 4, 5 or 6 for the type of the values</source>
+        <translation>2, 4, 5 albo 6 jako typ wartości</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>liczba punktów</translation>
+    </message>
+    <message>
+        <source>0 (uneven) or 1 (even)</source>
+        <translation>0 (nierówno) albo 1 (równo)</translation>
+    </message>
+    <message>
+        <source>bytes of a function&apos;s values</source>
+        <translation>bajty wartości funkcji</translation>
+    </message>
+    <message>
+        <source>1 (little endian) or 2 (big endian)</source>
+        <translation>1 (little endian) albo 2 (big endian)</translation>
+    </message>
+    <message>
+        <source>2 (IEEE 754 numbers)</source>
+        <translation>2 (liczby IEEE 754)</translation>
+    </message>
+    <message>
+        <source>a number of header lines, 11</source>
+        <translation>liczba wierszy nagłówka, 11</translation>
+    </message>
+    <message>
+        <source>a number of bytes</source>
+        <translation>liczba bajtów</translation>
+    </message>
+    <message>
+        <source>a data set between separators: -1 in columns 5 and 6</source>
+        <translation>zbiór danych między separatorami: -1 w kolumnach 5 i 6</translation>
+    </message>
+    <message>
+        <source>the number of a data set</source>
+        <translation>numer zbioru danych</translation>
+    </message>
+    <message>
+        <source>a separator behind the stated bytes</source>
+        <translation>separator za podanymi bajtami</translation>
+    </message>
+    <message>
+        <source>the factors of units, larger than 0</source>
+        <translation>współczynniki jednostek większe od 0</translation>
+    </message>
+    <message>
+        <source>the place of a node</source>
+        <translation>położenie węzła</translation>
+    </message>
+    <message>
+        <source>no data set</source>
+        <translation>żadnego zbioru danych</translation>
+    </message>
+    <message>
+        <source>a MAT file</source>
+        <translation>plik MAT</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Wygładzanie</translation>
+    </message>
+    <message>
+        <source>Along frequency, by what each line knows and does not know.</source>
+        <translation>Wzdłuż częstotliwości, według tego, co każdy prążek wie, a czego nie.</translation>
+    </message>
+    <message>
+        <source>Hold out rod</source>
+        <translation>Pręt odłożony</translation>
+    </message>
+    <message>
+        <source>This rod is not used but predicted; 0: all are used.</source>
+        <translation>Ten pręt nie jest używany, lecz przewidywany; 0: używane są wszystkie.</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Węzeł</translation>
+    </message>
+    <message>
+        <source>Of the point in the file of responses.</source>
+        <translation>Punktu w pliku charakterystyk.</translation>
+    </message>
+    <message>
+        <source>From the chuck</source>
+        <translation>Od uchwytu</translation>
+    </message>
+    <message>
+        <source>Along the rod.</source>
+        <translation>Wzdłuż pręta.</translation>
+    </message>
+    <message>
+        <source>Outside the chuck.</source>
+        <translation>Poza uchwytem.</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Średnica</translation>
+    </message>
+    <message>
+        <source>Of the cylinder.</source>
+        <translation>Walca.</translation>
+    </message>
+    <message>
+        <source>Stated for this rod.</source>
+        <translation>Podany dla tego pręta.</translation>
+    </message>
+    <message>
+        <source>Where the rod is tapped and measured.</source>
+        <translation>Gdzie pręt jest uderzany i mierzony.</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Charakterystyki</translation>
+    </message>
+    <message>
+        <source>File of the frequency responses.</source>
+        <translation>Plik charakterystyk częstotliwościowych.</translation>
+    </message>
+    <message>
+        <source>Rods</source>
+        <translation>Pręty</translation>
+    </message>
+    <message>
+        <source>Measured in the chuck, one after the other.</source>
+        <translation>Mierzone w uchwycie, jeden po drugim.</translation>
+    </message>
+    <message>
+        <source>Magnitude of the receptance</source>
+        <translation>Amplituda receptancji</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Częstotliwość</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Amplituda</translation>
+    </message>
+    <message>
+        <source>mm/N</source>
+        <translation>mm/N</translation>
+    </message>
+    <message>
+        <source>Real and imaginary part of the receptance</source>
+        <translation>Część rzeczywista i urojona receptancji</translation>
+    </message>
+    <message>
+        <source>Receptance</source>
+        <translation>Receptancja</translation>
+    </message>
+    <message>
+        <source>µm/N</source>
+        <translation>µm/N</translation>
+    </message>
+    <message>
+        <source>real part</source>
+        <translation>część rzeczywista</translation>
+    </message>
+    <message>
+        <source>imaginary part</source>
+        <translation>część urojona</translation>
+    </message>
+    <message>
+        <source>least real part, {frequency} Hz</source>
+        <translation>najmniejsza część rzeczywista, {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>The spindle is not known at {frequency_hz} Hz, only from {from_hz} to {to_hz} Hz.</source>
+        <translation>Wrzeciono nie jest znane przy {frequency_hz} Hz, tylko od {from_hz} do {to_hz} Hz.</translation>
+    </message>
+    <message>
+        <source>The shaft states bores in its segments and in a list of bores; one of the two is allowed.</source>
+        <translation>Wał podaje otwory w odcinkach i na liście otworów; dozwolone jest jedno z dwojga.</translation>
+    </message>
+    <message>
+        <source>{points} points with {frfs} frequency responses are too few for the spindle; at least 2 points and 3 responses are needed.</source>
+        <translation>Punktów: {points}, charakterystyk: {frfs}; to za mało dla wrzeciona: potrzeba co najmniej 2 punktów i 3 charakterystyk.</translation>
+    </message>
+    <message>
+        <source>Rod {rod}, point {point}: {distance_mm} mm from the chuck; expected 0 to {length_mm} mm, the rod&apos;s length.</source>
+        <translation>Pręt {rod}, punkt {point}: {distance_mm} mm od uchwytu; oczekiwano od 0 do {length_mm} mm, długości pręta.</translation>
+    </message>
+    <message>
+        <source>A frequency response belongs to rod {rod}, points {first} and {second}, which are not stated.</source>
+        <translation>Charakterystyka należy do pręta {rod}, punktów {first} i {second}, których nie podano.</translation>
+    </message>
+    <message>
+        <source>Rod {rod}: no frequency response with the node {node} is in the file.</source>
+        <translation>Pręt {rod}: w pliku nie ma charakterystyki z węzłem {node}.</translation>
+    </message>
+    <message>
+        <source>The frequency responses have different lines: {first}, {second}.</source>
+        <translation>Charakterystyki mają różne prążki: {first}, {second}.</translation>
+    </message>
+    <message>
+        <source>Rod {rod} cannot be held out; there are {rods} rods.</source>
+        <translation>Pręta {rod} nie można odłożyć; prętów jest {rods}.</translation>
+    </message>
+    <message>
+        <source>No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).</source>
+        <translation>Nie podano materiału; założono stal (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).</translation>
+    </message>
+    <message>
+        <source>The spindle is a table of receptances: natural frequencies do not follow from it.</source>
+        <translation>Wrzeciono jest tabelą receptancji: częstotliwości własne z niej nie wynikają.</translation>
+    </message>
+    <message>
+        <source>At {lines} of {all} frequencies the measurements hardly tell the three receptances apart (condition number above {limit}).</source>
+        <translation>Przy {lines} z {all} częstotliwości pomiary ledwie rozróżniają trzy receptancje (wskaźnik uwarunkowania powyżej {limit}).</translation>
+    </message>
+    <message>
+        <source>At {lines} of {all} frequencies the fit of the spindle did not converge.</source>
+        <translation>Przy {lines} z {all} częstotliwości dopasowanie wrzeciona nie jest zbieżne.</translation>
+    </message>
+    <message>
+        <source>At {lines} of {all} frequencies the spindle found would give power away.</source>
+        <translation>Przy {lines} z {all} częstotliwości znalezione wrzeciono oddawałoby moc.</translation>
+    </message>
+    <message>
+        <source>Hutchinson</source>
+        <translation>Hutchinson</translation>
+    </message>
+    <message>
+        <source>Cowper</source>
+        <translation>Cowper</translation>
+    </message>
+    <message>
+        <source>Shear coefficient</source>
+        <translation>Współczynnik ścinania</translation>
+    </message>
+    <message>
+        <source>Hutchinson&apos;s agrees with finite elements in three dimensions to 0.03 %.</source>
+        <translation>Współczynnik Hutchinsona zgadza się z elementami skończonymi w trzech wymiarach do 0,03 %.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Dokładna</translation>
+    </message>
+    <message>
+        <source>Finite elements</source>
+        <translation>Elementy skończone</translation>
+    </message>
+    <message>
+        <source>Timoshenko&apos;s beam in closed form, or finite elements as a check.</source>
+        <translation>Belka Timoszenki w postaci zamkniętej albo elementy skończone dla sprawdzenia.</translation>
+    </message>
+    <message>
+        <source>Response at z</source>
+        <translation>Odpowiedź w z</translation>
+    </message>
+    <message>
+        <source>Where the deflection is, from the free end toward the chuck.</source>
+        <translation>Gdzie jest ugięcie, od wolnego końca w stronę uchwytu.</translation>
+    </message>
+    <message>
+        <source>Force at z</source>
+        <translation>Siła w z</translation>
+    </message>
+    <message>
+        <source>Where the force acts, from the free end toward the chuck.</source>
+        <translation>Gdzie działa siła, od wolnego końca w stronę uchwytu.</translation>
+    </message>
+    <message>
+        <source>The first frequency.</source>
+        <translation>Pierwsza częstotliwość.</translation>
+    </message>
+    <message>
+        <source>The last frequency.</source>
+        <translation>Ostatnia częstotliwość.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>From one frequency to the next.</source>
+        <translation>Od jednej częstotliwości do następnej.</translation>
+    </message>
+    <message>
+        <source>Step correction</source>
+        <translation>Poprawka stopni</translation>
+    </message>
+    <message>
+        <source>Beside a shoulder only material within 45° of the smaller diameter gives stiffness.</source>
+        <translation>Obok odsadzenia sztywność daje tylko materiał w granicach 45° od mniejszej średnicy.</translation>
+    </message>
+    <message>
+        <source>Natural frequencies</source>
+        <translation>Częstotliwości własne</translation>
+    </message>
+    <message>
+        <source>Natural frequencies, undamped</source>
+        <translation>Częstotliwości własne, bez tłumienia</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>postać</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>częstotliwość (Hz)</translation>
+    </message>
+    <message>
+        <source>Condition of each line</source>
+        <translation>Uwarunkowanie każdego prążka</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Uwarunkowanie</translation>
+    </message>
+    <message>
+        <source>First natural frequency</source>
+        <translation>Pierwsza częstotliwość własna</translation>
+    </message>
+    <message>
+        <source>Largest receptance {magnitude} nm/N at {frequency} Hz · lines: {lines}</source>
+        <translation>Największa receptancja {magnitude} nm/N przy {frequency} Hz · prążki: {lines}</translation>
+    </message>
+    <message>
+        <source>Residual of the identification</source>
+        <translation>Reszta identyfikacji</translation>
+    </message>
+    <message>
+        <source>Of the rod held out {held_out} % · responses: {responses} · lines: {lines}</source>
+        <translation>Pręta odłożonego {held_out} % · charakterystyki: {responses} · prążki: {lines}</translation>
+    </message>
+    <message>
+        <source>Responses: {responses} · lines: {lines}</source>
+        <translation>Charakterystyki: {responses} · prążki: {lines}</translation>
+    </message>
+    <message>
+        <source>Frequency response of a shaft</source>
+        <translation>Charakterystyka częstotliwościowa wału</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Charakterystyka częstotliwościowa</translation>
+    </message>
+    <message>
+        <source>Timoshenko&apos;s beam with shear and rotary inertia in closed form, piece by piece; on a spindle joined at the chuck face by receptance coupling.</source>
+        <translation>Belka Timoszenki ze ścinaniem i bezwładnością obrotową w postaci zamkniętej, odcinek po odcinku; na wrzecionie połączona w czole uchwytu przez sprzęganie receptancji.</translation>
+    </message>
+    <message>
+        <source>Receptance of a spindle</source>
+        <translation>Receptancja wrzeciona</translation>
+    </message>
+    <message>
+        <source>Receptance of the chuck face</source>
+        <translation>Receptancja czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>H: deflection per force</source>
+        <translation>H: ugięcie na siłę</translation>
+    </message>
+    <message>
+        <source>L: deflection per moment</source>
+        <translation>L: ugięcie na moment</translation>
+    </message>
+    <message>
+        <source>mm/(N·mm)</source>
+        <translation>mm/(N·mm)</translation>
+    </message>
+    <message>
+        <source>P: rotation per moment</source>
+        <translation>P: obrót na moment</translation>
+    </message>
+    <message>
+        <source>rad/(N·mm)</source>
+        <translation>rad/(N·mm)</translation>
+    </message>
+    <message>
+        <source>Inverse receptance coupling line by line: a linear start from the motion of the joint, then weighted least squares on the measured responses.</source>
+        <translation>Odwrotne sprzęganie receptancji prążek po prążku: początek liniowy z ruchu połączenia, potem ważone najmniejsze kwadraty na zmierzonych charakterystykach.</translation>
+    </message>
+    <message>
+        <source>the depth of the bore</source>
+        <translation>głębokość otworu</translation>
+    </message>
+    <message>
+        <source>no more than the length</source>
+        <translation>nie więcej niż długość</translation>
+    </message>
+    <message>
+        <source>“lathelier-shaft”</source>
+        <translation>„lathelier-shaft”</translation>
+    </message>
+    <message>
+        <source>version 1</source>
+        <translation>wersja 1</translation>
+    </message>
+    <message>
+        <source>“free” or “chuck”</source>
+        <translation>„free” albo „chuck”</translation>
+    </message>
+    <message>
+        <source>outer and bore radius at the start, outer and bore radius at the end, length</source>
+        <translation>promień zewnętrzny i otworu na początku, promień zewnętrzny i otworu na końcu, długość</translation>
+    </message>
+    <message>
+        <source>a number that is 0 or more</source>
+        <translation>liczba równa 0 lub większa</translation>
+    </message>
+    <message>
+        <source>a bore radius below the outer radius</source>
+        <translation>promień otworu mniejszy od zewnętrznego</translation>
+    </message>
+    <message>
+        <source>not less than the first frequency</source>
+        <translation>nie mniej niż pierwsza częstotliwość</translation>
+    </message>
+    <message>
+        <source>at most a million lines</source>
+        <translation>najwyżej milion prążków</translation>
+    </message>
+    <message>
+        <source>frequencies that ascend from 0 or more</source>
+        <translation>częstotliwości rosnące od 0 lub więcej</translation>
+    </message>
+    <message>
+        <source>at least one frequency</source>
+        <translation>co najmniej jedna częstotliwość</translation>
+    </message>
+    <message>
+        <source>a pair [real, imaginary]</source>
+        <translation>para [rzeczywista, urojona]</translation>
+    </message>
+    <message>
+        <source>pairs [real, imaginary], one for each frequency</source>
+        <translation>pary [rzeczywista, urojona], po jednej na częstotliwość</translation>
+    </message>
+    <message>
+        <source>as many pairs as frequencies</source>
+        <translation>tyle par, ile częstotliwości</translation>
+    </message>
+    <message>
+        <source>either springs or a table, not both</source>
+        <translation>albo sprężyny, albo tabela, nie oba</translation>
+    </message>
+    <message>
+        <source>springs, or a table by frequency</source>
+        <translation>sprężyny albo tabela według częstotliwości</translation>
+    </message>
+    <message>
+        <source>Radial stiffness</source>
+        <translation>Sztywność promieniowa</translation>
+    </message>
+    <message>
+        <source>Of the chuck face against deflection.</source>
+        <translation>Czoła uchwytu przy ugięciu.</translation>
+    </message>
+    <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
+        <source>Tilt stiffness</source>
+        <translation>Sztywność kątowa</translation>
+    </message>
+    <message>
+        <source>Of the chuck face against rotation.</source>
+        <translation>Czoła uchwytu przy obrocie.</translation>
+    </message>
+    <message>
+        <source>N·mm/rad</source>
+        <translation>N·mm/rad</translation>
+    </message>
+    <message>
+        <source>Both springs are multiplied by 1 + iη.</source>
+        <translation>Obie sprężyny są mnożone przez 1 + iη.</translation>
+    </message>
+    <message>
+        <source>one range of speeds</source>
+        <translation>jeden zakres prędkości</translation>
+    </message>
+    <message>
+        <source>One standard deviation; gives the 95 % band of the limit.</source>
+        <translation>Jedno odchylenie standardowe; daje pasmo 95 % granicy.</translation>
+    </message>
+    <message>
+        <source>Cutting coefficient K_r</source>
+        <translation>Współczynnik skrawania K_r</translation>
+    </message>
+    <message>
+        <source>Force along the chip thickness over its area; without it depths are multiples of the least.</source>
+        <translation>Siła wzdłuż grubości wióra na jego pole; bez niego głębokości są wielokrotnościami najmniejszej.</translation>
+    </message>
+    <message>
+        <source>N/mm²</source>
+        <translation>N/mm²</translation>
+    </message>
+    <message>
+        <source>As published (N = 60 f/k)</source>
+        <translation>Jak opublikowano (N = 60 f/k)</translation>
+    </message>
+    <message>
+        <source>Speed relation</source>
+        <translation>Zależność prędkości</translation>
+    </message>
+    <message>
+        <source>Exact keeps the phase of the regeneration; the papers set it to zero.</source>
+        <translation>Dokładna zachowuje fazę regeneracji; artykuły przyjmują ją za zero.</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Prędkości</translation>
+    </message>
+    <message>
+        <source>Range that is shown, 1000:4000. Default: the first lobes.</source>
+        <translation>Pokazywany zakres, 1000:4000. Domyślnie pierwsze worki.</translation>
+    </message>
+    <message>
+        <source>1/min</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>Points of the limit</source>
+        <translation>Punkty granicy</translation>
+    </message>
+    <message>
+        <source>Evenly over the speeds.</source>
+        <translation>Równo po prędkościach.</translation>
+    </message>
+    <message>
+        <source>Direction factor</source>
+        <translation>Współczynnik kierunkowy</translation>
+    </message>
+    <message>
+        <source>By which the receptance is multiplied: how much of a vibration changes the chip thickness.</source>
+        <translation>Mnożnik receptancji: ile drgania zmienia grubość wióra.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the frequencies</source>
+        <translation>Niepewność częstotliwości</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the compliance</source>
+        <translation>Niepewność podatności</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the cutting coefficient</source>
+        <translation>Niepewność współczynnika skrawania</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Częstotliwość własna</translation>
+    </message>
+    <message>
+        <source>Undamped.</source>
+        <translation>Bez tłumienia.</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Tłumienie względne</translation>
+    </message>
+    <message>
+        <source>ζ, of critical damping.</source>
+        <translation>ζ, ułamek tłumienia krytycznego.</translation>
+    </message>
+    <message>
+        <source>Modal stiffness</source>
+        <translation>Sztywność modalna</translation>
+    </message>
+    <message>
+        <source>Force over displacement at rest.</source>
+        <translation>Siła na przemieszczenie w spoczynku.</translation>
+    </message>
+    <message>
+        <source>either a cutting speed or a spindle speed</source>
+        <translation>albo prędkość skrawania, albo prędkość wrzeciona</translation>
+    </message>
+    <message>
+        <source>a cutting speed or a spindle speed</source>
+        <translation>prędkość skrawania albo prędkość wrzeciona</translation>
+    </message>
+    <message>
+        <source>the diameter for the cutting speed</source>
+        <translation>średnica dla prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>one range of cutting speeds</source>
+        <translation>jeden zakres prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>a range such as 200:350</source>
+        <translation>zakres taki jak 200:350</translation>
+    </message>
+    <message>
+        <source>the diameter for the range</source>
+        <translation>średnica dla zakresu</translation>
+    </message>
+    <message>
+        <source>m/min</source>
+        <translation>m/min</translation>
+    </message>
+    <message>
+        <source>Of the turned surface.</source>
+        <translation>Toczonej powierzchni.</translation>
+    </message>
+    <message>
+        <source>Cutting speed</source>
+        <translation>Prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>That is selected.</source>
+        <translation>Wybrana.</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Prędkość wrzeciona</translation>
+    </message>
+    <message>
+        <source>That is selected, in place of a cutting speed.</source>
+        <translation>Wybrana, zamiast prędkości skrawania.</translation>
+    </message>
+    <message>
+        <source>Cutting speeds of the tool</source>
+        <translation>Prędkości skrawania narzędzia</translation>
+    </message>
+    <message>
+        <source>Range, 200:350.</source>
+        <translation>Zakres, 200:350.</translation>
+    </message>
+    <message>
+        <source>Peak shift P_sh</source>
+        <translation>Przesunięcie szczytu P_sh</translation>
+    </message>
+    <message>
+        <source>Place within the lobe, published relation only. Default 0.7.</source>
+        <translation>Miejsce w worku, tylko zależność opublikowana. Domyślnie 0,7.</translation>
+    </message>
+    <message>
+        <source>Lobe of the selected speed</source>
+        <translation>Worek wybranej prędkości</translation>
+    </message>
+    <message>
+        <source>Nearest in range</source>
+        <translation>Najbliższa w zakresie</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Reguła</translation>
+    </message>
+    <message>
+        <source>Which candidate is recommended.</source>
+        <translation>Który kandydat jest zalecany.</translation>
+    </message>
+    <message>
+        <source>Published reproduces the papers; exact takes the robust optimum of the pocket.</source>
+        <translation>Opublikowana odtwarza artykuły; dokładna bierze odporne optimum kieszeni.</translation>
+    </message>
+    <message>
+        <source>By which the receptance is multiplied.</source>
+        <translation>Mnożnik receptancji.</translation>
+    </message>
+    <message>
+        <source>nothing: the exact relation has its own optimum</source>
+        <translation>niczego: zależność dokładna ma własne optimum</translation>
+    </message>
+    <message>
+        <source>nothing chatters: every speed is stable</source>
+        <translation>nic nie drga: każda prędkość jest stabilna</translation>
+    </message>
+    <message>
+        <source>it lies above the last lobe, which has no upper neighbour</source>
+        <translation>leży powyżej ostatniego worka, który nie ma górnego sąsiada</translation>
+    </message>
+    <message>
+        <source>no candidate lies in the range of cutting speeds</source>
+        <translation>żaden kandydat nie leży w zakresie prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>No stable speed can be recommended for {selected_rpm} 1/min: {reason}.</source>
+        <translation>Nie można zalecić stabilnej prędkości dla {selected_rpm} 1/min: {reason}.</translation>
+    </message>
+    <message>
+        <source>The frequency response has {found} lines; at least {minimum} are needed.</source>
+        <translation>Charakterystyka ma {found} prążków; potrzeba co najmniej {minimum}.</translation>
+    </message>
+    <message>
+        <source>Stability needs a receptance (displacement per force); convert the frequency response first.</source>
+        <translation>Stabilność wymaga receptancji (przemieszczenie na siłę); najpierw przelicz charakterystykę.</translation>
+    </message>
+    <message>
+        <source>The real part of the frequency response is nowhere negative: in its range no depth of cut chatters.</source>
+        <translation>Część rzeczywista charakterystyki nigdzie nie jest ujemna: w jej zakresie żadna głębokość skrawania nie drga.</translation>
+    </message>
+    <message>
+        <source>The cutting coefficient is not given: depths are multiples of the least limiting depth.</source>
+        <translation>Nie podano współczynnika skrawania: głębokości są wielokrotnościami najmniejszej granicznej.</translation>
+    </message>
+    <message>
+        <source>Speeds by N = 60 f/k as published, which sets the phase of the regeneration to zero. It finds the lobes of the papers; depths at a given speed are those of the exact relation only.</source>
+        <translation>Prędkości według N = 60 f/k, jak opublikowano, czyli z fazą regeneracji równą zero. Znajduje to worki artykułów; głębokości przy danej prędkości daje tylko zależność dokładna.</translation>
+    </message>
+    <message>
+        <source>The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is the nearest inside.</source>
+        <translation>Prędkość wybranego worka, {lobe_rpm} 1/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
+    </message>
+    <message>
+        <source>The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits the depth may lie outside.</source>
+        <translation>Najmniejsza część rzeczywista leży na końcu charakterystyki, przy {frequency_hz} Hz: postać ograniczająca głębokość może leżeć poza nią.</translation>
+    </message>
+    <message>
+        <source>Depth of cut, in multiples of the least limit</source>
+        <translation>Głębokość skrawania w wielokrotnościach najmniejszej granicy</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Głębokość skrawania</translation>
+    </message>
+    <message>
+        <source>recommended {speed}</source>
+        <translation>zalecana {speed}</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>wybrana</translation>
+    </message>
+    <message>
+        <source>below the tool&apos;s range</source>
+        <translation>poniżej zakresu narzędzia</translation>
+    </message>
+    <message>
+        <source>above the tool&apos;s range</source>
+        <translation>powyżej zakresu narzędzia</translation>
+    </message>
+    <message>
+        <source>Stability lobes</source>
+        <translation>Krzywe workowe</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>jak opublikowano</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabilne</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>drgania</translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>pasmo 95 %</translation>
+    </message>
+    <message>
+        <source>operating point</source>
+        <translation>punkt pracy</translation>
+    </message>
+    <message>
+        <source>Chatter frequency at the limit</source>
+        <translation>Częstotliwość drgań na granicy</translation>
+    </message>
+    <message>
+        <source>Chatter frequency</source>
+        <translation>Częstotliwość drgań</translation>
+    </message>
+    <message>
+        <source>Lobe</source>
+        <translation>Worek</translation>
+    </message>
+    <message>
+        <source>Stable speed</source>
+        <translation>Prędkość stabilna</translation>
+    </message>
+    <message>
+        <source>In the tool&apos;s range</source>
+        <translation>W zakresie narzędzia</translation>
+    </message>
+    <message>
+        <source>Frequency of the least real part</source>
+        <translation>Częstotliwość najmniejszej części rzeczywistej</translation>
+    </message>
+    <message>
+        <source>Selected speed</source>
+        <translation>Prędkość wybrana</translation>
+    </message>
+    <message>
+        <source>Recommended speed</source>
+        <translation>Prędkość zalecana</translation>
+    </message>
+    <message>
+        <source>Its cutting speed</source>
+        <translation>Jej prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>Its lower end</source>
+        <translation>Jego dolny koniec</translation>
+    </message>
+    <message>
+        <source>Its upper end</source>
+        <translation>Jego górny koniec</translation>
+    </message>
+    <message>
+        <source>Least limiting depth</source>
+        <translation>Najmniejsza głębokość graniczna</translation>
+    </message>
+    <message>
+        <source>Its chatter frequency</source>
+        <translation>Jej częstotliwość drgań</translation>
+    </message>
+    <message>
+        <source>Regenerative chatter of a single-point cut: the limiting depth is -1/(2 K_r Re G) of the oriented receptance G; its speeds are 60 f/(k + ε/2π), ε = 3π + 2 arg G, k = 0, 1, 2 …</source>
+        <translation>Drgania regeneracyjne przy skrawaniu jednoostrzowym: głębokość graniczna to -1/(2 K_r Re G) zorientowanej receptancji G; jej prędkości to 60 f/(k + ε/2π), ε = 3π + 2 arg G, k = 0, 1, 2 …</translation>
+    </message>
+    <message>
+        <source>Regenerative chatter of a single-point cut by the published relation: the limiting depth is -1/(2 K_r Re G), its speeds are 60 f/k; the phase of the regeneration is set to zero.</source>
+        <translation>Drgania regeneracyjne przy skrawaniu jednoostrzowym według zależności opublikowanej: głębokość graniczna to -1/(2 K_r Re G), jej prędkości to 60 f/k; faza regeneracji jest równa zero.</translation>
+    </message>
+    <message>
+        <source>Stable speeds, one for each lobe</source>
+        <translation>Prędkości stabilne, jedna dla każdego worka</translation>
+    </message>
+    <message>
+        <source>Depth that is stable at every speed</source>
+        <translation>Głębokość stabilna przy każdej prędkości</translation>
+    </message>
+    <message>
+        <source>Nothing chatters: the real part is nowhere negative.</source>
+        <translation>Nic nie drga: część rzeczywista nigdzie nie jest ujemna.</translation>
+    </message>
+    <message>
+        <source>Depths are multiples of it, for K_r is not given · chatter at {frequency} Hz · lobes in the range: {lobes}</source>
+        <translation>Głębokości są jej wielokrotnościami, bo nie podano K_r · drgania przy {frequency} Hz · worki w zakresie: {lobes}</translation>
+    </message>
+    <message>
+        <source>Chatter at {frequency} Hz · lobes in the range: {lobes}</source>
+        <translation>Drgania przy {frequency} Hz · worki w zakresie: {lobes}</translation>
+    </message>
+    <message>
+        <source>Recommended spindle speed</source>
+        <translation>Zalecana prędkość wrzeciona</translation>
+    </message>
+    <message>
+        <source>Instead of {selected} · {cutting_speed} m/min · f_m {frequency} Hz · lobe {k}</source>
+        <translation>Zamiast {selected} · {cutting_speed} m/min · f_m {frequency} Hz · worek {k}</translation>
+    </message>
+    <message>
+        <source>Instead of {selected} · f_m {frequency} Hz · lobe {k}</source>
+        <translation>Zamiast {selected} · f_m {frequency} Hz · worek {k}</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilność</translation>
+    </message>
+    <message>
+        <source>Stability of cutting</source>
+        <translation>Stabilność skrawania</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Krzywe workowe</translation>
+    </message>
+    <message>
+        <source>Spindle speed without chatter</source>
+        <translation>Prędkość wrzeciona bez drgań</translation>
+    </message>
+    <message>
+        <source>Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT.</source>
+        <translation>Skrawanego punktu, w kierunku grubości wióra: UFF, CSV albo MAT.</translation>
+    </message>
+    <message>
+        <source>Drop a frequency response here, or state the modes of the point that is cut.</source>
+        <translation>Upuść tu charakterystykę częstotliwościową albo podaj postacie skrawanego punktu.</translation>
+    </message>
+    <message>
+        <source>Chatter</source>
+        <translation>Drgania</translation>
+    </message>
+    <message>
+        <source>Frequency response or modes</source>
+        <translation>Charakterystyka lub postacie</translation>
+    </message>
+    <message>
+        <source>Finding lobes</source>
+        <translation>Szukanie worków</translation>
+    </message>
+    <message>
+        <source>✓ stable</source>
+        <translation>✓ stabilne</translation>
+    </message>
+    <message>
+        <source>✗ chatter</source>
+        <translation>✗ drgania</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · no lobe limits here</source>
+        <translation>{speed} 1/min · żaden worek tu nie ogranicza</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · stable with a probability of {probability} % · lobe {k}, chatter at {frequency} Hz</source>
+        <translation>{speed} 1/min · stabilne z prawdopodobieństwem {probability} % · worek {k}, drgania przy {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · lobe {k}, chatter at {frequency} Hz</source>
+        <translation>{speed} 1/min · worek {k}, drgania przy {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed} 1/min, stable up to {limit} {unit}</source>
+        <translation>Zalecane: {speed} 1/min, stabilne do {limit} {unit}</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed} 1/min</source>
+        <translation>Zalecane: {speed} 1/min</translation>
+    </message>
+    <message>
+        <source>No speed is recommended: {reason}</source>
+        <translation>Żadna prędkość nie jest zalecana: {reason}</translation>
+    </message>
+    <message>
+        <source>Stable at every speed up to {depth} mm</source>
+        <translation>Stabilne przy każdej prędkości do {depth} mm</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Postacie</translation>
+    </message>
+    <message>
+        <source>Of the point that is cut, where there is no measured frequency response.</source>
+        <translation>Skrawanego punktu, gdy nie ma zmierzonej charakterystyki.</translation>
+    </message>
+    <message>
+        <source>Of the operating point; drag it in the chart.</source>
+        <translation>Punktu pracy; przeciągnij go na wykresie.</translation>
+    </message>
+    <message>
+        <source>Of the operating point, in mm; without a cutting coefficient in multiples of the least limit.</source>
+        <translation>Punktu pracy, w mm; bez współczynnika skrawania w wielokrotnościach najmniejszej granicy.</translation>
+    </message>
+    <message>
+        <source>Of the turned surface, for cutting speeds.</source>
+        <translation>Toczonej powierzchni, dla prędkości skrawania.</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Obliczanie</translation>
+    </message>
+    <message>
+        <source>In place of FRF: f_hz,zeta,stiffness_N_mm; several are summed.</source>
+        <translation>Zamiast FRF: f_hz,zeta,stiffness_N_mm; kilka jest sumowanych.</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Wał</translation>
+    </message>
+    <message>
+        <source>In place of FRF: a shaft whose receptance is computed, from FILE.json; with --spindle on its machine.</source>
+        <translation>Zamiast FRF: wał, którego receptancja jest obliczana, z FILE.json; z --spindle na jego maszynie.</translation>
+    </message>
+    <message>
+        <source>one of: a file, --mode, --shaft</source>
+        <translation>jednego z: plik, --mode, --shaft</translation>
+    </message>
+    <message>
+        <source>Of the shaft, from FILE.json.</source>
+        <translation>Wału, z FILE.json.</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Wrzeciono</translation>
+    </message>
+    <message>
+        <source>The machine at the chuck face, from FILE.json; without it the shaft is free.</source>
+        <translation>Maszyna przy czole uchwytu, z FILE.json; bez niej wał jest swobodny.</translation>
+    </message>
+    <message>
+        <source>Identifying</source>
+        <translation>Identyfikacja</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -5538,6 +6774,52 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Cuts the marked section out of the points and opens it in the panel Roundness</source>
         <translation>Wycina zaznaczony przekrój z punktów i otwiera go w panelu Okrągłość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::lobes_panel::LobesPanel</name>
+    <message>
+        <source>Move the operating point</source>
+        <translation>Przesunięcie punktu pracy</translation>
+    </message>
+    <message>
+        <source>%L1 lines</source>
+        <translation>prążki: %L1</translation>
+    </message>
+    <message>
+        <source>Limit and lobes (CSV)…</source>
+        <translation>Granica i worki (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::lobes_panel::LobesViews</name>
+    <message>
+        <source>Lobes</source>
+        <translation>Worki</translation>
+    </message>
+    <message>
+        <source>Real and imaginary</source>
+        <translation>Rzeczywista i urojona</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Amplituda</translation>
+    </message>
+    <message>
+        <source>Chatter frequency</source>
+        <translation>Częstotliwość drgań</translation>
+    </message>
+    <message>
+        <source>Stable speeds</source>
+        <translation>Prędkości stabilne</translation>
+    </message>
+    <message>
+        <source>Double click: work at this speed</source>
+        <translation>Dwukrotne kliknięcie: pracuj z tą prędkością</translation>
     </message>
 </context>
 <context>

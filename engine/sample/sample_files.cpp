@@ -9,6 +9,7 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project.h"
+#include "engine/sample/chatter_sample.h"
 #include "engine/sample/cylinder_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
@@ -35,7 +36,8 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample()};
+    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample(),
+                                                    &chatterSample()};
     return all;
 }
 

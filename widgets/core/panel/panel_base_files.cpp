@@ -31,10 +31,9 @@ namespace lathelier {
 
 bool PanelBase::hasInputs() const
 {
-    // A panel that takes no files has all it needs in its parameters.
-    return inputs_.roles.empty() || std::any_of(inputs_.roles.begin(), inputs_.roles.end(), [&](const InputRole& role) {
-               return state_.inputs.count(role.role) > 0;
-           });
+    // A panel whose parameters are enough needs no file.
+    return isComplete(state_) || std::any_of(inputs_.roles.begin(), inputs_.roles.end(),
+                                             [&](const InputRole& role) { return state_.inputs.count(role.role) > 0; });
 }
 
 bool PanelBase::isComplete(const project::PanelState& state) const

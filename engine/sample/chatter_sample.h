@@ -1,0 +1,11 @@
+// The machine and the shaft of the sample project: a half-finished shaft on a spindle known by tap tests.
+#pragma once
+
+#include "engine/core/sample_part.h"
+
+namespace lathelier::sample {
+
+/// shaft.json, spindle.json, tip_response.uff, tap_tests.json, tap_tests.uff; the panel lobes opens the response.
+const SamplePart& chatterSample();
+
+}  // namespace lathelier::sample

@@ -1,0 +1,171 @@
+#include "widgets/lobes/lobes_panel.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/file.h"
+#include "engine/report/chart_csv.h"
+#include "engine/report/result_json.h"
+#include "engine/stability/stability_quantities.h"
+#include "engine/stability/stability_report.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/lobes/lobes_views.h"
+
+namespace lathelier::lobes_panel {
+namespace {
+
+InputRole responseRole()
+{
+    InputRole role;
+    role.role = frfRole;
+    role.label = LT_TEXT("Engine", "Frequency response");
+    role.hint = LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT.");
+    role.kinds = {&io::frfFiles()};
+    role.required = false;
+    role.takes_next = true;
+    return role;
+}
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = {responseRole()};
+    inputs.fields = infos<LobesQuestion>();
+    inputs.defaults = toValues(LobesQuestion{});
+    inputs.invitation =
+        LT_TEXT("Engine", "Drop a frequency response here, or state the modes of the point that is cut.");
+    return inputs;
+}
+
+bool hasModes(const project::PanelState& state)
+{
+    const Value* const modes = find(state.parameters, "modes");
+    const Rows* const rows = modes ? std::get_if<Rows>(modes) : nullptr;
+    return rows && !rows->rows.empty();
+}
+
+report::Document reportOf(const LobesPicture& picture, const Language& language)
+{
+    stability::LobeResult lobes = *picture.lobes;
+    lobes.notes = picture.notes;  // those of the file as well
+    report::Document document =
+        lobesReport(lobes, *picture.frf, picture.speed ? &*picture.speed : nullptr, {}, language);
+    if (!document.sections.empty())
+        document.sections.front().blocks.insert(document.sections.front().blocks.begin(),
+                                                report::Block(answer(picture, language)));
+    document.inputs = picture.inputs;
+    document.synthetic = picture.synthetic;
+    document.results = {report::toText(
+        report::wholeResult("lobes", picture.inputs, toValues(picture.question), toJson(*picture.lobes), lobes.notes))};
+    return document;
+}
+
+}  // namespace
+
+PanelFacts lobesPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "lobes";
+    facts.title = LT_TEXT("Engine", "Lobes");
+    facts.icon = "chatter";
+    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.kinds = {&io::frfFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {frfRole};
+    facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
+    facts.missing = [](const project::PanelState& state) {
+        std::vector<Text> labels;
+        if (!state.inputs.count(frfRole) && !hasModes(state))
+            labels.push_back(LT_TEXT("Engine", "Frequency response or modes"));
+        return labels;
+    };
+    facts.hasWork = [](const project::PanelState& state) { return state.inputs.count(frfRole) > 0 || hasModes(state); };
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(lobesPicture(state, stores, progress), language); };
+    return facts;
+}
+
+LobesPanel::LobesPanel(Session& owner, QWidget* parent)
+    : Panel(owner, lobesPanelFacts(), panelInputs(), parent), views_(new LobesViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &LobesViews::operatingPointMoved, this, &LobesPanel::moveOperatingPoint);
+    connect(views_, &LobesViews::speedWanted, this,
+            [this](double speed_rpm) { moveOperatingPoint(speed_rpm, {}, true); });
+    connect(views_, &LobesViews::notWritten, this, &LobesPanel::sayNotWritten);
+}
+
+void LobesPanel::moveOperatingPoint(double speed_rpm, std::optional<double> depth, bool dropped)
+{
+    editState(
+        tr("Move the operating point"),
+        [&](project::PanelState& state) {
+            lathelier::set(state.parameters, "operating_speed_rpm", std::round(speed_rpm));
+            if (depth) lathelier::set(state.parameters, "operating_depth", std::round(1e4 * *depth) / 1e4);
+        },
+        QString("lobes/operating_point/%1").arg(gesture_));
+    gesture_ += dropped;
+}
+
+LobesPanel::Compute LobesPanel::compute(const project::PanelState& state) const
+{
+    fromValues<LobesQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return lobesPicture(state, *stores, progress);
+    };
+}
+
+Worker::Job LobesPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [state, store = session().stores().of<FrfStore>()](const Progress& progress) -> std::shared_ptr<const void> {
+        for (const auto& [role, source] : state.inputs) store->load(source, progress);
+        return nullptr;
+    };
+}
+
+QString LobesPanel::understood(const InputRole&, const project::Source& source) const
+{
+    const auto loaded = session().stores().of<FrfStore>()->known(source);
+    if (!loaded) return {};
+    const auto& frfs = loaded->file.frfs;
+    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
+    return understoodText(loaded->file.facts, tr("%L1 lines").arg(lines));
+}
+
+void LobesPanel::showResult(const std::shared_ptr<const LobesPicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+report::Answer LobesPanel::answer(const LobesPicture& picture) const
+{
+    return lobes_panel::answer(picture, screenLanguage());
+}
+
+Notes LobesPanel::notes(const LobesPicture& picture) const
+{
+    return picture.notes;
+}
+
+report::Document LobesPanel::document(const LobesPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> LobesPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    return {{tr("Limit and lobes (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
+                 io::writeFile(path.toStdString(), report::toCsv(lobesPlot(*picture->lobes)));
+             }}};
+}
+
+void LobesPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::lobes_panel

@@ -1,0 +1,118 @@
+#include "widgets/lobes/lobes_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/io_codes.h"
+
+namespace lathelier::lobes_panel {
+namespace {
+
+constexpr double usualDepth = 1.5;  ///< of the least limit
+constexpr double usualSpeed_rpm = 10000;
+
+stability::OperatingPoint pointOf(const LobesQuestion& question, const stability::LobeResult& lobes)
+{
+    return {question.operating_speed_rpm.value_or((lobes.speed_rpm.from + lobes.speed_rpm.to) / 2),
+            question.operating_depth.value_or(usualDepth * lobes.minimum_depth_mm.value_or(1))};
+}
+
+void recommend(LobesPicture& picture)
+{
+    stability::SpeedParameters asked;
+    asked.diameter_mm = picture.question.diameter_mm;
+    asked.speed_rpm = picture.point.speed_rpm;
+    if (asked.diameter_mm) asked.range_m_min = picture.question.range_m_min;
+    asked.rule = picture.question.rule;
+    asked.relation = picture.question.lobes.relation;
+    asked.direction_factor = picture.question.lobes.direction_factor;
+    try {
+        picture.speed = chooseSpeed(*picture.frf, asked);
+    } catch (const Error& error) {
+        picture.no_speed = error;
+    }
+}
+
+}  // namespace
+
+io::FrfFile FrfStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
+{
+    return io::readFrf(source.path, inputs.open(source.path, progress), fromValues<io::ImportOptions>(source.import),
+                       fromValues<io::FrfOptions>(source.import), progress);
+}
+
+LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    LobesPicture picture;
+    picture.question = fromValues<LobesQuestion>(state.parameters);
+    const LobesQuestion& question = picture.question;
+    if (const auto source = state.inputs.find(frfRole); source != state.inputs.end()) {
+        const auto loaded =
+            stores.of<FrfStore>()->load(source->second, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
+        picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
+        picture.inputs = {loaded->inputs.front()};
+        picture.notes = loaded->file.notes;
+        picture.synthetic = source->second.synthetic || contains(loaded->file.notes, notes::syntheticData);
+    } else {
+        const double highest = question.lobes.speed_rpm.empty() ? usualSpeed_rpm : question.lobes.speed_rpm.front().to;
+        picture.frf = std::make_shared<const Frf>(stability::frfOf(question.modes, highest));
+    }
+    picture.lobes = std::make_shared<const stability::LobeResult>(
+        findLobes(*picture.frf, question.lobes, progress.part(0.5, 1, LT_TEXT("Engine", "Finding lobes"))));
+    picture.point = pointOf(question, *picture.lobes);
+    picture.work = pointOfWork(*picture.lobes, picture.point.speed_rpm, picture.point.depth_mm);
+    recommend(picture);
+    picture.notes.insert(picture.notes.end(), picture.lobes->notes.begin(), picture.lobes->notes.end());
+    if (picture.speed)
+        for (const Note& note : picture.speed->notes)
+            if (!contains(picture.notes, note.code)) picture.notes.push_back(note);
+    return picture;
+}
+
+report::Answer answer(const LobesPicture& picture, const Language& language)
+{
+    const stability::LobeResult& lobes = *picture.lobes;
+    const bool relative = lobes.isRelative();
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Depth of cut");
+    answer.value = picture.point.depth_mm;
+    if (!relative) answer.unit = LT_TEXT("Engine", "mm");
+    answer.decimals = 3;
+    if (std::isfinite(picture.work.limit_mm)) answer.upper_limit = std::round(1000 * picture.work.limit_mm) / 1000;
+    answer.verdict = picture.work.stable ? Verdict::Pass : Verdict::Fail;
+    answer.verdict_words = picture.work.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
+    answer.values = {{"speed", fixed(picture.point.speed_rpm, 0, language)},
+                     {"frequency", fixed(picture.work.frequency_hz, 1, language)},
+                     {"k", std::int64_t{picture.work.k}},
+                     {"probability", fixed(100 * picture.work.probability_stable, 0, language)}};
+    answer.sentence = !std::isfinite(picture.work.limit_mm) ? LT_TEXT("Engine", "{speed} 1/min · no lobe limits here")
+                      : lobes.band                          ? LT_TEXT("Engine",
+                                                                      "{speed} 1/min · stable with a probability of {probability} % · lobe {k}, "
+                                                                                               "chatter at {frequency} Hz")
+                                   : LT_TEXT("Engine", "{speed} 1/min · lobe {k}, chatter at {frequency} Hz");
+    if (picture.speed) {
+        const double speed = picture.speed->recommended_rpm;
+        const double limit = pointOfWork(lobes, speed, 0).limit_mm;
+        report::Finding finding;
+        finding.pattern = std::isfinite(limit)
+                              ? LT_TEXT("Engine", "Recommended: {speed} 1/min, stable up to {limit} {unit}")
+                              : LT_TEXT("Engine", "Recommended: {speed} 1/min");
+        finding.values = {{"speed", fixed(speed, 0, language)},
+                          {"limit", fixed(limit, 3, language)},
+                          {"unit", relative ? Value(std::string("×")) : Value(LT_TEXT("Engine", "mm"))}};
+        finding.offer = {{"operating_speed_rpm", std::round(speed)}};
+        answer.findings.push_back(std::move(finding));
+    } else if (picture.no_speed) {
+        const Value* const reason = find(picture.no_speed->values(), "reason");
+        answer.findings.push_back(
+            {LT_TEXT("Engine", "No speed is recommended: {reason}"), {{"reason", reason ? *reason : Value()}}, {}, {}});
+    }
+    if (lobes.minimum_depth_mm && !relative)
+        answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth} mm"),
+                                   {{"depth", fixed(*lobes.minimum_depth_mm, 3, language)}},
+                                   {},
+                                   {}});
+    return answer;
+}
+
+}  // namespace lathelier::lobes_panel

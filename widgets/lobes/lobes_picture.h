@@ -1,0 +1,46 @@
+// What the worker of the panel "Lobes" computes.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/io/frf/frf_reader.h"
+#include "engine/report/document.h"
+#include "engine/stability/stability_plots.h"
+#include "widgets/core/files/file_cache.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/lobes/lobes_question.h"
+
+namespace lathelier::lobes_panel {
+
+/// Files of frequency responses that were read. Source::import are ImportOptions and FrfOptions; errors as readFrf().
+class FrfStore : public FileCache<io::FrfFile> {
+public:
+    FrfStore() : FileCache(20) {}
+
+protected:
+    io::FrfFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
+};
+
+inline constexpr const char* frfRole = "frf";
+
+struct LobesPicture {
+    std::shared_ptr<const Frf> frf;                      ///< receptance of the point that is cut
+    std::shared_ptr<const stability::LobeResult> lobes;  ///< never null
+    std::optional<stability::SpeedResult> speed;         ///< none where nothing can be recommended
+    std::optional<Error> no_speed;                       ///< why not
+    stability::OperatingPoint point;                     ///< as asked, or its default
+    stability::PointOfWork work;                         ///< what is known of it
+    LobesQuestion question;                              ///< as asked
+    std::vector<InputFile> inputs;                       ///< the file, if there is one
+    Notes notes;                                         ///< of the file and of the results
+    bool synthetic = false;                              ///< the source is marked as synthetic
+};
+
+/// Reads and computes; safe from any thread. Errors: those of readFrf(), findLobes().
+LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress);
+
+/// The operating point against its limit, the recommended speed and the depth that is stable at every speed.
+report::Answer answer(const LobesPicture& picture, const Language& language = {});
+
+}  // namespace lathelier::lobes_panel

@@ -5515,6 +5515,18 @@
         <source>Identifying</source>
         <translation>Identyfikacja</translation>
     </message>
+    <message>
+        <source>{path}: it holds {count} frequency responses; the first one is used.</source>
+        <translation>{path}: plik zawiera charakterystyk: {count}; używana jest pierwsza.</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>obliczono</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>zalecenie</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

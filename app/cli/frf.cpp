@@ -35,11 +35,10 @@ void runFrf(const Request& request, io::InputFiles& inputs, const Progress& prog
     const auto spindle = readSpindle(request, inputs, progress.part(0.05, 0.1), answer);
     const auto result = std::make_shared<receptance::ShaftReceptanceResult>(
         receptance::shaftReceptance(shaft, parameters, spindle, progress.part(0.1, 1, LT_TEXT("Engine", "Computing"))));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;
-    answer.json = [result] { return nestedJson(describedValues(*result)); };
-    answer.report = [result] { return frfReport(*result); };
-    answer.summary = report::toPlainText(frfSummary(*result));
+    answerWith(
+        answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
+        [](const auto& found) { return frfReport(found); },
+        [](const auto& found) { return report::toPlainText(frfSummary(found)); });
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
         io::writeFrfCsv(table->second, finiteLines(result->frf));
     if (const auto universal = request.outputs.find(universalOption); universal != request.outputs.end()) {

@@ -4,6 +4,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/io/frf/frf_reader.h"
 #include "engine/stability/modes.h"
+#include "engine/stability/stability_codes.h"
 
 namespace lathelier::cli {
 
@@ -36,6 +37,9 @@ Frf fromFile(const std::string& path, const Request& request, io::InputFiles& in
         io::readFrf(path, inputs.open(path, progress), fromValues<io::ImportOptions>(request.parameters),
                     fromValues<io::FrfOptions>(request.parameters), progress);
     answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
+    if (file.frfs.size() > 1)
+        answer.notes.push_back(
+            {notes::severalResponses, {{"path", path}, {"count", static_cast<std::int64_t>(file.frfs.size())}}});
     return io::toReceptance(file.frfs.front().frf);
 }
 

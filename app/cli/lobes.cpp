@@ -30,11 +30,10 @@ void runLobes(const Request& request, io::InputFiles& inputs, const Progress& pr
         std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.5), answer));
     const auto result =
         std::make_shared<stability::LobeResult>(findLobes(source->frf, parameters, progress.part(0.5, 1)));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;
-    answer.json = [result] { return toJson(*result); };
-    answer.report = [result, source] { return lobesReport(*result, source->frf, nullptr, source->used); };
-    answer.summary = report::toPlainText(lobesSummary(*result));
+    answerWith(
+        answer, result, [](const auto& found) { return toJson(found); },
+        [source](const auto& found) { return lobesReport(found, source->frf, nullptr, source->used); },
+        [](const auto& found) { return report::toPlainText(lobesSummary(found)); });
 }
 
 }  // namespace

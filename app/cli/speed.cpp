@@ -28,11 +28,10 @@ void runSpeed(const Request& request, io::InputFiles& inputs, const Progress& pr
     const auto source =
         std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.8), answer));
     const auto result = std::make_shared<stability::SpeedResult>(chooseSpeed(source->frf, parameters));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;
-    answer.json = [result] { return nestedJson(describedValues(*result)); };
-    answer.report = [result, source] { return speedReport(*result, source->frf, source->used); };
-    answer.summary = report::toPlainText(speedSummary(*result));
+    answerWith(
+        answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
+        [source](const auto& found) { return speedReport(found, source->frf, source->used); },
+        [](const auto& found) { return report::toPlainText(speedSummary(found)); });
     progress.report(1);
 }
 

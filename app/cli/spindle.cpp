@@ -44,19 +44,19 @@ void runSpindle(const Request& request, io::InputFiles& inputs, const Progress& 
     const auto result = std::make_shared<receptance::SpindleIdentification>(receptance::identifySpindle(
         measurementsOf(file, frfs), fromValues<receptance::IdentificationParameters>(request.parameters),
         progress.part(0.2, 1, LT_TEXT("Engine", "Identifying"))));
-    answer.notes.insert(answer.notes.end(), result->notes.begin(), result->notes.end());
-    result->notes = answer.notes;
-    answer.json = [result] {
-        Json json;
-        json["frequency_hz"] = result->frequency_hz;
-        json["condition"] = result->condition;
-        json["residual_rms_percent"] = result->residual_rms_percent;
-        json["hold_out_rms_percent"] = result->hold_out_rms_percent ? Json(*result->hold_out_rms_percent) : Json();
-        json["frfs"] = result->frfs;
-        return json;
-    };
-    answer.report = [result] { return spindleReport(*result); };
-    answer.summary = report::toPlainText(spindleSummary(*result));
+    answerWith(
+        answer, result,
+        [](const auto& found) {
+            Json json;
+            json["frequency_hz"] = found.frequency_hz;
+            json["condition"] = found.condition;
+            json["residual_rms_percent"] = found.residual_rms_percent;
+            json["hold_out_rms_percent"] = found.hold_out_rms_percent ? Json(*found.hold_out_rms_percent) : Json();
+            json["frfs"] = found.frfs;
+            return json;
+        },
+        [](const auto& found) { return spindleReport(found); },
+        [](const auto& found) { return report::toPlainText(spindleSummary(found)); });
     if (const auto output = request.outputs.find(outputOption); output != request.outputs.end())
         io::writeFile(output->second, receptance::spindleText(result->spindle));
 }

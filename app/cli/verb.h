@@ -72,7 +72,8 @@ struct Verb {
 /// Options that settle what the input files of a verb leave open.
 std::vector<Option> readingOptions(const Verb& verb);
 
-/// Fills the answer with a computed result: its notes behind those of the files, JSON, report, verdict, summary. The
+/// Fills the answer with a computed result: its notes behind those of the files, JSON, report, verdict (of a result
+/// that has one), summary. The
 /// report shows the notes of the files as well. `json`, `report` and `summary` are functions of the result.
 template <class Result, class MakeJson, class MakeReport, class Summarise>
 void answerWith(Answer& answer, const std::shared_ptr<Result>& result, MakeJson json, MakeReport report,
@@ -82,7 +83,7 @@ void answerWith(Answer& answer, const std::shared_ptr<Result>& result, MakeJson 
     result->notes = answer.notes;
     answer.json = [result, json] { return json(*result); };
     answer.report = [result, report] { return report(*result); };
-    answer.pass = passed(result->verdict);
+    if constexpr (requires { result->verdict; }) answer.pass = passed(result->verdict);
     answer.summary = summary(*result);
 }
 

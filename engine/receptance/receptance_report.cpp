@@ -54,6 +54,7 @@ report::Answer answer(const ShaftReceptanceResult& result, const Language& langu
 {
     report::Answer answer;
     answer.used = result.used;
+    answer.verdict_words = LT_TEXT("Engine", "computed");
     const Frf& frf = result.frf;
     std::size_t peak = 0;
     for (std::size_t i = 0; i < frf.value.size(); ++i)
@@ -78,6 +79,7 @@ report::Answer answer(const SpindleIdentification& result, const Language& langu
 {
     report::Answer answer;
     answer.used = result.used;
+    answer.verdict_words = LT_TEXT("Engine", "computed");
     answer.quantity = LT_TEXT("Engine", "Residual of the identification");
     answer.value = result.residual_rms_percent;
     answer.unit = LT_TEXT("Engine", "%");

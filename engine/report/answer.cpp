@@ -66,7 +66,7 @@ std::string limitText(const Answer& answer, const Language& language)
 
 std::string verdictText(const Answer& answer, const Language& language)
 {
-    if (answer.verdict && !answer.verdict_words.empty()) return text(answer.verdict_words, language);
+    if (!answer.verdict_words.empty()) return text(answer.verdict_words, language);
     return text(answer.verdict ? name(*answer.verdict) : LT_TEXT("Engine", "no limit given"), language);
 }
 

@@ -45,7 +45,7 @@ struct Answer {
     std::optional<double> lower_limit;           ///< none: only one side is limited
     std::optional<double> upper_limit;           ///< none: no limit was given
     std::optional<Verdict> verdict;              ///< nullopt: no limit was given
-    Text verdict_words;                          ///< in place of "✓ within tolerance" and its kin; empty: those
+    Text verdict_words;                          ///< in place of "within tolerance" and its kin; empty: those
     Text sentence;                               ///< one sentence, a pattern; empty: the number says it all
     Values values;                               ///< that the braces of the sentence name
     std::vector<Finding> findings;               ///< the three most important at most

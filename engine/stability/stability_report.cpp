@@ -43,6 +43,7 @@ report::Answer answer(const LobeResult& result, const Language& language)
 {
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Depth that is stable at every speed");
+    answer.verdict_words = LT_TEXT("Engine", "computed");
     if (!result.minimum_depth_mm) {
         answer.sentence = LT_TEXT("Engine", "Nothing chatters: the real part is nowhere negative.");
         return answer;
@@ -67,6 +68,7 @@ report::Answer answer(const SpeedResult& result, const Language& language)
 {
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Recommended spindle speed");
+    answer.verdict_words = LT_TEXT("Engine", "recommended");
     answer.value = result.recommended_rpm;
     answer.unit = LT_TEXT("Engine", "1/min");
     answer.decimals = 0;

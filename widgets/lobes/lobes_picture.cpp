@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/io/io_codes.h"
+#include "engine/stability/stability_codes.h"
 
 namespace lathelier::lobes_panel {
 namespace {
@@ -52,6 +53,9 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
         picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
         picture.inputs = {loaded->inputs.front()};
         picture.notes = loaded->file.notes;
+        if (const std::size_t count = loaded->file.frfs.size(); count > 1)
+            picture.notes.push_back({notes::severalResponses,
+                                     {{"path", source->second.path}, {"count", static_cast<std::int64_t>(count)}}});
         picture.synthetic = source->second.synthetic || contains(loaded->file.notes, notes::syntheticData);
     } else {
         const double highest = question.lobes.speed_rpm.empty() ? usualSpeed_rpm : question.lobes.speed_rpm.front().to;

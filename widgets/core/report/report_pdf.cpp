@@ -58,7 +58,9 @@ public:
                 const double width = piece.narrow ? (width_ - columnGap_px) / 2 : width_;
                 double needed = heightOf(piece, width);
                 const double own = needed;
-                if (piece.keepWithNext && i + 1 < pieces.size()) needed += gap_px + headHeight(pieces[i + 1]);
+                // A heading stays with what it is about, which may begin with a heading of its own.
+                for (std::size_t k = i; pieces[k].keepWithNext && k + 1 < pieces.size(); ++k)
+                    needed += gap_px + headHeight(pieces[k + 1]);
                 makeRoom(needed);
                 draw(piece, 0, width);
                 y_ += own + (piece.keepWithNext ? 2 : gap_px);

@@ -30,7 +30,7 @@ double selectedSpeed(const SpeedParameters& p)
     if (!p.cutting_speed_m_min)
         refuse("cutting_speed_m_min", Value(), LT_TEXT("Engine", "a cutting speed or a spindle speed"));
     if (!p.diameter_mm) refuse("diameter_mm", Value(), LT_TEXT("Engine", "the diameter for the cutting speed"));
-    return speedFromCuttingSpeed_rpm(*p.cutting_speed_m_min, *p.diameter_mm);
+    return spindleSpeed(*p.cutting_speed_m_min, *p.diameter_mm);
 }
 
 std::optional<Interval> rangeOf(const SpeedParameters& p)
@@ -42,8 +42,7 @@ std::optional<Interval> rangeOf(const SpeedParameters& p)
     if (!(range.from <= range.to))
         refuse("range_m_min", Value(p.range_m_min), LT_TEXT("Engine", "a range such as 200:350"));
     if (!p.diameter_mm) refuse("diameter_mm", Value(), LT_TEXT("Engine", "the diameter for the range"));
-    return Interval{speedFromCuttingSpeed_rpm(range.from, *p.diameter_mm),
-                    speedFromCuttingSpeed_rpm(range.to, *p.diameter_mm)};
+    return Interval{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
 }
 
 /// Ends of lobe k: between the published lobes' bottoms, or of the exact pocket.
@@ -127,7 +126,7 @@ const SpeedCandidate* nearest(const SpeedResult& result)
 
 }  // namespace
 
-double speedFromCuttingSpeed_rpm(double cutting_speed_m_min, double diameter_mm)
+double spindleSpeed(double cutting_speed_m_min, double diameter_mm)
 {
     return 1000 * cutting_speed_m_min / (std::numbers::pi * diameter_mm);
 }

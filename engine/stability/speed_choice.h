@@ -56,6 +56,6 @@ struct SpeedResult {
 SpeedResult chooseSpeed(const Frf& frf, const SpeedParameters& parameters);
 
 /// N = 1000 v_c / (π D) in 1/min.
-double speedFromCuttingSpeed_rpm(double cutting_speed_m_min, double diameter_mm);
+double spindleSpeed(double cutting_speed_m_min, double diameter_mm);
 
 }  // namespace lathelier::stability

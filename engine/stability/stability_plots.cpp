@@ -54,8 +54,7 @@ void addSpeed(report::Plot& plot, const SpeedResult& speed, bool has_point, cons
     const SpeedParameters& p = speed.parameters;
     if (p.range_m_min.empty() || !p.diameter_mm) return;
     const Interval& range = p.range_m_min.front();
-    const Interval rpm{speedFromCuttingSpeed_rpm(range.from, *p.diameter_mm),
-                       speedFromCuttingSpeed_rpm(range.to, *p.diameter_mm)};
+    const Interval rpm{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
     plot.regions.push_back(report::stretch(LT_TEXT("Engine", "below the tool's range"), {-HUGE_VAL, rpm.from}));
     plot.regions.push_back(report::stretch(LT_TEXT("Engine", "above the tool's range"), {rpm.to, HUGE_VAL}));
 }

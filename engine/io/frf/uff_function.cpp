@@ -200,7 +200,7 @@ UffFunction readUffBinary(Lines& lines, std::string_view file, const UffBinary& 
     const std::string_view payload = uffPayload(file, lines.nextOffset(), binary);
     UffFunction& function = header.function;
     const bool isDouble = function.data_type == 4 || function.data_type == 6;
-    const std::size_t ordinate = (isDouble ? 8U : 4U) * (function.isComplex() ? 2U : 1U);
+    const std::size_t ordinate = std::size_t{isDouble ? 8U : 4U} * (function.isComplex() ? 2U : 1U);
     const auto points = static_cast<std::size_t>(header.points);
     std::size_t abscissa = function.is_even ? 0 : 4;
     const bool onlyWideFits =

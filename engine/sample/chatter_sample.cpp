@@ -67,7 +67,7 @@ std::string tapTests(std::uint64_t seed, const Progress& progress)
             for (int b = a; b < 3; ++b) {
                 Frf frf = responseOf(shaft, rod.length_mm - rod.from_chuck_mm[a], rod.length_mm - rod.from_chuck_mm[b],
                                      step_hz);
-                const auto stream = static_cast<std::uint64_t>(node + 10 * a + b);
+                const std::uint64_t stream = 1000 * responses.size() + 1;
                 for (std::size_t i = 0; i < frf.value.size(); ++i)
                     frf.value[i] *= std::complex<double>(1 + noise * randomNormal(seed, stream, 2 * i),
                                                          noise * randomNormal(seed, stream, 2 * i + 1));

@@ -38,6 +38,7 @@ std::vector<report::Mark> pockets(const LobeLimit& limit, double highest, const 
                      [&](std::size_t a, std::size_t b) { return limit.depth_mm[a] > limit.depth_mm[b]; });
     if (peaks.size() > named) peaks.resize(named);
     std::vector<report::Mark> marks;
+    marks.reserve(peaks.size());
     for (const std::size_t i : peaks)
         marks.push_back(
             {limit.speed_rpm[i], std::min(limit.depth_mm[i], highest), fixed(limit.speed_rpm[i], 0, language)});

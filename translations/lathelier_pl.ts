@@ -5476,10 +5476,6 @@
         <translation>Punktu pracy, w mm; bez współczynnika skrawania w wielokrotnościach najmniejszej granicy.</translation>
     </message>
     <message>
-        <source>Of the turned surface, for cutting speeds.</source>
-        <translation>Toczonej powierzchni, dla prędkości skrawania.</translation>
-    </message>
-    <message>
         <source>Computing</source>
         <translation>Obliczanie</translation>
     </message>

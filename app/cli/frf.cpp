@@ -3,6 +3,7 @@
 
 #include "app/cli/shafts.h"
 #include "app/cli/verbs.h"
+#include "engine/io/frf/frf_lines.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/receptance/receptance_quantities.h"
 #include "engine/receptance/receptance_report.h"
@@ -13,20 +14,6 @@ namespace {
 
 constexpr const char* tableOption = "--csv";
 constexpr const char* universalOption = "--uff";
-
-/// A universal file holds lines with values only.
-Frf finiteLines(const Frf& frf)
-{
-    Frf result = frf;
-    result.frequency_hz.clear();
-    result.value.clear();
-    for (std::size_t i = 0; i < frf.value.size(); ++i)
-        if (std::isfinite(frf.value[i].real()) && std::isfinite(frf.value[i].imag())) {
-            result.frequency_hz.push_back(frf.frequency_hz[i]);
-            result.value.push_back(frf.value[i]);
-        }
-    return result;
-}
 
 void runFrf(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
@@ -39,13 +26,14 @@ void runFrf(const Request& request, io::InputFiles& inputs, const Progress& prog
         answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
         [](const auto& found) { return frfReport(found); },
         [](const auto& found) { return report::toPlainText(frfSummary(found)); });
+    if (request.outputs.empty()) return;
+    io::MeasuredFrf response;
+    response.frf = result->frf;
+    io::dropUnusableLines(response.frf);  // a free shaft has no receptance at 0 Hz
     if (const auto table = request.outputs.find(tableOption); table != request.outputs.end())
-        io::writeFrfCsv(table->second, finiteLines(result->frf));
-    if (const auto universal = request.outputs.find(universalOption); universal != request.outputs.end()) {
-        io::MeasuredFrf response;
-        response.frf = finiteLines(result->frf);
+        io::writeFrfCsv(table->second, response.frf);
+    if (const auto universal = request.outputs.find(universalOption); universal != request.outputs.end())
         io::writeUff(universal->second, {&response, 1});
-    }
 }
 
 }  // namespace

@@ -7,13 +7,12 @@
 #include "app/cli/verbs.h"
 #include "engine/io/frf/frf_reader.h"
 #include "engine/report/plain_text.h"
+#include "engine/stability/modes.h"
 #include "engine/stability/stability_quantities.h"
 #include "engine/stability/stability_report.h"
 
 namespace lathelier::cli {
 namespace {
-
-constexpr double usualSpeed_rpm = 10000;
 
 std::vector<Option> lobesOptions()
 {
@@ -25,7 +24,8 @@ std::vector<Option> lobesOptions()
 void runLobes(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<stability::LobeParameters>(request.parameters);
-    const double highest = parameters.speed_rpm.empty() ? usualSpeed_rpm : parameters.speed_rpm.front().to;
+    const double highest =
+        parameters.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : parameters.speed_rpm.front().to;
     const auto source =
         std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.5), answer));
     const auto result =

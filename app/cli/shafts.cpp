@@ -1,7 +1,5 @@
 #include "app/cli/shafts.h"
 
-#include <cctype>
-
 #include "engine/receptance/shaft_file.h"
 #include "engine/receptance/spindle_file.h"
 
@@ -37,13 +35,6 @@ auto readText(const std::string& path, io::InputFiles& inputs, const Progress& p
     }
 }
 
-bool isJson(std::string_view text)
-{
-    for (const char c : text)
-        if (!std::isspace(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80) return c == '{';
-    return false;
-}
-
 }  // namespace
 
 std::string wordOf(const Request& request, const char* key)
@@ -64,7 +55,7 @@ Shaft readShaft(const std::string& path, const Request& request, io::InputFiles&
                 Answer& answer)
 {
     Shaft shaft = readText(path, inputs, progress, [&](std::string_view text) {
-        return isJson(text) ? receptance::readShaft(std::string(text), answer.notes) : receptance::readStock(text);
+        return receptance::readShaftFile(text, answer.notes, progress);
     });
     if (const std::string material = wordOf(request, "material"); !material.empty())
         shaft.material = readText(material, inputs, progress, [&](std::string_view text) {

@@ -5,14 +5,13 @@
 #include "app/cli/verbs.h"
 #include "engine/io/frf/frf_reader.h"
 #include "engine/report/plain_text.h"
+#include "engine/stability/modes.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_quantities.h"
 #include "engine/stability/stability_report.h"
 
 namespace lathelier::cli {
 namespace {
-
-constexpr double usualSpeed_rpm = 10000;
 
 std::vector<Option> speedOptions()
 {
@@ -24,7 +23,7 @@ std::vector<Option> speedOptions()
 void runSpeed(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto parameters = fromValues<stability::SpeedParameters>(request.parameters);
-    const double highest = std::max(usualSpeed_rpm, parameters.speed_rpm.value_or(0));
+    const double highest = std::max(stability::usualHighestSpeed_rpm, parameters.speed_rpm.value_or(0));
     const auto source =
         std::make_shared<const FrfSource>(frfSource(request, highest, inputs, progress.part(0, 0.8), answer));
     const auto result = std::make_shared<stability::SpeedResult>(chooseSpeed(source->frf, parameters));

@@ -12,8 +12,8 @@ namespace lathelier {
 
 class Form;
 
-/// The picture in the file at `path`, no larger than a report needs, as PNG in base64. Errors: fileNotFound,
-/// malformed when it is no picture.
+/// The picture in the file at `path`, no larger than a report needs, as PNG in base64. Error malformed
+/// when it is no picture or cannot be read.
 std::string readLogo(const QString& path);
 
 /// The title block of a project; where the project has none, what does not change from part to part (company,

@@ -125,20 +125,14 @@ Shaft readStock(std::string_view text)
     return shaft;
 }
 
-Shaft readShaftFile(const std::string& path, Notes& notes, const Progress& progress)
+Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progress)
 {
-    const io::FileBytes bytes(path, progress);
-    try {
-        const io::DecodedText text = io::decodeText(bytes.view(), io::Encoding::Auto, progress);
-        const std::string_view content = io::trimmed(text.view());
-        if (content.empty()) throw Error(errors::fileEmpty, {});
-        const std::size_t first = content.find_first_not_of(" \t\r\n");
-        if (first != std::string_view::npos && content[first] == '{') return readShaft(std::string(text.view()), notes);
-        return readStock(text.view());
-    } catch (Error& error) {
-        error.with("path", path);
-        throw;
-    }
+    const io::DecodedText text = io::decodeText(bytes, io::Encoding::Auto, progress);
+    const std::string_view content = io::trimmed(text.view());
+    if (content.empty()) throw Error(errors::fileEmpty, {});
+    const std::size_t first = content.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && content[first] == '{') return readShaft(std::string(text.view()), notes);
+    return readStock(text.view());
 }
 
 }  // namespace lathelier::receptance

@@ -27,7 +27,7 @@ Material readMaterial(const std::string& json, Notes& notes);
 /// A bore that widens becomes 50 segments of constant bore. Errors malformed with line and column; shaftEmpty.
 Shaft readStock(std::string_view text);
 
-/// Either kind of file, told apart by its content. Errors of the above and of io::FileBytes, with `path`.
-Shaft readShaftFile(const std::string& path, Notes& notes, const Progress& progress = {});
+/// Either kind, told apart by its content, in any encoding. Errors of the above; fileEmpty.
+Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progress = {});
 
 }  // namespace lathelier::receptance

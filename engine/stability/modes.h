@@ -19,6 +19,9 @@ struct Mode {
 
 const std::vector<Field<Mode>>& fieldsOf(const Mode*);
 
+/// Lobes of modes reach so far where no range of speeds is stated.
+inline constexpr double usualHighestSpeed_rpm = 10000;
+
 /// Receptance in mm/N at one frequency.
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz);
 

@@ -304,8 +304,14 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
     parts_->map->setColours(colours);
     parts_->scene->setColours(colours);
     if (!parts_->picture) return;
-    // What is coloured is counted: local means, or the points by themselves.
-    const auto counts = plot::countsOf(parts_->coloured ? *parts_->coloured : parts_->result().deviation_mm, colours);
+    // What is coloured is counted: local means, or the points by themselves. Not again where only the tolerance moves.
+    const Parts::Counted now{parts_->coloured ? parts_->coloured
+                                              : std::shared_ptr<const std::vector<float>>(
+                                                    parts_->picture->result, &parts_->result().deviation_mm),
+                             colours.least(), colours.limit};
+    if (parts_->counted == now) return;
+    parts_->counted = now;
+    const auto counts = plot::countsOf(*now.values, colours);
     parts_->scene->setCounts(counts);
     parts_->map->setCounts(counts);
 }

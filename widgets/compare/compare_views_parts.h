@@ -32,6 +32,11 @@ struct CompareViews::Parts {
     std::shared_ptr<const ComparePicture> picture;  ///< what is shown; null: nothing yet
     std::optional<ComparePlace> place;              ///< the marked place; none: no place
     std::optional<double> chosenLimit;  ///< end of the colour scale that the user chose, in mm; none: from the result
+    struct Counted {                    ///< what the bars beside the scale count
+        std::shared_ptr<const std::vector<float>> values;  ///< held, so that no others take their place in memory
+        double least = 0, limit = 0;                       ///< ends of the scale, in mm
+        friend bool operator==(const Counted&, const Counted&) = default;
+    } counted;
     std::shared_ptr<const std::vector<float>> coloured;  ///< deviations that the part shows; null: none
     std::optional<double> chosenLower;                   ///< how far below 0 it goes then, in mm; none: as far as above
     std::optional<double> chosenFactor;                  ///< likewise, magnification of the meridian's error

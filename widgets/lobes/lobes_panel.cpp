@@ -1,5 +1,6 @@
 #include "widgets/lobes/lobes_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -99,11 +100,14 @@ LobesPanel::LobesPanel(Session& owner, QWidget* parent)
 
 void LobesPanel::moveOperatingPoint(double speed_rpm, std::optional<double> depth, bool dropped)
 {
+    constexpr double least = 1e-4;  // a depth that is cut; also the step
     editState(
         tr("Move the operating point"),
         [&](project::PanelState& state) {
             lathelier::set(state.parameters, "operating_speed_rpm", std::round(speed_rpm));
-            if (depth) lathelier::set(state.parameters, "operating_depth", std::round(1e4 * *depth) / 1e4);
+            if (depth)
+                lathelier::set(state.parameters, "operating_depth",
+                               std::max(least, std::round(*depth / least) * least));
         },
         QString("lobes/operating_point/%1").arg(gesture_));
     gesture_ += dropped;

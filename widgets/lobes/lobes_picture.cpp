@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "engine/core/json.h"
 #include "engine/io/io_codes.h"
 #include "engine/stability/stability_codes.h"
+#include "widgets/core/task/memo.h"
 
 namespace lathelier::lobes_panel {
 namespace {
 
 constexpr double usualDepth = 1.5;  ///< of the least limit
-constexpr double usualSpeed_rpm = 10000;
+
+/// Lobes by what they rest on: a drag of the operating point computes none anew.
+struct LobesMemo : Memo<stability::LobeResult> {};
 
 stability::OperatingPoint pointOf(const LobesQuestion& question, const stability::LobeResult& lobes)
 {
@@ -20,11 +25,9 @@ stability::OperatingPoint pointOf(const LobesQuestion& question, const stability
 
 void recommend(LobesPicture& picture)
 {
-    stability::SpeedParameters asked;
-    asked.diameter_mm = picture.question.diameter_mm;
+    stability::SpeedParameters asked = picture.question.speed;
     asked.speed_rpm = picture.point.speed_rpm;
-    if (asked.diameter_mm) asked.range_m_min = picture.question.range_m_min;
-    asked.rule = picture.question.rule;
+    if (!asked.diameter_mm) asked.range_m_min.clear();
     asked.relation = picture.question.lobes.relation;
     asked.direction_factor = picture.question.lobes.direction_factor;
     try {
@@ -47,22 +50,27 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
     LobesPicture picture;
     picture.question = fromValues<LobesQuestion>(state.parameters);
     const LobesQuestion& question = picture.question;
+    std::string basis;  // tells responses apart
     if (const auto source = state.inputs.find(frfRole); source != state.inputs.end()) {
         const auto loaded =
             stores.of<FrfStore>()->load(source->second, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
         picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
         picture.inputs = {loaded->inputs.front()};
+        basis = loaded->digest() + toJson(source->second.import).dump();
         picture.notes = loaded->file.notes;
         if (const std::size_t count = loaded->file.frfs.size(); count > 1)
             picture.notes.push_back({notes::severalResponses,
                                      {{"path", source->second.path}, {"count", static_cast<std::int64_t>(count)}}});
         picture.synthetic = source->second.synthetic || contains(loaded->file.notes, notes::syntheticData);
     } else {
-        const double highest = question.lobes.speed_rpm.empty() ? usualSpeed_rpm : question.lobes.speed_rpm.front().to;
+        const double highest =
+            question.lobes.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : question.lobes.speed_rpm.front().to;
         picture.frf = std::make_shared<const Frf>(stability::frfOf(question.modes, highest));
+        for (const stability::Mode& mode : question.modes) basis += toJson(toValues(mode)).dump();
     }
-    picture.lobes = std::make_shared<const stability::LobeResult>(
-        findLobes(*picture.frf, question.lobes, progress.part(0.5, 1, LT_TEXT("Engine", "Finding lobes"))));
+    picture.lobes = stores.of<LobesMemo>()->find(
+        basis + toJson(toValues(question.lobes)).dump(), progress.part(0.5, 1, LT_TEXT("Engine", "Finding lobes")),
+        [&](const Progress& computing) { return findLobes(*picture.frf, question.lobes, computing); });
     picture.point = pointOf(question, *picture.lobes);
     picture.work = pointOfWork(*picture.lobes, picture.point.speed_rpm, picture.point.depth_mm);
     recommend(picture);

@@ -23,6 +23,7 @@ const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*)
 {
     using Q = LobesQuestion;
     using P = stability::LobeParameters;
+    using S = stability::SpeedParameters;
     static const std::vector<Field<Q>> all{
         rows("modes", &Q::modes, Range{0, 50},
              Label{LT_TEXT("Engine", "Modes"),
@@ -38,16 +39,9 @@ const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*)
                     LT_TEXT("Engine",
                             "Of the operating point, in mm; without a cutting coefficient in multiples of the least "
                             "limit.")}),
-        field("diameter_mm", &Q::diameter_mm, Range{1e-3, 1e5},
-              Label{LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned surface, for cutting speeds."),
-                    LT_TEXT("Engine", "mm")}),
-        field("range_m_min", &Q::range_m_min, Range{1e-3, 1e5},
-              Label{LT_TEXT("Engine", "Cutting speeds of the tool"), LT_TEXT("Engine", "Range, 200:350."),
-                    LT_TEXT("Engine", "m/min")}),
-        field("rule", &Q::rule,
-              {{"lobe", LT_TEXT("Engine", "Lobe of the selected speed")},
-               {"nearest", LT_TEXT("Engine", "Nearest in range")}},
-              Label{LT_TEXT("Engine", "Rule"), LT_TEXT("Engine", "Which candidate is recommended."), {}, true}),
+        within<S>(&Q::speed, "diameter_mm"),
+        within<S>(&Q::speed, "range_m_min"),
+        within<S>(&Q::speed, "rule"),
         within<P>(&Q::lobes, "direction_factor"),
         within<P>(&Q::lobes, "points"),
         within<P>(&Q::lobes, "uncertainty_frequency_percent"),

@@ -11,13 +11,11 @@
 namespace lathelier::lobes_panel {
 
 struct LobesQuestion {
-    std::vector<stability::Mode> modes;                      ///< of the point that is cut, when no file is given
-    stability::LobeParameters lobes;                         ///< coefficient, relation, range, uncertainties
-    std::optional<double> operating_speed_rpm;               ///< point of work; none: the middle of the range
-    std::optional<double> operating_depth;                   ///< mm, or multiples of the least limit; none: 1.5 of it
-    std::optional<double> diameter_mm;                       ///< of the turned surface, for cutting speeds
-    std::vector<Interval> range_m_min;                       ///< at most one: cutting speeds that the tool allows
-    stability::SpeedRule rule = stability::SpeedRule::Lobe;  ///< which candidate is recommended
+    std::vector<stability::Mode> modes;         ///< of the point that is cut, when no file is given
+    stability::LobeParameters lobes;            ///< coefficient, relation, range, uncertainties
+    std::optional<double> operating_speed_rpm;  ///< point of work; none: the middle of the range
+    std::optional<double> operating_depth;      ///< mm, or multiples of the least limit; none: 1.5 of it
+    stability::SpeedParameters speed;           ///< diameter, the tool's range, rule; the rest follows
 };
 
 const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*);

@@ -134,7 +134,13 @@ TEST(StockFile, SaysWhereItIsWrong)
 TEST(ShaftFile, ToldApartByContent)
 {
     Notes notes;
-    EXPECT_EQ(codeOfError([&] { readShaftFile("/nowhere/shaft.json", notes); }), errors::fileNotFound);
+    EXPECT_EQ(readShaftFile("20 0 20 0 250\n", notes).segments.size(), 1u);
+    EXPECT_EQ(readShaftFile("\xEF\xBB\xBF {\"segments\": [{\"length_mm\": 9, \"start_diameter_mm\": 4, "
+                            "\"end_diameter_mm\": 4}]}",
+                            notes)
+                  .length_mm(),
+              9);
+    EXPECT_EQ(codeOfError([&] { readShaftFile("", notes); }), errors::fileEmpty);
 }
 
 TEST(Measurements, RodsAndNodes)

@@ -78,12 +78,14 @@ private slots:
     {
         askPaperA();
         const int steps = session_->undoStack().count();
+        const auto lobes = panel_->result()->lobes;
         emit panel_->views().operatingPointMoved(3000, 0.4, false);
         emit panel_->views().operatingPointMoved(3237, 0.3, false);
         emit panel_->views().operatingPointMoved(3237, 0.25, true);
         settle();
         QCOMPARE(session_->undoStack().count(), steps + 1);
         QVERIFY(panel_->result()->work.stable);
+        QVERIFY(panel_->result()->lobes == lobes);  // nothing of them was computed anew
         session_->undoStack().undo();
         settle();
         QVERIFY(!panel_->result()->work.stable);

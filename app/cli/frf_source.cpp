@@ -3,16 +3,9 @@
 #include "app/cli/shafts.h"
 #include "engine/core/core_codes.h"
 #include "engine/io/frf/frf_reader.h"
-#include "engine/stability/modes.h"
 #include "engine/stability/stability_codes.h"
 
 namespace lathelier::cli {
-
-/// What the options of a source hold.
-struct SourceParameters {
-    std::vector<stability::Mode> mode;  ///< given by hand
-    std::string shaft;                  ///< path of a shaft that is computed; empty: none
-};
 
 const std::vector<Field<SourceParameters>>& fieldsOf(const SourceParameters*)
 {
@@ -64,16 +57,21 @@ std::vector<Option> frfSourceOptions()
     return options;
 }
 
+void checkOneSource(const Request& request, const SourceParameters& source)
+{
+    const bool has_file = !request.operands.empty();
+    if (has_file + !source.mode.empty() + !source.shaft.empty() != 1)
+        throw Error(errors::valueNotUnderstood, {{"parameter", "FRF"},
+                                                 {"found", has_file ? Value(request.operands.front()) : Value()},
+                                                 {"expected", LT_TEXT("Engine", "one of: a file, --mode, --shaft")}});
+}
+
 FrfSource frfSource(const Request& request, double highest_speed_rpm, io::InputFiles& inputs, const Progress& progress,
                     Answer& answer)
 {
     const auto parameters = fromValues<SourceParameters>(request.parameters);
-    const bool has_file = !request.operands.empty(), has_modes = !parameters.mode.empty(),
-               has_shaft = !parameters.shaft.empty();
-    if (has_file + has_modes + has_shaft != 1)
-        throw Error(errors::valueNotUnderstood, {{"parameter", "FRF"},
-                                                 {"found", has_file ? Value(request.operands.front()) : Value()},
-                                                 {"expected", LT_TEXT("Engine", "one of: a file, --mode, --shaft")}});
+    checkOneSource(request, parameters);
+    const bool has_modes = !parameters.mode.empty(), has_shaft = !parameters.shaft.empty();
     if (has_modes) return {stability::frfOf(parameters.mode, highest_speed_rpm), {}};
     if (has_shaft) return fromShaft(parameters.shaft, request, inputs, progress, answer);
     return {fromFile(request.operands.front(), request, inputs, progress, answer), {}};

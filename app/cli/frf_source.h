@@ -4,6 +4,7 @@
 #include "app/cli/verb.h"
 #include "engine/core/frf.h"
 #include "engine/core/used_value.h"
+#include "engine/stability/modes.h"
 
 namespace lathelier::cli {
 
@@ -12,6 +13,17 @@ struct FrfSource {
     Frf frf;          ///< a receptance, mm/N
     UsedValues used;  ///< what was assumed on the way
 };
+
+/// What the options of a source hold.
+struct SourceParameters {
+    std::vector<stability::Mode> mode;  ///< given by hand
+    std::string shaft;                  ///< path of a shaft that is computed; empty: none
+};
+
+const std::vector<Field<SourceParameters>>& fieldsOf(const SourceParameters*);
+
+/// Error valueNotUnderstood unless the request names one source: a file, modes, or a shaft.
+void checkOneSource(const Request& request, const SourceParameters& source);
 
 /// The options --mode and --shaft, and those of the verb `frf` that say how a shaft is computed.
 std::vector<Option> frfSourceOptions();

@@ -6,8 +6,9 @@ namespace lathelier::cli {
 const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
-        std::vector<Verb> table{sampleVerb(), compareVerb(), roundnessVerb(), cylindricityVerb(), trajectoryVerb(),
-                                frfVerb(),    spindleVerb(), lobesVerb(),     speedVerb(),        verifyVerb()};
+        std::vector<Verb> table{sampleVerb(),     compareVerb(),  roundnessVerb(), cylindricityVerb(),
+                                trajectoryVerb(), frfVerb(),      spindleVerb(),   lobesVerb(),
+                                speedVerb(),      simulateVerb(), verifyVerb()};
         io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles()};  // inspect knows the files of all others
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));

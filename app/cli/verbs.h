@@ -15,6 +15,7 @@ Verb frfVerb();
 Verb spindleVerb();
 Verb lobesVerb();
 Verb speedVerb();
+Verb simulateVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -92,21 +92,17 @@ Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes)
     return material;
 }
 
-ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
-                                      const std::optional<SpindleReceptance>& spindle, const Progress& progress)
+Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
+                 const std::optional<SpindleReceptance>& spindle, const Progress& progress)
 {
-    ShaftReceptanceResult result;
-    result.parameters = parameters;
-    result.length_mm = shaft.length_mm();
-    const Material material = materialOf(shaft, result.used, result.notes);
-    result.frf.name = shaft.name;
-    result.frf.frequency_hz = linesOf(parameters);
-    if (spindle) checkReach(*spindle, result.frf.frequency_hz);
-    const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, result.length_mm};
+    Frf frf;
+    frf.name = shaft.name;
+    frf.frequency_hz = linesOf(parameters);
+    if (spindle) checkReach(*spindle, frf.frequency_hz);
+    const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, shaft.length_mm()};
     const beam::BeamReceptance prepared(beam::beamModel(shaft, material, beamParameters(parameters), places_z_mm));
-
-    const std::vector<double>& frequency_hz = result.frf.frequency_hz;
-    std::vector<Complex>& value = result.frf.value;
+    const std::vector<double>& frequency_hz = frf.frequency_hz;
+    std::vector<Complex>& value = frf.value;
     value.resize(frequency_hz.size());
     parallelFor(frequency_hz.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
         beam::BeamReceptance mine = prepared;
@@ -121,6 +117,17 @@ ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParame
             }
         }
     });
+    return frf;
+}
+
+ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
+                                      const std::optional<SpindleReceptance>& spindle, const Progress& progress)
+{
+    ShaftReceptanceResult result;
+    result.parameters = parameters;
+    result.length_mm = shaft.length_mm();
+    const Material material = materialOf(shaft, result.used, result.notes);
+    result.frf = receptanceOf(shaft, material, parameters, spindle, progress);
     progress.report(0.7);
     const SpindleSprings* springs = spindle ? spindle->springs() : nullptr;
     if (!spindle || springs)

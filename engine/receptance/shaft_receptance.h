@@ -44,6 +44,10 @@ struct ShaftReceptanceResult {
 /// The lines that the parameters ask for. Error valueNotUnderstood for more than a million, or a range reversed.
 std::vector<double> linesOf(const ReceptanceParameters& parameters);
 
+/// The receptance alone, without natural frequencies; errors as shaftReceptance(). Throws Cancelled.
+Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
+                 const std::optional<SpindleReceptance>& spindle = {}, const Progress& progress = {});
+
 /// Without a spindle the shaft is free; with one it is joined to its chuck face at z = length.
 /// Errors: placeOutsideShaft (wrong usage), valueNotUnderstood, valueOutOfRange, frequencyOutsideSpindle,
 /// shaftSegmentUnusable, shaftEmpty. Throws Cancelled.

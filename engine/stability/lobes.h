@@ -24,6 +24,8 @@ struct LobeParameters {
     std::vector<Interval> speed_rpm;                  ///< at most one; none: about the first lobes
     int points = 2000;                                ///< of the envelope, evenly over the speeds
     double direction_factor = 1;                      ///< D: the oriented receptance is D·G
+    std::optional<double> process_damping_N_mm;       ///< C of a force C (a/v) ẋ; none: no process damping
+    std::optional<double> diameter_mm;                ///< of the turned surface; for the process damping
     double uncertainty_frequency_percent = 0;         ///< standard uncertainty of the natural frequencies
     double uncertainty_compliance_percent = 0;        ///< standard uncertainty of the receptance's size
     double uncertainty_coefficient_percent = 0;       ///< standard uncertainty of the cutting coefficient
@@ -51,12 +53,14 @@ struct LobeLimit {
 struct LobeBand {
     std::vector<double> low_mm;   ///< 2.5 % quantile at each speed of the limit; NaN where no lobe limits
     std::vector<double> high_mm;  ///< 97.5 % quantile
+    LobeLimit whole;              ///< the limit over a wider range, from which machines are drawn
 };
 
 struct LobeResult {
-    LobeParameters parameters;                      ///< as asked
-    Interval speed_rpm;                             ///< range that is shown
-    std::optional<double> minimum_depth_mm;         ///< limit at every speed; 1 without K_r; none: nothing chatters
+    LobeParameters parameters;  ///< as asked
+    Interval speed_rpm;         ///< range that is shown
+    /// Limit at every speed, with process damping at every speed shown; 1 without K_r; none: nothing chatters.
+    std::optional<double> minimum_depth_mm;
     std::optional<double> frequency_of_minimum_hz;  ///< of the chatter there
     LobeLimit limit;                                ///< lower envelope
     std::vector<Lobe> lobes;                        ///< that reach the range, k ascending
@@ -68,8 +72,12 @@ struct LobeResult {
 };
 
 /// The lobes of the receptance `frf` (mm/N) of the point that is cut. Errors: notAReceptance, tooFewLines;
-/// valueNotUnderstood for more than one range of speeds. Throws Cancelled.
+/// valueNotUnderstood for more than one range of speeds, and for process damping without coefficient, diameter or the
+/// exact relation. Throws Cancelled.
 LobeResult findLobes(const Frf& frf, const LobeParameters& parameters = {}, const Progress& progress = {});
+
+/// LobeResult::limit alone. Errors as findLobes(); valueNotUnderstood without a cutting coefficient. Throws Cancelled.
+LobeLimit limitOf(const Frf& frf, const LobeParameters& parameters, const Progress& progress = {});
 
 /// The limit at evenly spaced speeds from `from_rpm` to `to_rpm`, in 1/compliance (N/mm): divided by K_r it is a depth.
 LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, int points);

@@ -20,6 +20,16 @@ inline constexpr ErrorCode notAReceptance{
     "not_a_receptance", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "Stability needs a receptance (displacement per force); convert the frequency response first.")};
 
+inline constexpr ErrorCode simulationTooLong{
+    "simulation_too_long", ErrorKind::WrongUsage,
+    LT_TEXT("Engine",
+            "The simulation would take {steps} time steps; at most {most} are allowed. Ask for fewer revolutions.")};
+
+inline constexpr ErrorCode modesNeeded{
+    "modes_needed", ErrorKind::WrongUsage,
+    LT_TEXT("Engine",
+            "A simulation needs modes; a frequency response alone does not give them. State them with --mode.")};
+
 }  // namespace errors
 
 namespace notes {

@@ -7,6 +7,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
+#include "engine/stability/operating_point.h"
 #include "engine/stability/stability_quantities.h"
 
 namespace lathelier::stability {
@@ -45,7 +46,9 @@ report::Answer answer(const LobeResult& result, const Language& language)
     answer.quantity = LT_TEXT("Engine", "Depth that is stable at every speed");
     answer.verdict_words = LT_TEXT("Engine", "computed");
     if (!result.minimum_depth_mm) {
-        answer.sentence = LT_TEXT("Engine", "Nothing chatters: the real part is nowhere negative.");
+        answer.sentence = result.parameters.process_damping_N_mm
+                              ? LT_TEXT("Engine", "Nothing chatters at the speeds shown.")
+                              : LT_TEXT("Engine", "Nothing chatters: the real part is nowhere negative.");
         return answer;
     }
     answer.decimals = 3;
@@ -105,14 +108,15 @@ report::Section speedSummary(const SpeedResult& result, const Language& language
 }
 
 report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
-                             const Language& language)
+                             const Language& language, const std::optional<OperatingPoint>& point)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Stability of cutting");
     document.sections.push_back(lobesSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
+    if (point) document.sections.back().blocks.push_back(pointTable(result, *point));
     document.sections.push_back(
-        {LT_TEXT("Engine", "Lobes"), {lobesPlot(result, speed, {}, language), chatterFrequencyPlot(result)}});
+        {LT_TEXT("Engine", "Lobes"), {lobesPlot(result, speed, point, language), chatterFrequencyPlot(result)}});
     if (speed) document.sections.push_back(speedSummary(*speed, language));
     document.sections.push_back(responseSection(frf, result.frequency_of_minimum_hz, language));
     document.sections.push_back(

@@ -1,0 +1,40 @@
+// Lobes as curves over the spindle speed, and the lower envelope of many.
+#pragma once
+
+#include <vector>
+
+#include "engine/stability/lobes.h"
+
+namespace lathelier::stability {
+
+/// Where one lobe passes.
+struct CurvePoint {
+    double speed_rpm = 0;     ///< of the spindle
+    double depth_N_mm = 0;    ///< K_r a: the depth in N/mm
+    double frequency_hz = 0;  ///< of the chatter
+};
+
+/// One lobe, in unbroken stretches.
+struct LobeCurve {
+    int k = 0;                                       ///< whole waves between two revolutions
+    std::vector<std::vector<CurvePoint>> stretches;  ///< each of at least one point
+};
+
+/// The lobes of a stretch that may reach the speeds: from first to last, none where last < first.
+struct LobeRange {
+    int first = 0;
+    int last = -1;
+};
+LobeRange lobesWithin(const std::vector<BoundaryPoint>& stretch, SpeedRelation relation, const Interval& speed_rpm);
+LobeRange lobesWithin(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm);
+
+/// Lobe k without process damping.
+LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation);
+
+/// The least of all curves at evenly spaced speeds, as envelope() has it.
+LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points);
+
+/// Linear between the evenly spaced speeds of the limit; NaN outside, and where one of the neighbours is.
+double depthAt(const LobeLimit& limit, double speed_rpm);
+
+}  // namespace lathelier::stability

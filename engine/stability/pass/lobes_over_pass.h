@@ -1,0 +1,64 @@
+// Lobes over a pass: while the tool goes toward the chuck the shaft behind it has less diameter, and the place that is
+// cut is stiffer or softer. At each station the shaft as it is then, on its spindle, gives the limit at the tool.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/fields.h"
+#include "engine/core/json.h"
+#include "engine/core/shaft.h"
+#include "engine/receptance/shaft_receptance.h"
+#include "engine/report/document.h"
+#include "engine/stability/lobes.h"
+
+namespace lathelier::stability {
+
+struct PassParameters {
+    std::vector<Interval> pass_z_mm;      ///< at most one: from the end toward the free end to that toward the chuck
+    std::optional<double> pass_depth_mm;  ///< a, depth of cut on the radius
+    int pass_stations = 25;               ///< places of the tool, evenly over the pass, its ends among them
+
+    bool isAsked() const { return !pass_z_mm.empty() || pass_depth_mm.has_value(); }
+};
+
+const std::vector<Field<PassParameters>>& fieldsOf(const PassParameters*);
+
+/// Tool and shaft at one place of the pass.
+struct PassStation {
+    double z_mm = 0;                     ///< of the tool
+    double diameter_mm = 0;              ///< of the surface that the tool leaves there
+    std::optional<double> minimum_mm{};  ///< limit at every speed shown; none: nothing chatters
+};
+
+struct PassResult {
+    PassParameters parameters;          ///< as asked
+    std::vector<double> speed_rpm;      ///< of the columns, evenly spaced
+    std::vector<PassStation> stations;  ///< of the rows, z ascending
+    std::vector<double> limit_mm;       ///< row by row; NaN where no lobe limits
+    LobeLimit worst;                    ///< the least limit over the pass; `k` of the lobe
+    std::vector<double> worst_z_mm;     ///< where it is; NaN where no lobe limits
+    Notes notes;                        ///< of the material
+
+    double at(std::size_t station, std::size_t speed) const { return limit_mm[station * speed_rpm.size() + speed]; }
+};
+
+/// `receptance` says lines, shear coefficient and method; its places are those of the tool. `lobes`: coefficient
+/// (needed), relation, one range of speeds (needed), points; process damping takes the diameter that the tool leaves.
+/// Errors: valueNotUnderstood; those of cutShaft(), shaftReceptance() and findLobes(). Throws Cancelled.
+PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
+                         const receptance::ReceptanceParameters& receptance,
+                         const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
+                         const Progress& progress = {});
+
+/// How far the limit lies above the depth of cut over speed and z: below 0 the pass chatters there.
+report::ColourMap passMap(const PassResult& result);
+/// The least limit over the pass.
+report::Plot passPlot(const PassResult& result);
+report::Section passSection(const PassResult& result, const Language& language = {});
+
+/// {z_mm, diameter_mm, minimum_depth_mm: for each station; speed_rpm, depth_mm: rows by station; worst {depth_mm, z_mm,
+/// frequency_hz}: for each speed}.
+Json passJson(const PassResult& result);
+
+}  // namespace lathelier::stability

@@ -1,0 +1,194 @@
+#include "engine/stability/simulation/growth.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/stability/simulation/mode_step.h"
+
+namespace lathelier::stability {
+namespace {
+
+constexpr int atOnce = 8;  ///< cuts that share the modes' constants
+constexpr int mostSnapshots = 16;
+constexpr double fewestPeriods = 2;  ///< steps of a revolution, in periods
+constexpr double keptShare = 1e-11;  ///< of the largest eigenvalue of the snapshots' products
+constexpr double smallest = 1e-60;   ///< sizes outside are scaled
+constexpr int stepsBetweenChecks = 1 << 15;
+
+using Lanes = Eigen::Array<double, atOnce, 1>;
+
+/// Eight cuts of one speed and direction side by side.
+class CutsAtOnce {
+public:
+    CutsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s, int steps)
+        : steps_(static_cast<std::size_t>(steps)),
+          constants_(modeSteps(modes, revolution_s / steps, cuts.front().direction_factor)),
+          deflection_(modes.size(), Lanes::Zero()),
+          speed_(modes.size(), Lanes::Zero())
+    {
+        for (int lane = 0; lane < atOnce; ++lane) {
+            const CutForces& cut = cuts[std::min<std::size_t>(static_cast<std::size_t>(lane), cuts.size() - 1)];
+            stiffness_[lane] = cut.stiffness_N_mm;
+            damping_[lane] = cut.damping_N_s_mm;
+        }
+        share_ = 1 / (1 + stiffness_ * constants_.q1 + damping_ * constants_.v1);
+        // A blow on every mode, as a hammer gives it.
+        for (std::size_t m = 0; m < modes.size(); ++m)
+            speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
+    }
+
+    /// One revolution: `now` from the deflections of the revolution before.
+    void turn(const Lanes* before, Lanes* now, const Progress& progress)
+    {
+        for (std::size_t i = 0; i < steps_; ++i) {
+            if (i % stepsBetweenChecks == 0) progress.check();
+            Lanes x = Lanes::Zero(), v = Lanes::Zero();
+            for (std::size_t m = 0; m < constants_.modes.size(); ++m) {
+                const ModeStep& c = constants_.modes[m];
+                const Lanes q = deflection_[m], u = speed_[m];
+                deflection_[m] = c.qq * q + c.qv * u + c.q0 * force_;
+                speed_[m] = c.vq * q + c.vv * u + c.v0 * force_;
+                x += deflection_[m];
+                v += speed_[m];
+            }
+            force_ = (stiffness_ * (before[i] - x) - damping_ * v) * share_;
+            for (std::size_t m = 0; m < constants_.modes.size(); ++m) {
+                deflection_[m] += constants_.modes[m].q1 * force_;
+                speed_[m] += constants_.modes[m].v1 * force_;
+            }
+            now[i] = x + constants_.q1 * force_;
+        }
+    }
+
+    /// Brings the vibration back to an ordinary size: the equation is linear.
+    void scale(Lanes* now)
+    {
+        Lanes size = Lanes::Zero();
+        for (std::size_t i = 0; i < steps_; ++i) size = size.max(now[i].abs());
+        bool ordinary = true;
+        for (int lane = 0; lane < atOnce; ++lane)
+            ordinary = ordinary && size[lane] > smallest && size[lane] < 1 / smallest;
+        if (ordinary) return;
+        for (int lane = 0; lane < atOnce; ++lane)
+            size[lane] = size[lane] > 0 && std::isfinite(size[lane]) ? 1 / size[lane] : 1;
+        for (std::size_t i = 0; i < steps_; ++i) now[i] *= size;
+        for (Lanes& q : deflection_) q *= size;
+        for (Lanes& v : speed_) v *= size;
+        force_ *= size;
+    }
+
+private:
+    std::size_t steps_;
+    ModeSteps constants_;
+    std::vector<Lanes> deflection_, speed_;  ///< of the modes
+    Lanes stiffness_, damping_, share_;
+    Lanes force_ = Lanes::Zero();
+};
+
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostSnapshots + 1, mostSnapshots + 1>;
+using SmallComplex =
+    Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, mostSnapshots + 1, mostSnapshots + 1>;
+
+/// Scalar products of the snapshots of one cut, and of the snapshots with themselves a step later.
+struct Products {
+    Small same;   ///< all snapshots, the last one included
+    Small later;  ///< without the last one
+};
+
+Growth growthOf(const Products& products, double revolution_s, int steps)
+{
+    const Eigen::Index n = products.same.rows() - 1;
+    // Each snapshot and its successor by the size of the snapshot: fast decay would hide the later ones.
+    const Eigen::VectorXd size = products.same.diagonal().head(n).cwiseSqrt();
+    if (!(size.minCoeff() > 0) || !size.allFinite() || !products.same.allFinite()) return {};
+    const auto scaled = [&](const Small& whole) -> Small {
+        return size.cwiseInverse().asDiagonal() * whole * size.cwiseInverse().asDiagonal();
+    };
+    const Small now = scaled(products.same.topLeftCorner(n, n)), next = scaled(products.same.block(0, 1, n, n));
+    const Eigen::SelfAdjointEigenSolver<Small> basis(now);
+    const Eigen::VectorXd& power = basis.eigenvalues();
+    Eigen::Index kept = 0;
+    while (kept < n && power[n - 1 - kept] > keptShare * power[n - 1]) ++kept;
+    const Small towards =
+        basis.eigenvectors().rightCols(kept) * power.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+    const Small map = towards.transpose() * next * towards;
+    const Eigen::EigenSolver<Small> solver(map);
+    Eigen::Index largest = 0;
+    for (Eigen::Index i = 1; i < kept; ++i)
+        if (std::abs(solver.eigenvalues()[i]) > std::abs(solver.eigenvalues()[largest])) largest = i;
+    Growth growth{std::abs(solver.eigenvalues()[largest]), 0};
+    // From one step to the next the eigenvector turns by less than half a turn: that says which of the frequencies
+    // that look alike from revolution to revolution it is.
+    const SmallComplex weights = towards * solver.eigenvectors().col(largest);
+    const std::complex<double> step = (weights.adjoint() * scaled(products.later) * weights)(0, 0);
+    growth.frequency_hz = std::abs(std::arg(step)) / (2 * std::numbers::pi) * steps / revolution_s;
+    return growth;
+}
+
+/// Up to eight cuts.
+void growthsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,
+                   const GrowthEffort& effort, const Progress& progress, std::span<Growth> result)
+{
+    const auto steps = static_cast<std::size_t>(effort.steps);
+    const int snapshots = std::clamp(effort.snapshots, 1, mostSnapshots);
+    const auto count = static_cast<std::size_t>(snapshots) + 1;
+    CutsAtOnce all(modes, cuts, revolution_s, effort.steps);
+    std::vector<Lanes> room((count + 1) * steps, Lanes::Zero());
+    Lanes* before = room.data();
+    Lanes* now = before + steps;
+    for (int turn = 0; turn < effort.warm_up; ++turn) {
+        all.turn(before, now, progress);
+        all.scale(now);
+        std::swap(before, now);
+    }
+    if (before != room.data()) std::copy(before, before + steps, room.data());
+    const Lanes* const seen = room.data() + steps;
+    for (std::size_t turn = 0; turn < count; ++turn)
+        all.turn(room.data() + turn * steps, room.data() + (turn + 1) * steps, progress);
+    std::vector<Products> products(cuts.size(), {Small(snapshots + 1, snapshots + 1), Small(snapshots, snapshots)});
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = 0; b < count; ++b) {
+            progress.check();
+            Lanes same = Lanes::Zero(), later = Lanes::Zero();
+            const Lanes* const one = seen + a * steps;
+            const Lanes* const other = seen + b * steps;
+            const auto row = static_cast<Eigen::Index>(a), column = static_cast<Eigen::Index>(b);
+            if (b >= a)
+                for (std::size_t i = 0; i < steps; ++i) same += one[i] * other[i];
+            const bool has_later = a + 1 < count && b + 1 < count;
+            if (has_later)
+                for (std::size_t i = 0; i < steps; ++i) later += one[i] * other[i + 1];
+            for (std::size_t cut = 0; cut < cuts.size(); ++cut) {
+                const auto lane = static_cast<Eigen::Index>(cut);
+                if (b >= a) products[cut].same(row, column) = products[cut].same(column, row) = same[lane];
+                if (has_later) products[cut].later(row, column) = later[lane];
+            }
+        }
+    for (std::size_t cut = 0; cut < cuts.size(); ++cut)
+        result[cut] = growthOf(products[cut], revolution_s, effort.steps);
+}
+
+}  // namespace
+
+double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, double per_period)
+{
+    double highest_hz = 0;
+    for (const Mode& mode : modes) highest_hz = std::max(highest_hz, mode.frequency_hz);
+    return std::ceil(std::max(fewestPeriods, highest_hz * revolution_s) * per_period);
+}
+
+std::vector<Growth> growthsOf(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,
+                              const GrowthEffort& effort, const Progress& progress)
+{
+    std::vector<Growth> result(cuts.size());
+    for (std::size_t first = 0; first < cuts.size(); first += atOnce) {
+        const std::size_t count = std::min<std::size_t>(atOnce, cuts.size() - first);
+        growthsAtOnce(modes, cuts.subspan(first, count), revolution_s, effort, progress,
+                      std::span(result).subspan(first, count));
+    }
+    return result;
+}
+
+}  // namespace lathelier::stability

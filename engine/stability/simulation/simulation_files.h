@@ -1,0 +1,28 @@
+// The waveform of a simulated cut as a table and as sound.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "engine/stability/simulation/simulation.h"
+
+namespace lathelier::stability {
+
+/// Columns time_s, deflection_mm, chip_thickness_mm, all digits, with a decimal point in every locale; handed on in
+/// steps.
+void writeWaveform(const SimulationResult& result, const std::function<void(std::string_view)>& append);
+
+/// 16-bit PCM, mono, 44.1 kHz (RIFF WAVE). The vibration is the deflection less that of the steady cut, interpolated by
+/// cubics; its largest value stands at 0.9 of full scale, and both ends are faded over 5 ms so that nothing clicks.
+struct Sound {
+    std::string bytes;         ///< of the file
+    double full_scale_mm = 0;  ///< deflection that a sample of 32767 means
+    double seconds = 0;        ///< it lasts
+};
+Sound soundOf(const SimulationResult& result);
+
+/// Sound::full_scale_mm without making the sound.
+double soundFullScale_mm(const SimulationResult& result);
+
+}  // namespace lathelier::stability

@@ -5,6 +5,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/receptance/frf_plots.h"
+#include "engine/receptance/receptance_verification.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
@@ -115,6 +116,7 @@ report::Document frfReport(const ShaftReceptanceResult& result, const Language& 
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Frequency response of a shaft");
+    document.verification = {&receptanceVerification()};
     document.sections.push_back(frfSummary(result, language));
     document.sections.push_back({LT_TEXT("Engine", "Frequency response"),
                                  {magnitudePlot(result.frf), realImaginaryPlot(result.frf, {}, language)}});
@@ -133,6 +135,7 @@ report::Document spindleReport(const SpindleIdentification& result, const Langua
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Receptance of a spindle");
+    document.verification = {&receptanceVerification()};
     document.sections.push_back(spindleSummary(result, language));
     if (const auto* table = std::get_if<SpindleTable>(&result.spindle.source))
         document.sections.push_back(

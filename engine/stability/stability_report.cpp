@@ -9,6 +9,7 @@
 #include "engine/report/quantity_table.h"
 #include "engine/stability/operating_point.h"
 #include "engine/stability/stability_quantities.h"
+#include "engine/stability/stability_verification.h"
 
 namespace lathelier::stability {
 namespace {
@@ -112,6 +113,7 @@ report::Document lobesReport(const LobeResult& result, const Frf& frf, const Spe
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Stability of cutting");
+    document.verification = {&stabilityVerification()};
     document.sections.push_back(lobesSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
     if (point) document.sections.back().blocks.push_back(pointTable(result, *point));
@@ -129,6 +131,7 @@ report::Document speedReport(const SpeedResult& result, const Frf& frf, const Us
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Spindle speed without chatter");
+    document.verification = {&stabilityVerification()};
     document.sections.push_back(speedSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
     LobeParameters shown;

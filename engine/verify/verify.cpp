@@ -3,14 +3,17 @@
 #include <algorithm>
 
 #include "engine/form/verify/form_verification.h"
+#include "engine/receptance/receptance_verification.h"
 #include "engine/registration/registration_verification.h"
+#include "engine/stability/stability_verification.h"
 
 namespace lathelier::verify {
 
 const std::vector<const VerifyPart*>& verifyParts()
 {
-    static const std::vector<const VerifyPart*> all{&form::formVerification(),
-                                                    &registration::registrationVerification()};
+    static const std::vector<const VerifyPart*> all{
+        &form::formVerification(), &registration::registrationVerification(), &receptance::receptanceVerification(),
+        &stability::stabilityVerification()};
     return all;
 }
 

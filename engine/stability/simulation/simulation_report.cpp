@@ -8,6 +8,7 @@
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
 #include "engine/stability/simulation/simulation_files.h"
+#include "engine/stability/stability_verification.h"
 
 namespace lathelier::stability {
 namespace {
@@ -131,6 +132,7 @@ report::Document simulationReport(const SimulationResult& result, const Language
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Simulation of a cut");
+    document.verification = {&stabilityVerification()};
     document.sections.push_back(simulationSummary(result, language));
     document.sections.push_back({LT_TEXT("Engine", "Waveform"), {waveformPlot(result), wavesPlot(result)}});
     document.sections.push_back(

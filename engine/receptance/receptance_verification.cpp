@@ -1,0 +1,210 @@
+#include "engine/receptance/receptance_verification.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "engine/beam/beam_receptance.h"
+#include "engine/beam/natural_frequencies.h"
+#include "engine/receptance/coupling.h"
+#include "engine/receptance/eirc/identify_spindle.h"
+#include "engine/receptance/shaft_receptance.h"
+
+namespace lathelier::receptance {
+namespace {
+
+using beam::BeamParameters;
+using beam::ShearModel;
+
+constexpr double rigid = std::numeric_limits<double>::infinity();
+constexpr double mm_N = 1e-3;  ///< in m/N
+
+Shaft shaftOf(const std::vector<std::pair<double, double>>& length_and_diameter_mm)
+{
+    Shaft shaft;
+    shaft.segments.reserve(length_and_diameter_mm.size());
+    for (const auto& [length_mm, diameter_mm] : length_and_diameter_mm)
+        shaft.segments.push_back({length_mm, diameter_mm, diameter_mm, 0, {}, {}});
+    shaft.material = Material{};
+    return shaft;
+}
+
+BeamParameters cowper(std::vector<beam::Support> supports = {})
+{
+    BeamParameters parameters;
+    parameters.shear = ShearModel::Cowper;
+    parameters.supports = std::move(supports);
+    return parameters;
+}
+
+std::vector<ReceptanceMatrix> at(const Shaft& shaft, const BeamParameters& parameters,
+                                 const std::vector<double>& places_z_mm, double frequency_hz)
+{
+    return beam::beamReceptances(shaft, *shaft.material, parameters, places_z_mm, std::vector<double>{frequency_hz});
+}
+
+double relative(const ReceptanceMatrix& a, const ReceptanceMatrix& b)
+{
+    return ((a - b).cwiseAbs().array() / b.cwiseAbs().array()).maxCoeff();
+}
+
+template <VerifyKind (*check)()>
+VerifyKind quick(const Progress&)
+{
+    return check();
+}
+
+/// A machine with a mode and a cross receptance.
+SpindleTable machine()
+{
+    SpindleTable table;
+    for (double f = 100; f <= 1500; f += 20) {
+        const double ratio = f / 640;
+        const Complex mode = 1.0 / Complex(1 - ratio * ratio, 2 * 0.04 * ratio) / 40000.0;
+        const double lever = -1.0 / 150;
+        const Complex soft = 1.0 / Complex(1, 0.06);
+        table.frequency_hz.push_back(f);
+        table.H_mm_N.push_back(soft / 15000.0 + mode);
+        table.L_mm_Nmm.push_back(mode * lever);
+        table.P_rad_Nmm.push_back(soft / 1.974e8 + mode * lever * lever);
+    }
+    return table;
+}
+
+}  // namespace
+
+VerifyKind verifyNaturalFrequencies()
+{
+    VerifyTally tally("beam_natural_frequency", LT_TEXT("Engine", "Natural frequencies of beams"), {}, 3e-6);
+    const auto compare = [&](const Shaft& shaft, const BeamParameters& parameters, const std::vector<double>& known) {
+        const std::vector<double> found =
+            beam::naturalFrequencies(beam::beamModel(shaft, *shaft.material, parameters, {}), 1.05 * known.back());
+        tally.nextSet();
+        if (found.size() < known.size()) return tally.take(std::nan(""));
+        for (std::size_t i = 0; i < known.size(); ++i) tally.compare(found[i] / known[i], 1);
+    };
+    compare(shaftOf({{250, 40}}), cowper(), {2768.36, 6937.89, 12207.47});
+    compare(shaftOf({{98, 30}, {10, 37}, {75, 33.8}}), cowper(), {3998.26, 10105.76, 17399.64});
+    // So slender that Euler's beam holds: β² √(EI/ρA) / (2π L²).
+    const double length_mm = 4000, diameter_mm = 2;
+    const double speed = std::sqrt(210000 / 7.85e-9) * diameter_mm / 4;
+    const auto euler = [&](const std::vector<double>& beta) {
+        std::vector<double> f;
+        for (const double b : beta) f.push_back(b * b * speed / (2 * std::numbers::pi * length_mm * length_mm));
+        return f;
+    };
+    compare(shaftOf({{length_mm, diameter_mm}}), cowper(), euler({4.730040744862704, 7.853204624095838}));
+    compare(shaftOf({{length_mm, diameter_mm}}), cowper({{length_mm, rigid, rigid, 0}}),
+            euler({1.875104068711961, 4.694091132974175}));
+    return tally.done();
+}
+
+VerifyKind verifyBeamReceptances()
+{
+    VerifyTally tally("beam_receptance", LT_TEXT("Engine", "Receptances of beams"), {}, 1e-6);
+    const auto compare = [&](const Shaft& shaft, double respond_z_mm, double excite_z_mm, double known_m_N) {
+        tally.nextSet();
+        tally.compare(at(shaft, cowper(), {respond_z_mm, excite_z_mm}, 1000)[1](0, 0).real() * mm_N / known_m_N, 1);
+    };
+    compare(shaftOf({{250, 40}}), 0, 0, -3.377508e-8);
+    const Shaft stepped = shaftOf({{98, 30}, {10, 37}, {75, 33.8}});
+    compare(stepped, 0, 0, -8.721604e-8);
+    compare(stepped, 183, 183, -7.422992e-8);
+    compare(stepped, 0, 183, 4.770384e-8);
+    // At rest and clamped: P L³/3EI + P L/κGA.
+    Shaft rod = shaftOf({{250, 40}});
+    rod.material->loss_factor = 0;
+    const ReceptanceMatrix g = at(rod, cowper({{250, rigid, rigid, 0}}), {0}, 0).front();
+    const double E = 210000, G = E / 2.6, I = std::numbers::pi * std::pow(40, 4) / 64, A = std::numbers::pi * 400;
+    const double shear = beam::shearCoefficient(ShearModel::Cowper, 0, 0.3) * G * A;
+    tally.nextSet();
+    tally.compare(g(0, 0).real() / (std::pow(250, 3) / (3 * E * I) + 250 / shear), 1);
+    tally.compare(g(0, 1).real() / (250 * 250 / (2 * E * I)), 1);
+    tally.compare(g(1, 1).real() / (250 / (E * I)), 1);
+    return tally.done();
+}
+
+VerifyKind verifyCoupling()
+{
+    VerifyTally tally("receptance_coupling", LT_TEXT("Engine", "Two halves of a shaft coupled"), {}, 1e-8);
+    const Shaft whole = shaftOf({{98, 30}, {10, 37}, {75, 33.8}, {60, 40}});
+    const Shaft outer = shaftOf({{98, 30}, {10, 37}, {75, 33.8}}), inner = shaftOf({{60, 40}});
+    const std::vector<double> places{0, 60, 183};
+    for (const double f : {150.0, 700.0, 3000.0, 9000.0}) {
+        const auto free = at(outer, cowper(), places, f);
+        const ReceptanceMatrix other = at(inner, cowper(), {0}, f).front();
+        tally.nextSet();
+        tally.take(relative(coupled({free[1], free[2], free[8], free[7]}, other), at(whole, cowper(), places, f)[1]));
+    }
+    return tally.done();
+}
+
+VerifyKind verifyCoupledRod()
+{
+    VerifyTally tally("coupled_rod", LT_TEXT("Engine", "Rod of the source papers on its springs"), {}, 1e-4);
+    ReceptanceParameters parameters;
+    parameters.shear = ShearModel::Cowper;
+    parameters.from_hz = 200;
+    parameters.to_hz = 250;
+    parameters.step_hz = 0.25;
+    const Shaft rod = shaftOf({{250, 40}});
+    const Frf frf =
+        receptanceOf(rod, *rod.material, parameters, SpindleReceptance{SpindleSprings{15000, 1.974e8, 0.06}});
+    std::size_t peak = 0, least = 0;
+    for (std::size_t i = 1; i < frf.value.size(); ++i) {
+        if (std::abs(frf.value[i]) > std::abs(frf.value[peak])) peak = i;
+        if (frf.value[i].real() < frf.value[least].real()) least = i;
+    }
+    tally.nextSet();
+    tally.compare(frf.frequency_hz[peak] / 223.0, 1);
+    tally.compare(std::abs(frf.value[peak]) * mm_N / 1.1663e-5, 1);
+    tally.nextSet();
+    tally.compare(frf.frequency_hz[least] / 228.25, 1);
+    tally.compare(frf.value[least].real() * mm_N / -5.7532e-6, 1);
+    return tally.done();
+}
+
+VerifyKind verifyInverseCoupling(const Progress& progress)
+{
+    VerifyTally tally("inverse_coupling", LT_TEXT("Engine", "Spindle found from made responses"), {}, 1e-5);
+    const SpindleTable truth = machine();
+    SpindleMeasurements measurements;
+    for (const auto& [length_mm, distances_mm] :
+         {std::pair{150.0, std::vector{50.0, 100.0, 150.0}}, {260.0, std::vector{80.0, 170.0, 260.0}}}) {
+        const Shaft rod = shaftOf({{length_mm, 40}});
+        measurements.rods.push_back({rod, distances_mm});
+        for (std::size_t a = 0; a < distances_mm.size(); ++a)
+            for (std::size_t b = a; b < distances_mm.size(); ++b) {
+                ReceptanceParameters parameters;
+                parameters.respond_z_mm = length_mm - distances_mm[a];
+                parameters.excite_z_mm = length_mm - distances_mm[b];
+                parameters.from_hz = truth.frequency_hz.front();
+                parameters.to_hz = truth.frequency_hz.back();
+                parameters.step_hz = 20;
+                measurements.frfs.push_back(
+                    {measurements.rods.size() - 1, a, b,
+                     receptanceOf(rod, *rod.material, parameters, SpindleReceptance{truth}, progress.quiet())});
+            }
+    }
+    const SpindleIdentification found = identifySpindle(measurements, {}, progress.quiet());
+    const auto* const table = std::get_if<SpindleTable>(&found.spindle.source);
+    if (!table || table->frequency_hz.size() != truth.frequency_hz.size()) return tally.done();
+    for (std::size_t i = 0; i < truth.frequency_hz.size(); ++i) {
+        tally.nextSet();
+        tally.take(std::abs(table->H_mm_N[i] / truth.H_mm_N[i] - 1.0));
+        tally.take(std::abs(table->L_mm_Nmm[i] / truth.L_mm_Nmm[i] - 1.0));
+        tally.take(std::abs(table->P_rad_Nmm[i] / truth.P_rad_Nmm[i] - 1.0));
+    }
+    return tally.done();
+}
+
+const VerifyPart& receptanceVerification()
+{
+    static const VerifyPart part{"receptance",
+                                 {quick<verifyNaturalFrequencies>, quick<verifyBeamReceptances>, quick<verifyCoupling>,
+                                  quick<verifyCoupledRod>, verifyInverseCoupling}};
+    return part;
+}
+
+}  // namespace lathelier::receptance

@@ -1,0 +1,151 @@
+#include "engine/stability/stability_verification.h"
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include "engine/stability/lobes.h"
+#include "engine/stability/modes.h"
+#include "engine/stability/process_damping.h"
+#include "engine/stability/simulation/characteristic_root.h"
+#include "engine/stability/simulation/simulation.h"
+#include "engine/stability/speed_choice.h"
+
+namespace lathelier::stability {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double coefficient_N_mm2 = 2000;
+constexpr double highestSpeed_rpm = 9000;
+
+std::vector<Mode> oneMode()
+{
+    return {{223, 0.03, 1e4}};
+}
+std::vector<Mode> threeModes()
+{
+    return {{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
+}
+
+template <VerifyKind (*check)()>
+VerifyKind quick(const Progress&)
+{
+    return check();
+}
+
+}  // namespace
+
+VerifyKind verifyLobeLimits()
+{
+    VerifyTally tally("lobe_limit", LT_TEXT("Engine", "Limits of the worked example"), LT_TEXT("Engine", "mm"), 1.1e-4);
+    const std::array speeds{2600.0, 2800.0, 2885.0, 3250.0, 3444.0, 4200.0};
+    const std::array exact{.5249, .3789, .3098, .6487, .6035, .7003};
+    const std::array published{.9325, .3410, .4702, 1.2155, .3090, 1.4660};
+    const Frf frf = frfOf(oneMode(), highestSpeed_rpm);
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        for (const auto& [relation, known] :
+             {std::pair{SpeedRelation::Exact, exact[i]}, {SpeedRelation::Published, published[i]}}) {
+            LobeParameters p;
+            p.cutting_coefficient_N_mm2 = coefficient_N_mm2;
+            p.relation = relation;
+            p.speed_rpm = {{speeds[i], speeds[i] + 1}};
+            p.points = 2;
+            tally.nextSet();
+            tally.compare(limitOf(frf, p).depth_mm.front(), known);
+        }
+    return tally.done();
+}
+
+VerifyKind verifyCharacteristicEquation()
+{
+    VerifyTally tally("characteristic_equation", LT_TEXT("Engine", "Characteristic equation at the lobes"), {}, 1e-10);
+    for (const auto& modes : {oneMode(), threeModes()})
+        for (const auto& stretch : boundaryOf(frfOf(modes, highestSpeed_rpm), 1, 1)) {
+            tally.nextSet();
+            for (const BoundaryPoint& point : stretch) {
+                const Complex wave = 1.0 - std::polar(1.0, -2 * std::numbers::pi * point.phase_turns);
+                tally.take(std::abs(1.0 + receptanceOf(modes, point.frequency_hz) * wave / point.compliance_mm_N));
+            }
+        }
+    return tally.done();
+}
+
+VerifyKind verifyDampedLobes()
+{
+    VerifyTally tally("process_damping", LT_TEXT("Engine", "Characteristic equation with process damping"), {}, 1e-8);
+    const double C_N_mm = 400, diameter_mm = 40;
+    const double beta = dampingRatioOf(C_N_mm, diameter_mm, coefficient_N_mm2);
+    const Boundary boundary = boundaryOf(frfOf(threeModes(), highestSpeed_rpm), 1, 1);
+    for (int k = 0; k < 20; k += 3) {
+        tally.nextSet();
+        for (const auto& stretch : dampedLobeCurve(boundary, k, beta).stretches)
+            for (const CurvePoint& point : stretch) {
+                const double omega = 2 * std::numbers::pi * point.frequency_hz, turn_s = 60 / point.speed_rpm;
+                const double depth_mm = point.depth_N_mm / coefficient_N_mm2;
+                const Complex regenerated = point.depth_N_mm * (1.0 - std::polar(1.0, -omega * turn_s));
+                const Complex damped(0, omega * dampingOfCut(C_N_mm, depth_mm, diameter_mm, point.speed_rpm));
+                const Complex g = receptanceOf(threeModes(), point.frequency_hz);
+                // Deep cuts make both terms large: the residual counts in the size of the larger.
+                tally.take(std::abs(1.0 + g * (regenerated + damped)) /
+                           (1 + std::abs(g) * (std::abs(regenerated) + std::abs(damped))));
+            }
+    }
+    return tally.done();
+}
+
+VerifyKind verifyRecommendedSpeeds()
+{
+    VerifyTally tally("recommended_speed", LT_TEXT("Engine", "Speeds of the source papers"), LT_TEXT("Engine", "1/min"),
+                      1);
+    SpeedParameters a;
+    a.diameter_mm = 32;
+    a.cutting_speed_m_min = 290;
+    const SpeedResult paper_a = chooseSpeed(frfOf(oneMode(), highestSpeed_rpm), a);
+    for (const auto& [k, speed_rpm] : {std::pair{6, 2617.0}, {5, 3237.0}, {4, 4247.0}}) {
+        tally.nextSet();
+        double found = std::nan("");
+        for (const SpeedCandidate& candidate : paper_a.candidates)
+            if (candidate.k == k) found = candidate.speed_rpm;
+        tally.compare(found, speed_rpm);
+    }
+    SpeedParameters b;
+    b.diameter_mm = 30;
+    b.cutting_speed_m_min = 190;
+    tally.nextSet();
+    tally.compare(chooseSpeed(frfOf({{369.07 / std::sqrt(1.06), 0.03, 1e4}}, highestSpeed_rpm), b).recommended_rpm,
+                  2154);
+    return tally.done();
+}
+
+VerifyKind verifyGrowth(const Progress& progress)
+{
+    VerifyTally tally("growth_per_revolution", LT_TEXT("Engine", "Growth of simulated cuts"), {}, 1.5e-3);
+    for (const auto& modes : {oneMode(), threeModes()})
+        for (const double speed_rpm : {1300.0, 2885.0, 4200.0})
+            for (const double depth_mm : {0.2, 0.6}) {
+                SimulationParameters p;
+                p.speed_rpm = speed_rpm;
+                p.depth_mm = depth_mm;
+                p.cutting_coefficient_N_mm2 = coefficient_N_mm2;
+                p.revolutions = 1;
+                tally.nextSet();
+                tally.compare(
+                    simulate(modes, p, progress.quiet()).growth_per_revolution /
+                        growthOfRoots(modes, {coefficient_N_mm2 * depth_mm, 0, 1}, 60 / speed_rpm).per_revolution,
+                    1);
+            }
+    return tally.done();
+}
+
+const VerifyPart& stabilityVerification()
+{
+    static const VerifyPart part{"stability",
+                                 {quick<verifyLobeLimits>, quick<verifyCharacteristicEquation>,
+                                  quick<verifyDampedLobes>, quick<verifyRecommendedSpeeds>, verifyGrowth}};
+    return part;
+}
+
+}  // namespace lathelier::stability

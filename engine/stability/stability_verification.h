@@ -1,0 +1,19 @@
+// What can be verified of the stability of cutting: lobes, recommended speeds, the simulation.
+#pragma once
+
+#include "engine/core/verification.h"
+
+namespace lathelier::stability {
+
+/// Limits of the worked example by the exact and the published relation; the characteristic equation at the lobes' own
+/// lines, with and without process damping; the speeds of both source papers; growth of the simulated cut against the
+/// rightmost root.
+const VerifyPart& stabilityVerification();
+
+VerifyKind verifyLobeLimits();
+VerifyKind verifyCharacteristicEquation();
+VerifyKind verifyDampedLobes();
+VerifyKind verifyRecommendedSpeeds();
+VerifyKind verifyGrowth(const Progress& progress);
+
+}  // namespace lathelier::stability

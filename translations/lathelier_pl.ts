@@ -1036,10 +1036,6 @@
         <translation>x</translation>
     </message>
     <message>
-        <source>shift (mm)</source>
-        <translation>przesunięcie (mm)</translation>
-    </message>
-    <message>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
@@ -1928,16 +1924,8 @@
         <translation>punkt styku, okrąg wewnętrzny</translation>
     </message>
     <message>
-        <source>1 division = {step} µm</source>
-        <translation>1 działka = {step} µm</translation>
-    </message>
-    <message>
         <source>Deviations magnified {times} times</source>
         <translation>Odchyłki powiększone {times} razy</translation>
-    </message>
-    <message>
-        <source>Base circle: radius {radius} mm</source>
-        <translation>Okrąg bazowy: promień {radius} mm</translation>
     </message>
     <message>
         <source>profile</source>
@@ -1960,22 +1948,6 @@
         <translation>punkty odstające</translation>
     </message>
     <message>
-        <source>LSCI (µm)</source>
-        <translation>LSCI (µm)</translation>
-    </message>
-    <message>
-        <source>MZCI (µm)</source>
-        <translation>MZCI (µm)</translation>
-    </message>
-    <message>
-        <source>MICI (µm)</source>
-        <translation>MICI (µm)</translation>
-    </message>
-    <message>
-        <source>MCCI (µm)</source>
-        <translation>MCCI (µm)</translation>
-    </message>
-    <message>
         <source>undersampled</source>
         <translation>za mało punktów</translation>
     </message>
@@ -1994,10 +1966,6 @@
     <message>
         <source>Strongest harmonics</source>
         <translation>Najsilniejsze harmoniczne</translation>
-    </message>
-    <message>
-        <source>amplitude (µm)</source>
-        <translation>amplituda (µm)</translation>
     </message>
     <message>
         <source>phase (°)</source>
@@ -2142,10 +2110,6 @@
     <message>
         <source>? not decided: too near the tolerance</source>
         <translation>? nierozstrzygnięte: zbyt blisko tolerancji</translation>
-    </message>
-    <message>
-        <source>{upr} UPR, {amplitude} µm: {meaning}.</source>
-        <translation>{upr} UPR, {amplitude} µm: {meaning}.</translation>
     </message>
     <message>
         <source>Overview</source>
@@ -2432,18 +2396,6 @@
         <translation>sygnał</translation>
     </message>
     <message>
-        <source>synchronous (µm)</source>
-        <translation>synchroniczne (µm)</translation>
-    </message>
-    <message>
-        <source>asynchronous (µm)</source>
-        <translation>asynchroniczne (µm)</translation>
-    </message>
-    <message>
-        <source>total (µm)</source>
-        <translation>całkowite (µm)</translation>
-    </message>
-    <message>
         <source>drift (µm/rev)</source>
         <translation>dryft (µm/obr)</translation>
     </message>
@@ -2462,10 +2414,6 @@
     <message>
         <source>Motion of spindle and tool in that section</source>
         <translation>Ruch wrzeciona i narzędzia w tym przekroju</translation>
-    </message>
-    <message>
-        <source>The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean hides what differs from turn to turn.</source>
-        <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least} do {most} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
     </message>
     <message>
         <source>Trajectories and the machined surface</source>
@@ -3552,18 +3500,6 @@
         <translation>Promień, odchyłka od średniej</translation>
     </message>
     <message>
-        <source>barrel {value} µm on radius</source>
-        <translation>baryłkowość {value} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>saddle {value} µm on radius</source>
-        <translation>siodłowość {value} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>taper {value} µm on diameter</source>
-        <translation>stożkowość {value} µm na średnicy</translation>
-    </message>
-    <message>
         <source>angle</source>
         <translation>kąt</translation>
     </message>
@@ -3608,16 +3544,8 @@
         <translation>ruch synchroniczny {probe}</translation>
     </message>
     <message>
-        <source>CYLt(LSCY) {value} µm · {points} points</source>
-        <translation>CYLt(LSCY) {value} µm · punktów: {points}</translation>
-    </message>
-    <message>
         <source>{filter}</source>
         <translation>{filter}</translation>
-    </message>
-    <message>
-        <source>{filter} · other methods say {least} to {most} µm</source>
-        <translation>{filter} · inne metody dają od {least} do {most} µm</translation>
     </message>
     <message>
         <source>{filter} · the limit lies within the uncertainty; {within} of {count} methods keep it</source>
@@ -3636,16 +3564,8 @@
         <translation>{filter} · w granicy według {within} z {count} metod: sprawdź filtr</translation>
     </message>
     <message>
-        <source>Points that stand out: {count}; without them {value} µm</source>
-        <translation>Punkty odstające: {count}; bez nich {value} µm</translation>
-    </message>
-    <message>
         <source>Largest difference of the profiles</source>
         <translation>Największa różnica profili</translation>
-    </message>
-    <message>
-        <source>mean {mean} µm</source>
-        <translation>średnio {mean} µm</translation>
     </message>
     <message>
         <source>RMS deviation</source>
@@ -3654,14 +3574,6 @@
     <message>
         <source>{method}</source>
         <translation>{method}</translation>
-    </message>
-    <message>
-        <source>mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm</source>
-        <translation>średnio {mean} mm · {method} · {share} % punktów w ±{tolerance} mm</translation>
-    </message>
-    <message>
-        <source>mean {mean} mm · {method}</source>
-        <translation>średnio {mean} mm · {method}</translation>
     </message>
     <message>
         <source>limit ±{limit}</source>
@@ -3688,28 +3600,12 @@
         <translation>Ruch osi przedmiotu</translation>
     </message>
     <message>
-        <source>Repeats with every turn {synchronous} µm, differs from turn to turn {asynchronous} µm · {turns} turns · probe X3</source>
-        <translation>Powtarzalny w każdym obrocie {synchronous} µm, zmienny między obrotami {asynchronous} µm · obrotów: {turns} · czujnik X3</translation>
-    </message>
-    <message>
         <source>Form not measured: the noise hides it · {filter}</source>
         <translation>Kształtu nie zmierzono: kryje go szum · {filter}</translation>
     </message>
     <message>
         <source>Section {section} of {count} is the worst · {filter}</source>
         <translation>Najgorszy przekrój: {section} z {count} · {filter}</translation>
-    </message>
-    <message>
-        <source>Taper {taper} µm on diameter, over the measured length</source>
-        <translation>Stożkowatość {taper} µm na średnicy, na zmierzonej długości</translation>
-    </message>
-    <message>
-        <source>Saddle {size} µm on radius</source>
-        <translation>Siodłowość {size} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>Barrel {size} µm on radius</source>
-        <translation>Baryłkowość {size} µm na promieniu</translation>
     </message>
     <message>
         <source>✗ out</source>
@@ -3808,40 +3704,8 @@
         <translation>Co się różni</translation>
     </message>
     <message>
-        <source>Step {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Skok {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Taper {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Stożek {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Saddle {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Siodłowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Barrel {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Baryłkowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Bump {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Wypukłość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Bump {value} ± {uncertainty} mm at X {x} Y {y} Z {z}</source>
-        <translation>Wypukłość {value} ± {uncertainty} mm w X {x} Y {y} Z {z}</translation>
-    </message>
-    <message>
-        <source>No data of the copy · z {from}-{to} mm</source>
-        <translation>Brak danych kopii · z {from}-{to} mm</translation>
-    </message>
-    <message>
         <source>Worst local deviation</source>
         <translation>Największa odchyłka lokalna</translation>
-    </message>
-    <message>
-        <source>RMS {rms} mm · mean {mean} mm · noise of the scans {scatter} mm · {method}</source>
-        <translation>RMS {rms} mm · średnio {mean} mm · szum skanów {scatter} mm · {method}</translation>
     </message>
     <message>
         <source>The scan does not decide on ±{limit_mm} mm everywhere: means over {cell_mm} mm are uncertain by {uncertainty_mm} mm. {times} times as many points would, or limits of ±{uncertainty_mm} mm.</source>
@@ -4136,10 +4000,6 @@
         <translation>drgania samowzbudne lub posuw?</translation>
     </message>
     <message>
-        <source>tolerance {tolerance} µm</source>
-        <translation>tolerancja {tolerance} µm</translation>
-    </message>
-    <message>
         <source>Profile and reference circle</source>
         <translation>Profil i okrąg odniesienia</translation>
     </message>
@@ -4148,40 +4008,12 @@
         <translation>strefa</translation>
     </message>
     <message>
-        <source>No filter was chosen: with 1-{upr} UPR {value} µm</source>
-        <translation>Nie wybrano filtru: z 1-{upr} UPR {value} µm</translation>
-    </message>
-    <message>
         <source>Averaging the deviation locally</source>
         <translation>Lokalne uśrednianie odchyłki</translation>
     </message>
     <message>
         <source>Copies of the same original</source>
         <translation>Kopie tego samego oryginału</translation>
-    </message>
-    <message>
-        <source>worst (mm)</source>
-        <translation>najgorsza (mm)</translation>
-    </message>
-    <message>
-        <source>U (mm)</source>
-        <translation>U (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
-    </message>
-    <message>
-        <source>mean (mm)</source>
-        <translation>średnia (mm)</translation>
-    </message>
-    <message>
-        <source>RMS (mm)</source>
-        <translation>RMS (mm)</translation>
-    </message>
-    <message>
-        <source>noise (mm)</source>
-        <translation>szum (mm)</translation>
     </message>
     <message>
         <source>Trend of the copies</source>
@@ -5444,20 +5276,8 @@
         <translation>{speed} 1/min · worek {k}, drgania przy {frequency} Hz</translation>
     </message>
     <message>
-        <source>Recommended: {speed} 1/min, stable up to {limit} {unit}</source>
-        <translation>Zalecane: {speed} 1/min, stabilne do {limit} {unit}</translation>
-    </message>
-    <message>
-        <source>Recommended: {speed} 1/min</source>
-        <translation>Zalecane: {speed} 1/min</translation>
-    </message>
-    <message>
         <source>No speed is recommended: {reason}</source>
         <translation>Żadna prędkość nie jest zalecana: {reason}</translation>
-    </message>
-    <message>
-        <source>Stable at every speed up to {depth} mm</source>
-        <translation>Stabilne przy każdej prędkości do {depth} mm</translation>
     </message>
     <message>
         <source>Modes</source>
@@ -5522,6 +5342,190 @@
     <message>
         <source>recommended</source>
         <translation>zalecenie</translation>
+    </message>
+    <message>
+        <source>CYLt(LSCY) {value_um:2} µm · {points} points</source>
+        <translation>CYLt(LSCY) {value_um:2} µm · punktów: {points}</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance_um} µm</source>
+        <translation>tolerancja {tolerance_um} µm</translation>
+    </message>
+    <message>
+        <source>LSCI</source>
+        <translation>LSCI</translation>
+    </message>
+    <message>
+        <source>MZCI</source>
+        <translation>MZCI</translation>
+    </message>
+    <message>
+        <source>MICI</source>
+        <translation>MICI</translation>
+    </message>
+    <message>
+        <source>MCCI</source>
+        <translation>MCCI</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplituda</translation>
+    </message>
+    <message>
+        <source>{filter} · other methods say {least_um:1} to {most_um:1} µm</source>
+        <translation>{filter} · inne metody dają od {least_um:1} do {most_um:1} µm</translation>
+    </message>
+    <message>
+        <source>No filter was chosen: with 1-{upr} UPR {value_um:2} µm</source>
+        <translation>Nie wybrano filtru: z 1-{upr} UPR {value_um:2} µm</translation>
+    </message>
+    <message>
+        <source>Points that stand out: {count}; without them {value_um:2} µm</source>
+        <translation>Punkty odstające: {count}; bez nich {value_um:2} µm</translation>
+    </message>
+    <message>
+        <source>{upr} UPR, {amplitude_um:2} µm: {meaning}.</source>
+        <translation>{upr} UPR, {amplitude_um:2} µm: {meaning}.</translation>
+    </message>
+    <message>
+        <source>mean {mean_um:2} µm</source>
+        <translation>średnio {mean_um:2} µm</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>przesunięcie</translation>
+    </message>
+    <message>
+        <source>Step {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Skok {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Taper {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Stożek {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Saddle {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Siodłowość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Barrel {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Baryłkowość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Wypukłość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value_mm:+3} ± {uncertainty_mm:3} mm at X {x_mm:1} Y {y_mm:1} Z {z_mm:1}</source>
+        <translation>Wypukłość {value_mm:+3} ± {uncertainty_mm:3} mm w X {x_mm:1} Y {y_mm:1} Z {z_mm:1}</translation>
+    </message>
+    <message>
+        <source>No data of the copy · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Brak danych kopii · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>z&#xa0;{z_mm:1}&#xa0;mm</source>
+        <translation>z&#xa0;{z_mm:1}&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>RMS {rms_mm:4} mm · mean {mean_mm:+4} mm · noise of the scans {scatter_mm:4} mm · {method}</source>
+        <translation>RMS {rms_mm:4} mm · średnio {mean_mm:+4} mm · szum skanów {scatter_mm:4} mm · {method}</translation>
+    </message>
+    <message>
+        <source>mean {mean_mm:+4} mm · {method} · {share} % of the points within ±{tolerance_mm} mm</source>
+        <translation>średnio {mean_mm:+4} mm · {method} · {share} % punktów w ±{tolerance_mm} mm</translation>
+    </message>
+    <message>
+        <source>mean {mean_mm:+4} mm · {method}</source>
+        <translation>średnio {mean_mm:+4} mm · {method}</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>najgorsza</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>szum</translation>
+    </message>
+    <message>
+        <source>1 division = {step_um} µm</source>
+        <translation>1 działka = {step_um} µm</translation>
+    </message>
+    <message>
+        <source>Base circle: radius {radius_mm:4} mm</source>
+        <translation>Okrąg bazowy: promień {radius_mm:4} mm</translation>
+    </message>
+    <message>
+        <source>barrel {value_um:1} µm on radius</source>
+        <translation>baryłkowość {value_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>saddle {value_um:1} µm on radius</source>
+        <translation>siodłowość {value_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>taper {value_um:1} µm on diameter</source>
+        <translation>stożkowość {value_um:1} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>synchronous</source>
+        <translation>synchroniczne</translation>
+    </message>
+    <message>
+        <source>asynchronous</source>
+        <translation>asynchroniczne</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>całkowite</translation>
+    </message>
+    <message>
+        <source>The images of single revolutions have RONt(LSCI) from {least_um:2} to {most_um:2} µm; their mean hides what differs from turn to turn.</source>
+        <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least_um:2} do {most_um:2} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
+    </message>
+    <message>
+        <source>Repeats with every turn {synchronous_um:1} µm, differs from turn to turn {asynchronous_um:1} µm · {turns} turns · probe X3</source>
+        <translation>Powtarzalny w każdym obrocie {synchronous_um:1} µm, zmienny między obrotami {asynchronous_um:1} µm · obrotów: {turns} · czujnik X3</translation>
+    </message>
+    <message>
+        <source>Taper {taper_um:+1} µm on diameter, over the measured length</source>
+        <translation>Stożkowatość {taper_um:+1} µm na średnicy, na zmierzonej długości</translation>
+    </message>
+    <message>
+        <source>Saddle {size_um:1} µm on radius</source>
+        <translation>Siodłowość {size_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>Barrel {size_um:1} µm on radius</source>
+        <translation>Baryłkowość {size_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>µin</source>
+        <translation>µin</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min</source>
+        <translation>Zalecane: {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min, stable up to {limit:3} ×</source>
+        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit:3} ×</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
+        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>Stable at every speed up to {depth_mm:3} mm</source>
+        <translation>Stabilne przy każdej prędkości do {depth_mm:3} mm</translation>
     </message>
 </context>
 <context>
@@ -6377,6 +6381,34 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Decision rule of new evaluations</source>
         <translation>Reguła decyzyjna nowych ocen</translation>
     </message>
+    <message>
+        <source>millimetre (mm)</source>
+        <translation>milimetr (mm)</translation>
+    </message>
+    <message>
+        <source>inch (in)</source>
+        <translation>cal (in)</translation>
+    </message>
+    <message>
+        <source>micrometre (µm)</source>
+        <translation>mikrometr (µm)</translation>
+    </message>
+    <message>
+        <source>microinch (µin)</source>
+        <translation>mikrocal (µin)</translation>
+    </message>
+    <message>
+        <source>On screen and in reports; files with numbers and the command line keep mm and µm</source>
+        <translation>Na ekranie i w raportach; pliki z liczbami i wiersz poleceń zachowują mm i µm</translation>
+    </message>
+    <message>
+        <source>Lengths and deviations in</source>
+        <translation>Długości i odchyłki</translation>
+    </message>
+    <message>
+        <source>Form and run-out in</source>
+        <translation>Kształt i bicie</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::TitleBlockDialog</name>
@@ -6525,10 +6557,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Kopia</translation>
     </message>
     <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
         <source>deviation %1</source>
         <translation>odchyłka %1</translation>
     </message>
@@ -6593,10 +6621,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Te skany obliczono, nie zmierzono.</translation>
     </message>
     <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Część</translation>
     </message>
@@ -6655,6 +6679,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Double click: show this copy</source>
         <translation>Podwójne kliknięcie: pokaż tę kopię</translation>
+    </message>
+    <message>
+        <source>along the axis %1, angle %2°</source>
+        <translation>wzdłuż osi %1, kąt %2°</translation>
     </message>
 </context>
 <context>
@@ -6740,10 +6768,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>odchyłka %1</translation>
     </message>
     <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Część</translation>
     </message>
@@ -6772,16 +6796,16 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Te punkty obliczono, nie zmierzono.</translation>
     </message>
     <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
-    </message>
-    <message>
         <source>Roundness of this section</source>
         <translation>Okrągłość tego przekroju</translation>
     </message>
     <message>
         <source>Cuts the marked section out of the points and opens it in the panel Roundness</source>
         <translation>Wycina zaznaczony przekrój z punktów i otwiera go w panelu Okrągłość</translation>
+    </message>
+    <message>
+        <source>along the axis %1, angle %2°</source>
+        <translation>wzdłuż osi %1, kąt %2°</translation>
     </message>
 </context>
 <context>
@@ -6856,12 +6880,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Powierzchnia wszystkich przekrojów</translation>
     </message>
     <message>
-        <source>section %1, angle %2°
-deviation %3 µm</source>
-        <translation>przekrój %1, kąt %2°
-odchyłka %3 µm</translation>
-    </message>
-    <message>
         <source>form of each section only</source>
         <translation>tylko kształt każdego przekroju</translation>
     </message>
@@ -6878,10 +6896,6 @@ odchyłka %3 µm</translation>
         <translation>Dane syntetyczne</translation>
     </message>
     <message>
-        <source>Deviation (µm)</source>
-        <translation>Odchyłka (µm)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Kształt</translation>
     </message>
@@ -6896,6 +6910,12 @@ odchyłka %3 µm</translation>
     <message>
         <source>Error ×</source>
         <translation>Błąd ×</translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°
+deviation %3</source>
+        <translation>przekrój %1, kąt %2°
+odchyłka %3</translation>
     </message>
 </context>
 <context>
@@ -6927,24 +6947,24 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::plot::LimitEdit</name>
     <message>
-        <source>The colour scale runs from minus to plus this many mm.</source>
-        <translation>Skala barw sięga od minus do plus tylu mm.</translation>
-    </message>
-    <message>
-        <source>Limit of the colour scale in mm</source>
-        <translation>Granica skali barw w mm</translation>
-    </message>
-    <message>
-        <source>Upper end of the colour scale in mm</source>
-        <translation>Górny koniec skali barw w mm</translation>
-    </message>
-    <message>
-        <source>How far below 0 the colour scale goes, in mm</source>
-        <translation>Jak daleko poniżej 0 sięga skala barw, w mm</translation>
-    </message>
-    <message>
         <source>Each side of the scale by itself</source>
         <translation>Każda strona skali osobno</translation>
+    </message>
+    <message>
+        <source>Upper end of the colour scale in %1</source>
+        <translation>Górny koniec skali barw w %1</translation>
+    </message>
+    <message>
+        <source>The colour scale runs from minus to plus this many %1.</source>
+        <translation>Skala barw biegnie od minus do plus tej wartości w %1.</translation>
+    </message>
+    <message>
+        <source>Limit of the colour scale in %1</source>
+        <translation>Granica skali barw w %1</translation>
+    </message>
+    <message>
+        <source>How far below 0 the colour scale goes, in %1</source>
+        <translation>Jak daleko poniżej 0 sięga skala barw, w %1</translation>
     </message>
 </context>
 <context>
@@ -7007,10 +7027,6 @@ odchyłka %3 µm</translation>
         <translation>styk wewnętrzny</translation>
     </message>
     <message>
-        <source>%1 µm/div</source>
-        <translation>%1 µm/dz.</translation>
-    </message>
-    <message>
         <source>deviation × %1 · %2</source>
         <translation>odchyłka × %1 · %2</translation>
     </message>
@@ -7021,6 +7037,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>%1, outer circle</source>
         <translation>%1, okrąg zewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1 %2/div</source>
+        <translation>%1 %2/dz.</translation>
     </message>
 </context>
 <context>
@@ -7048,10 +7068,6 @@ odchyłka %3 µm</translation>
 </context>
 <context>
     <name>lathelier::roundness_panel::RoundnessViews</name>
-    <message>
-        <source>largest difference %1 µm, mean %2 µm</source>
-        <translation>największa różnica %1 µm, średnia %2 µm</translation>
-    </message>
     <message>
         <source>Roundness</source>
         <translation>Okrągłość</translation>
@@ -7099,6 +7115,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>Tables</source>
         <translation>Tabele</translation>
+    </message>
+    <message>
+        <source>largest difference %1, mean %2</source>
+        <translation>największa różnica %1, średnia %2</translation>
     </message>
 </context>
 <context>
@@ -7214,10 +7234,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Przekrój %1 z %2</translation>
     </message>
     <message>
-        <source> · z %1 mm</source>
-        <translation> · z %1 mm</translation>
-    </message>
-    <message>
         <source>The section before</source>
         <translation>Poprzedni przekrój</translation>
     </message>
@@ -7236,6 +7252,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Always the section with the largest roundness deviation</source>
         <translation>Zawsze przekrój o największej odchyłce okrągłości</translation>
+    </message>
+    <message>
+        <source> · z %1</source>
+        <translation> · z %1</translation>
     </message>
 </context>
 <context>

@@ -84,10 +84,10 @@ report::Answer answer(const SpindleIdentification& result, const Language& langu
     answer.value = result.residual_rms_percent;
     answer.unit = LT_TEXT("Engine", "%");
     answer.decimals = 2;
-    answer.values = {
-        {"responses", static_cast<std::int64_t>(result.frfs)},
-        {"lines", static_cast<std::int64_t>(result.frequency_hz.size())},
-        {"held_out", result.hold_out_rms_percent ? Value(fixed(*result.hold_out_rms_percent, 2, language)) : Value()}};
+    answer.values = {{"responses", static_cast<std::int64_t>(result.frfs)},
+                     {"lines", static_cast<std::int64_t>(result.frequency_hz.size())}};
+    if (result.hold_out_rms_percent)
+        answer.values.emplace_back("held_out", fixed(*result.hold_out_rms_percent, 2, language));
     answer.sentence =
         result.hold_out_rms_percent
             ? LT_TEXT("Engine", "Of the rod held out {held_out} % · responses: {responses} · lines: {lines}")

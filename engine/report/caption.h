@@ -11,8 +11,8 @@ namespace lathelier::report {
 
 /// The heading of a column of numbers.
 struct Labelled {
-    Text label;
-    Text unit;  ///< in brackets behind it; empty: none
+    std::variant<Text, std::string> label;  ///< a phrase, or a name that is the same in every language
+    Text unit;                              ///< in brackets behind it; empty: none
     friend bool operator==(const Labelled&, const Labelled&) = default;
 };
 

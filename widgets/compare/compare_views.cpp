@@ -354,23 +354,25 @@ void CompareViews::tag(const ComparePlace& place)
     const std::optional<double> value_mm = means ? place.local_mean_mm : place.deviation_mm;
     QString where =
         place.z_mm && place.angle_deg
-            ? QString("z %1 mm  ·  %2°").arg(screenNumber(*place.z_mm, 1), screenNumber(*place.angle_deg, 0))
-            : QString("%1 · %2 · %3 mm")
-                  .arg(screenNumber(place.reference_mm.x(), 1), screenNumber(place.reference_mm.y(), 1),
-                       screenNumber(place.reference_mm.z(), 1));
-    p.scene->setTag(value_mm ? (*value_mm > 0 ? "+" : "") + screenNumber(*value_mm, 3) + " mm" : tr("left out"), where);
+            ? QString("z %1  ·  %2°").arg(screenQuantity(*place.z_mm, millimetre, 1), screenNumber(*place.angle_deg, 0))
+            : QString("%1 · %2 · %3")
+                  .arg(screenNumber(place.reference_mm.x(), millimetre, 1),
+                       screenNumber(place.reference_mm.y(), millimetre, 1),
+                       screenQuantity(place.reference_mm.z(), millimetre, 1));
+    p.scene->setTag(value_mm ? screenQuantity(*value_mm, millimetre, 3, true) : tr("left out"), where);
 }
 
 QString CompareViews::describe(const ComparePlace& place) const
 {
-    const auto signedLength = [](double value) { return (value > 0 ? "+" : "") + screenNumber(value, 3) + " mm"; };
+    const auto signedLength = [](double value) { return screenQuantity(value, millimetre, 3, true); };
     QStringList lines;
-    lines << QString("X %1   Y %2   Z %3 mm")
-                 .arg(screenNumber(place.reference_mm.x(), 3), screenNumber(place.reference_mm.y(), 3),
-                      screenNumber(place.reference_mm.z(), 3));
+    lines << QString("X %1   Y %2   Z %3")
+                 .arg(screenNumber(place.reference_mm.x(), millimetre, 3),
+                      screenNumber(place.reference_mm.y(), millimetre, 3),
+                      screenQuantity(place.reference_mm.z(), millimetre, 3));
     if (place.z_mm && place.angle_deg)
-        lines << tr("along the axis %1 mm, angle %2°")
-                     .arg(screenNumber(*place.z_mm, 2), screenNumber(*place.angle_deg, 1));
+        lines << tr("along the axis %1, angle %2°")
+                     .arg(screenQuantity(*place.z_mm, millimetre, 2), screenNumber(*place.angle_deg, 1));
     if (place.deviation_mm)
         lines << tr("deviation %1").arg(signedLength(*place.deviation_mm));
     else if (place.point || place.surface)

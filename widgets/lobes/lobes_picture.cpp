@@ -106,12 +106,10 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
         const double speed = picture.speed->recommended_rpm;
         const double limit = pointOfWork(lobes, speed, 0).limit_mm;
         report::Finding finding;
-        finding.pattern = std::isfinite(limit)
-                              ? LT_TEXT("Engine", "Recommended: {speed} 1/min, stable up to {limit} {unit}")
-                              : LT_TEXT("Engine", "Recommended: {speed} 1/min");
-        finding.values = {{"speed", fixed(speed, 0, language)},
-                          {"limit", fixed(limit, 3, language)},
-                          {"unit", relative ? Value(std::string("×")) : Value(LT_TEXT("Engine", "mm"))}};
+        finding.pattern = !std::isfinite(limit) ? LT_TEXT("Engine", "Recommended: {speed:0} 1/min")
+                          : relative ? LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit:3} ×")
+                                     : LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm");
+        finding.values = {{"speed", speed}, {"limit", limit}, {"limit_mm", limit}};
         finding.offer = {{"operating_speed_rpm", std::round(speed)}};
         answer.findings.push_back(std::move(finding));
     } else if (picture.no_speed) {
@@ -120,8 +118,8 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
             {LT_TEXT("Engine", "No speed is recommended: {reason}"), {{"reason", reason ? *reason : Value()}}, {}, {}});
     }
     if (lobes.minimum_depth_mm && !relative)
-        answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth} mm"),
-                                   {{"depth", fixed(*lobes.minimum_depth_mm, 3, language)}},
+        answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth_mm:3} mm"),
+                                   {{"depth_mm", *lobes.minimum_depth_mm}},
                                    {},
                                    {}});
     return answer;

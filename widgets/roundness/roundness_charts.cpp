@@ -20,7 +20,8 @@ plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const s
 {
     report::PolarPlot plot = picture->plot;
     report::PolarPlot::Trace wave;
-    wave.name = std::to_string(harmonic.upr) + " UPR  " + screenNumber(harmonic.amplitude, 2).toStdString() + " µm";
+    wave.name =
+        std::to_string(harmonic.upr) + " UPR  " + screenQuantity(harmonic.amplitude, micrometre, 2).toStdString();
     wave.colour = 5;  // none of the circles has it
     // A wave runs about the least-squares circle, the first of them, whatever circle deviations count from.
     const auto ground_um = [&](double angle_deg) {

@@ -134,10 +134,14 @@ void addDimensions(report::Plot& plot, const Shaft& shaft, double largest_mm, co
         if (start_mm != end_mm) diameter.append("/").append(number(end_mm));
         plot.marks.push_back({middle_mm, std::max(start_mm, end_mm) / 2, std::move(diameter)});
         plot.marks.push_back({middle_mm, -1.35 * largest_mm, number(segment.length_mm)});
-        report::Curve extension = line({z_mm, z_mm}, {-segment.end_diameter_mm / 2, -1.5 * largest_mm});
-        extension.thin = true;
-        extension.colour = report::ColourRole::Neutral;
-        plot.curves.push_back(std::move(extension));
+        const double low_mm = -1.35 * largest_mm;
+        const std::vector<double> ends_mm{z_mm - segment.length_mm, z_mm};
+        for (report::Curve dimension :
+             {line({z_mm, z_mm}, {-end_mm / 2, 1.1 * low_mm}), line(ends_mm, {low_mm, low_mm})}) {
+            dimension.thin = true;
+            dimension.colour = report::ColourRole::Neutral;
+            plot.curves.push_back(std::move(dimension));
+        }
     }
 }
 

@@ -111,23 +111,22 @@ report::Plot heldOutPlot(const SpindleCheck& check, const Language& language)
     plot.title = LT_TEXT("Engine", "Rod held out: measured and predicted");
     plot.x = frequencyAxis();
     plot.y = {LT_TEXT("Engine", "Magnitude"), LT_TEXT("Engine", "mm/N"), report::Axis::Scale::Logarithmic};
-    int series = 0;
+    std::vector<report::Curve> predicted;
     for (const CheckedResponse& response : check.responses) {
         if (response.used) continue;
+        report::Curve measured =
+            magnitudeCurve(plot.curves.empty() ? LT_TEXT("Engine", "measured") : Text{}, response.measured);
+        measured.style = report::Curve::Style::Points;
+        measured.colour = report::ColourRole::Neutral;
+        plot.curves.push_back(std::move(measured));
         const Values points{{"a", static_cast<std::int64_t>(response.point_a + 1)},
                             {"b", static_cast<std::int64_t>(response.point_b + 1)}};
-        report::Curve measured =
-            magnitudeCurve(fill(text(LT_TEXT("Engine", "points {a} and {b}, measured"), language), points, language),
-                           response.measured);
-        measured.style = report::Curve::Style::Points;
-        measured.colour = series;
-        report::Curve predicted =
+        predicted.push_back(
             magnitudeCurve(fill(text(LT_TEXT("Engine", "points {a} and {b}, predicted"), language), points, language),
-                           response.predicted);
-        predicted.colour = series++;
-        plot.curves.push_back(std::move(measured));
-        plot.curves.push_back(std::move(predicted));
+                           response.predicted));
+        predicted.back().colour = static_cast<int>(predicted.size()) - 1;
     }
+    for (report::Curve& curve : predicted) plot.curves.push_back(std::move(curve));  // drawn on top
     return plot;
 }
 
@@ -135,7 +134,7 @@ report::Table responsesTable(const SpindleCheck& check)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Residual of each response");
-    table.columns = {LT_TEXT("Engine", "rod"), LT_TEXT("Engine", "point"), LT_TEXT("Engine", "point"),
+    table.columns = {LT_TEXT("Engine", "rod"), LT_TEXT("Engine", "point a"), LT_TEXT("Engine", "point b"),
                      LT_TEXT("Engine", "used"), LT_TEXT("Engine", "residual (%)")};
     table.decimals = {0, 0, 0, 0, 2};
     table.rows.reserve(check.responses.size());

@@ -20,6 +20,15 @@ Field<ShaftQuestion> ofResponse(const std::string& key)
     throw std::logic_error("no such parameter: " + key);
 }
 
+/// What is seldom changed is folded away in the form, groups as a whole.
+std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
+{
+    for (Field<ShaftQuestion>& field : all)
+        for (const char* start : {"own_material", "springs", "rests"})
+            if (field.info.key.starts_with(start)) field.info.advanced = true;
+    return all;
+}
+
 }  // namespace
 
 std::string libraryKey(MaterialChoice choice)
@@ -44,7 +53,7 @@ const std::vector<Field<Rest>>& fieldsOf(const Rest*)
 const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
 {
     using Q = ShaftQuestion;
-    static const auto all = described<Q>(
+    static const auto all = folded(described<Q>(
         rows(segmentsKey, &Q::segments, Range{0, 10000},
              Label{LT_TEXT("Engine", "Segments"),
                    LT_TEXT("Engine",
@@ -65,9 +74,7 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
                     LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
         group("own_material", &Q::own_material,
               Label{LT_TEXT("Engine", "Own material"),
-                    LT_TEXT("Engine", "Stated in place of the file and the library."),
-                    {},
-                    true}),
+                    LT_TEXT("Engine", "Stated in place of the file and the library.")}),
         field("hold", &Q::hold,
               {{"given", LT_TEXT("Engine", "the spindle given, else free")},
                {"springs", LT_TEXT("Engine", "springs")},
@@ -75,21 +82,16 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
                {"free", LT_TEXT("Engine", "free")}},
               Label{LT_TEXT("Engine", "Held at the chuck"), LT_TEXT("Engine", "At the last segment's end.")}),
         group("springs", &Q::springs,
-              Label{LT_TEXT("Engine", "Springs at the chuck"),
-                    LT_TEXT("Engine", "Where it is held by springs."),
-                    {},
-                    true}),
+              Label{LT_TEXT("Engine", "Springs at the chuck"), LT_TEXT("Engine", "Where it is held by springs.")}),
         rows("rests", &Q::rests, Range{0, 20},
              Label{LT_TEXT("Engine", "Tailstock and rests"),
-                   LT_TEXT("Engine", "Springs between the shaft and the ground."),
-                   {},
-                   true}),
+                   LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
         ofResponse("respond_z_mm"), ofResponse("excite_z_mm"),
         field("from_hz", &Q::from_hz, Range{0, 1e6},
               Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), hz}),
         field("to_hz", &Q::to_hz, Range{0, 1e6},
               Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), hz}),
-        ofResponse("step_hz"), ofResponse("shear"), ofResponse("method"), ofResponse("step_correction"));
+        ofResponse("step_hz"), ofResponse("shear"), ofResponse("method"), ofResponse("step_correction")));
     return all;
 }
 

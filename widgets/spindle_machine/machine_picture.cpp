@@ -120,11 +120,16 @@ report::Answer answer(const MachinePicture& picture, const Language& language)
 {
     if (picture.identified) {
         report::Answer answer = receptance::answer(*picture.identified, language);
+        if (const auto& held_out = picture.identified->hold_out_rms_percent) {  // what it predicts says more
+            answer.quantity = LT_TEXT("Engine", "Residual of the rod held out");
+            answer.value = held_out;
+            answer.sentence =
+                LT_TEXT("Engine", "Of the responses used {used} % · responses: {responses} · lines: {lines}");
+            set(answer.values, "used", fixed(picture.identified->residual_rms_percent, 2, language));
+        }
         if (!picture.question.limit_percent) return answer;
-        const double judged =
-            picture.identified->hold_out_rms_percent.value_or(picture.identified->residual_rms_percent);
         answer.upper_limit = picture.question.limit_percent;
-        answer.verdict = judged <= *picture.question.limit_percent ? Verdict::Pass : Verdict::Fail;
+        answer.verdict = *answer.value <= *picture.question.limit_percent ? Verdict::Pass : Verdict::Fail;
         answer.verdict_words =
             *answer.verdict == Verdict::Pass ? LT_TEXT("Engine", "✓ accepted") : LT_TEXT("Engine", "✗ not accepted");
         return answer;

@@ -90,6 +90,7 @@ private slots:
         QVERIFY(panel_->result()->identified->hold_out_rms_percent.has_value());
         QCOMPARE(panel_->views().heldOut()->data().curves.size(), std::size_t{12});
         QCOMPARE(answer(*panel_->result()).verdict, std::optional(Verdict::Pass));
+        QCOMPARE(answer(*panel_->result()).value, panel_->result()->identified->hold_out_rms_percent);
         set("limit_percent", 0.1);
         settle();
         QCOMPARE(answer(*panel_->result()).verdict, std::optional(Verdict::Fail));

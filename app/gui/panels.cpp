@@ -5,6 +5,8 @@
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
+#include "widgets/shaft/shaft_panel.h"
+#include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 
 namespace lathelier {
@@ -14,7 +16,8 @@ const std::vector<PanelFacts>& panelTable()
     static const std::vector<PanelFacts> table{
         compare_panel::comparePanelFacts(),           roundness_panel::roundnessPanelFacts(),
         trajectory_panel::trajectoryPanelFacts(),     longitudinal_panel::longitudinalPanelFacts(),
-        cylindricity_panel::cylindricityPanelFacts(), lobes_panel::lobesPanelFacts()};
+        cylindricity_panel::cylindricityPanelFacts(), shaft_panel::shaftPanelFacts(),
+        machine_panel::machinePanelFacts(),           lobes_panel::lobesPanelFacts()};
     return table;
 }
 

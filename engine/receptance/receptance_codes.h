@@ -52,6 +52,18 @@ inline constexpr NoteCode materialAssumed{
     LT_TEXT("Engine",
             "No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).")};
 
+inline constexpr NoteCode materialOfLibrary{
+    "material_of_library", Severity::Info,
+    LT_TEXT("Engine", "Handbook values of {material} are assumed, not those of this bar (source: {source}).")};
+
+inline constexpr NoteCode machineOfLibrary{
+    "machine_of_library", Severity::Info,
+    LT_TEXT("Engine", "The springs are taken from the library, not from this machine (source: {source}).")};
+
+inline constexpr NoteCode shaftChanged{
+    "shaft_changed", Severity::Info,
+    LT_TEXT("Engine", "The shaft is that of the table, which was changed since {source} was opened.")};
+
 inline constexpr NoteCode spindleHasNoModes{
     "spindle_has_no_modes", Severity::Info,
     LT_TEXT("Engine", "The spindle is a table of receptances: natural frequencies do not follow from it.")};

@@ -44,12 +44,26 @@ struct ShaftReceptanceResult {
 /// The lines that the parameters ask for. Error valueNotUnderstood for more than a million, or a range reversed.
 std::vector<double> linesOf(const ReceptanceParameters& parameters);
 
+/// What holds a shaft.
+struct ShaftHolding {
+    std::optional<SpindleReceptance> spindle;  ///< at the chuck face, z = length; none: nothing
+    std::vector<beam::Support> supports;       ///< besides: tailstock, steady rests, a rigid chuck
+};
+
+/// How the beam is modelled; `springs`: the spindle, where it is springs, becomes one of its supports.
+beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
+                                      double length_mm, bool springs);
+
 /// Without a spindle the shaft is free; with one it is joined to its chuck face at z = length.
 /// Errors: placeOutsideShaft (wrong usage), valueNotUnderstood, valueOutOfRange, frequencyOutsideSpindle,
 /// shaftSegmentUnusable, shaftEmpty. Throws Cancelled.
 ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters = {},
                                       const std::optional<SpindleReceptance>& spindle = {},
                                       const Progress& progress = {});
+
+/// The same with further supports.
+ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
+                                          const ShaftHolding& holding, const Progress& progress = {});
 
 /// The material of a shaft, or steel; with its values written down, and the note materialAssumed.
 Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes);

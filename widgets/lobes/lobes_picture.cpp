@@ -4,9 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
+#include "engine/project/project_codes.h"
 #include "engine/stability/stability_codes.h"
+#include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/task/memo.h"
 
 namespace lathelier::lobes_panel {
@@ -37,6 +40,34 @@ void recommend(LobesPicture& picture)
     }
 }
 
+/// A response that another panel made. Error itemNotThere.
+void takeItem(LobesPicture& picture, const project::PanelState& state, const project::Source& source,
+              std::string& basis)
+{
+    const auto item = state.items.find(frfRole);
+    std::optional<Frf> frf;
+    if (item != state.items.end() && item->second.kind == frfItem) frf = frfOf(item->second.values);
+    if (!frf) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(frfItem)}});
+    picture.inputs = {chatter_common::inputOfItem(source, item->second.values)};
+    picture.frf = std::make_shared<const Frf>(*std::move(frf));
+    basis = picture.inputs.front().sha256;
+    picture.synthetic = source.synthetic;
+}
+
+void takeFile(LobesPicture& picture, const project::Source& source, Stores& stores, const Progress& progress,
+              std::string& basis)
+{
+    const auto loaded = stores.of<FrfStore>()->load(source, progress);
+    picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
+    picture.inputs = {loaded->inputs.front()};
+    basis = loaded->digest() + toJson(source.import).dump();
+    picture.notes = loaded->file.notes;
+    if (const std::size_t count = loaded->file.frfs.size(); count > 1)
+        picture.notes.push_back(
+            {notes::severalResponses, {{"path", source.path}, {"count", static_cast<std::int64_t>(count)}}});
+    picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
+}
+
 }  // namespace
 
 io::FrfFile FrfStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
@@ -51,17 +82,11 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
     picture.question = fromValues<LobesQuestion>(state.parameters);
     const LobesQuestion& question = picture.question;
     std::string basis;  // tells responses apart
-    if (const auto source = state.inputs.find(frfRole); source != state.inputs.end()) {
-        const auto loaded =
-            stores.of<FrfStore>()->load(source->second, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
-        picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
-        picture.inputs = {loaded->inputs.front()};
-        basis = loaded->digest() + toJson(source->second.import).dump();
-        picture.notes = loaded->file.notes;
-        if (const std::size_t count = loaded->file.frfs.size(); count > 1)
-            picture.notes.push_back({notes::severalResponses,
-                                     {{"path", source->second.path}, {"count", static_cast<std::int64_t>(count)}}});
-        picture.synthetic = source->second.synthetic || contains(loaded->file.notes, notes::syntheticData);
+    const auto source = state.inputs.find(frfRole);
+    if (source != state.inputs.end() && !source->second.item.empty()) {
+        takeItem(picture, state, source->second, basis);
+    } else if (source != state.inputs.end()) {
+        takeFile(picture, source->second, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
     } else {
         const double highest =
             question.lobes.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : question.lobes.speed_rpm.front().to;

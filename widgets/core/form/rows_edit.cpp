@@ -89,7 +89,8 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
     buttons->addStretch();
     table_->setColumnCount(static_cast<int>(info_.columns.size()));
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names are of any length
+    table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("0000000")));
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);

@@ -6,6 +6,7 @@
 
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
+#include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/core/task/memo.h"
 
@@ -58,6 +59,8 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
         picture.inputs = {loaded->inputs.front()};
         basis = loaded->digest() + toJson(source->second.import).dump();
         picture.notes = loaded->file.notes;
+        const Notes checked = receptance::checkResponse(loaded->file.frfs.front(), source->second.path);
+        picture.notes.insert(picture.notes.end(), checked.begin(), checked.end());
         if (const std::size_t count = loaded->file.frfs.size(); count > 1)
             picture.notes.push_back({notes::severalResponses,
                                      {{"path", source->second.path}, {"count", static_cast<std::int64_t>(count)}}});

@@ -158,8 +158,10 @@ Complex valueOf(const Refined& model, double frequency_hz)
     return sum;
 }
 
-Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool complex_residues, const Progress& progress)
+Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool complex_residues, Refinement refinement,
+                    const Progress& progress)
 {
+    const Ending& ending = refinement == Refinement::Rough ? rough : full;
     const Eigen::Index each = perTerm(complex_residues);
     const double lowest = lines.frequency_hz.front() / widest, highest = lines.frequency_hz.back() * widest;
     Refined model;
@@ -180,12 +182,15 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
             double largest = 0;
             for (std::size_t k = 0; k < model.terms.size(); ++k) {
                 const auto at = each * static_cast<Eigen::Index>(k);
-                const double by_f = std::clamp(delta(at), -largestStep, largestStep),
-                             by_zeta = std::clamp(delta(at + 1), -largestStep, largestStep);
-                largest = std::max({largest, std::abs(by_f), std::abs(by_zeta)});
+                const PoleTerm before = model.terms[k];
                 PoleTerm& term = next.terms[k];
-                term.frequency_hz = std::clamp(term.frequency_hz * std::exp(by_f), lowest, highest);
-                term.damping = std::clamp(term.damping * std::exp(by_zeta), leastDamping, mostDamping);
+                const auto moved_by = [&](Eigen::Index j) {
+                    return std::exp(std::clamp(delta(at + j), -largestStep, largestStep));
+                };
+                term.frequency_hz = std::clamp(before.frequency_hz * moved_by(0), lowest, highest);
+                term.damping = std::clamp(before.damping * moved_by(1), leastDamping, mostDamping);
+                largest = std::max({largest, std::abs(std::log(term.frequency_hz / before.frequency_hz)),
+                                    std::abs(std::log(term.damping / before.damping))});
             }
             solveResidues(lines, next, complex_residues);
             next.chi2 = chi2Of(lines, next);

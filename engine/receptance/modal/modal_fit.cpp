@@ -135,7 +135,7 @@ void compare(ModalFit& fit, const FitLines& lines)
 const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
 {
     static const std::vector<Field<ModalParameters>> all{
-        field("modes", &ModalParameters::modes, {0, mostModes},
+        field("number_of_modes", &ModalParameters::modes, {0, mostModes},
               Label{LT_TEXT("Engine", "Number of modes"), LT_TEXT("Engine", "1 to 6; 0: as many as the data tell.")}),
         field("range_hz", &ModalParameters::range_hz, {0, 1e6},
               Label{LT_TEXT("Engine", "Range of frequencies"),

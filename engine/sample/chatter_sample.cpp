@@ -119,6 +119,9 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                         {"uncertainty_frequency_percent", 0.5},
                         {"uncertainty_coefficient_percent", 5.0}};
     content.panels["lobes"] = std::move(panel);
+    SamplePanel response_panel;
+    response_panel.inputs = {{"frf", "tip_response.uff"}, {"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
+    content.panels["frf"] = std::move(response_panel);
     progress.report(1);
     return content;
 }

@@ -40,12 +40,6 @@ void recommend(LobesPicture& picture)
 
 }  // namespace
 
-io::FrfFile FrfStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
-{
-    return io::readFrf(source.path, inputs.open(source.path, progress), fromValues<io::ImportOptions>(source.import),
-                       fromValues<io::FrfOptions>(source.import), progress);
-}
-
 LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     LobesPicture picture;

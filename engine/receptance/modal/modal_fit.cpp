@@ -66,6 +66,14 @@ double halfPowerLines(const FitLines& lines, const ModalMode& mode)
     return 2 * mode.damping_ratio * mode.frequency_hz / step;
 }
 
+/// On all lines, without terms that leave for good.
+Refined refinedFully(const FitLines& lines, const Refined& start, bool complex_residues, const Progress& progress)
+{
+    Refined found = refineModes(lines, start.terms, complex_residues, Refinement::Full, progress);
+    const auto left = std::erase_if(found.terms, [&](const PoleTerm& term) { return isAtEndOfReach(term, lines); });
+    return left > 0 ? refineModes(lines, found.terms, complex_residues, Refinement::Full, progress) : found;
+}
+
 void addNotes(ModalFit& fit, bool converged)
 {
     Notes& notes = fit.notes;
@@ -178,12 +186,11 @@ ModalFit fitModes(const Frf& frf, const ModalParameters& parameters, const Progr
         reweigh(lines, found);
         found = fitByOrder(thinned(lines, linesToCompare), request, progress.part(0.45, 0.9));
     }
-    for (int pass = 0; pass < reweighings; ++pass) {
-        found = refineModes(lines, found.terms, complex_residues, Refinement::Full, progress);
-        if (!by_errors) break;
+    found = refinedFully(lines, found, complex_residues, progress);
+    for (int pass = 0; by_errors && pass < reweighings; ++pass) {
         reweigh(lines, found);
+        found = refinedFully(lines, found, complex_residues, progress);
     }
-    if (by_errors) found = refineModes(lines, found.terms, complex_residues, Refinement::Full, progress);
     describe(fit, found, lines, complex_residues);
     compare(fit, lines);
     addNotes(fit, found.converged);

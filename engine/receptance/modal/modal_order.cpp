@@ -17,6 +17,7 @@ constexpr double apart = 2;         ///< least distance of two modes, in half-po
 constexpr double leastLines = 0.7;  ///< in the half-power band
 constexpr double roundingShare = 1e-9;  ///< of |G|: errors below are not explained by more modes
 constexpr double edge = 1.25;           ///< first frequency of a term beyond the range
+constexpr double nearEnd = 1e-3;        ///< of the reach of frequencies
 constexpr int withoutGain = 2;          ///< terms more that bring nothing end the search
 
 bool isInside(const PoleTerm& term, const Interval& range)
@@ -40,11 +41,18 @@ bool hasFewBeyond(const Refined& fit, const Interval& range)
     return below <= 1 && above <= 1;
 }
 
+bool isWithinReach(const Refined& fit, const FitLines& lines)
+{
+    return std::none_of(fit.terms.begin(), fit.terms.end(),
+                        [&](const PoleTerm& term) { return isAtEndOfReach(term, lines); });
+}
+
 bool isSoundFit(const Refined& fit, const FitLines& lines, const OrderRequest& request)
 {
     for (std::size_t k = 0; k < fit.terms.size(); ++k)
         if (isInside(fit.terms[k], request.range_hz) && !isSound(fit, lines, k, request.complex_residues)) return false;
-    return hasFewBeyond(fit, request.range_hz) && modesInside(fit, request.range_hz) <= mostModes;
+    return hasFewBeyond(fit, request.range_hz) && isWithinReach(fit, lines) &&
+           modesInside(fit, request.range_hz) <= mostModes;
 }
 
 double criterion(const Refined& fit, const FitLines& lines, bool complex_residues)
@@ -87,6 +95,12 @@ double uncertaintyOf(const Refined& fit, const FitLines& lines, std::size_t k, i
     const double freedom = std::max(1.0, rows - static_cast<double>(fit.covariance.rows()));
     const auto at = static_cast<Eigen::Index>(k) * perTerm(complex_residues) + j;
     return std::sqrt(std::max(0.0, fit.covariance(at, at)) * fit.chi2 / freedom);
+}
+
+bool isAtEndOfReach(const PoleTerm& term, const FitLines& lines)
+{
+    const Interval reach = reachOf(lines);
+    return term.frequency_hz < (1 + nearEnd) * reach.from || term.frequency_hz > (1 - nearEnd) * reach.to;
 }
 
 bool isSound(const Refined& fit, const FitLines& lines, std::size_t k, bool complex_residues)

@@ -18,6 +18,9 @@ struct OrderRequest {
 /// Standard uncertainties (relative for ln f, ln ζ; else in the unit of the parameter) of term `k`, parameter `j`.
 double uncertaintyOf(const Refined& fit, const FitLines& lines, std::size_t k, int j, bool complex_residues);
 
+/// At the end of its reach a term would go further: the mass line and the compliance stand for it.
+bool isAtEndOfReach(const PoleTerm& term, const FitLines& lines);
+
 /// Is the term determined by the data, seen at its own frequency, and not one of two that cancel each other?
 bool isSound(const Refined& fit, const FitLines& lines, std::size_t k, bool complex_residues);
 

@@ -19,7 +19,7 @@ constexpr double rounding = 1e-9;    ///< steps below may fail to lower χ²
 constexpr int attempts = 8;          ///< with more and more damping
 constexpr double largestStep = 0.3;  ///< of ln f and ln ζ
 constexpr double leastDamping = 1e-6, mostDamping = 0.7;
-constexpr double widest = 3;  ///< how far terms may leave the lines: factor of the first and last frequency
+constexpr double widest = 4;  ///< how far terms may leave the lines: factor of the first and last frequency
 
 struct Term {
     Complex d_frequency, d_damping, d_a, d_b;  ///< derivatives by ln f, ln ζ, a, b
@@ -148,6 +148,11 @@ Normal allParameters(const FitLines& lines, const Refined& model, bool complex_r
 
 }  // namespace
 
+Interval reachOf(const FitLines& lines)
+{
+    return {lines.frequency_hz.front() / widest, lines.frequency_hz.back() * widest};
+}
+
 Complex valueOf(const Refined& model, double frequency_hz)
 {
     Complex sum = model.upper_mm_N + model.lower_mm_Ns2 * massLine(frequency_hz);
@@ -163,7 +168,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
 {
     const Ending& ending = refinement == Refinement::Rough ? rough : full;
     const Eigen::Index each = perTerm(complex_residues);
-    const double lowest = lines.frequency_hz.front() / widest, highest = lines.frequency_hz.back() * widest;
+    const Interval reach = reachOf(lines);
     Refined model;
     model.terms = std::move(start);
     for (PoleTerm& term : model.terms) term.a_mm_N = term.b_mm_N = 0;
@@ -187,7 +192,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
                 const auto moved_by = [&](Eigen::Index j) {
                     return std::exp(std::clamp(delta(at + j), -largestStep, largestStep));
                 };
-                term.frequency_hz = std::clamp(before.frequency_hz * moved_by(0), lowest, highest);
+                term.frequency_hz = std::clamp(before.frequency_hz * moved_by(0), reach.from, reach.to);
                 term.damping = std::clamp(before.damping * moved_by(1), leastDamping, mostDamping);
                 largest = std::max({largest, std::abs(std::log(term.frequency_hz / before.frequency_hz)),
                                     std::abs(std::log(term.damping / before.damping))});

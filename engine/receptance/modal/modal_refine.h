@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/core/value.h"
 
 namespace lathelier::receptance {
 
@@ -49,6 +50,9 @@ enum class Refinement { Rough, Full };
 /// From the frequencies and damping ratios of `start`; its residues are solved for. Throws Cancelled.
 Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool complex_residues,
                     Refinement refinement = Refinement::Full, const Progress& progress = {});
+
+/// Where frequencies of terms stay while they are refined: some way beyond the lines.
+Interval reachOf(const FitLines& lines);
 
 /// G_fit at one frequency.
 std::complex<double> valueOf(const Refined& model, double frequency_hz);

@@ -9,6 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
 #include "engine/receptance/modal/modal_codes.h"
+#include "engine/receptance/modal/response_study.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -214,6 +215,36 @@ TEST(ModalFit, IsTheSameWithAnyNumberOfThreads)
     const ModalFit all = fitModes(frf);
     const ThreadLimit limit(1);
     EXPECT_EQ(fitModes(frf).model, all.model);
+}
+
+TEST(ModalFit, ADraggedPeakStandsWhereItWasDropped)
+{
+    const ModalModel model{{{400, .02, 2e4}, {420, .02, 3e4, 10}}, {}, {300, 2e-6}};
+    for (const std::size_t index : {0U, 1U}) {
+        const double f = model.modes[index].frequency_hz;
+        EXPECT_NEAR(draggedMode(model, index, f, std::abs(receptanceOf(model, f))).damping_ratio, .02, 1e-12);
+        ModalModel dragged = model;
+        dragged.modes[index] = draggedMode(model, index, 410, 5e-3);
+        EXPECT_NEAR(std::abs(receptanceOf(dragged, 410)), 5e-3, 1e-12);
+        EXPECT_EQ(dragged.modes[index].stiffness_N_mm, model.modes[index].stiffness_N_mm);
+        EXPECT_GT(draggedMode(model, index, 410, 1e-9).damping_ratio, .1);  // lower than the others alone
+    }
+}
+
+TEST(ModalFit, ModesChangedByHandKeepTheRest)
+{
+    const auto measuredFrf = std::make_shared<const Frf>(measured(sixModes(), {40, 1500, 1, .01}));
+    const auto fit = std::make_shared<const ModalFit>(fitModes(*measuredFrf));
+    const ResponseStudy plain = studyResponse(measuredFrf, nullptr, fit);
+    EXPECT_NEAR(plain.error_rms_percent, fit->error_rms_percent, 1e-12);
+    EXPECT_FALSE(plain.is_changed);
+    std::vector<ModalMode> changed = fit->model.modes;
+    changed[2].damping_ratio *= 2;
+    const ResponseStudy study = studyResponse(measuredFrf, nullptr, fit, changed);
+    EXPECT_TRUE(study.is_changed);
+    EXPECT_EQ(study.model.residuals, fit->model.residuals);
+    EXPECT_GT(study.error_rms_percent, 5 * plain.error_rms_percent);
+    EXPECT_EQ(byFlexibility(plain.model.modes).front(), 2U);
 }
 
 TEST(ModalFit, FlexibilityIsTheLeastRealPart)

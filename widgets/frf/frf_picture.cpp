@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/frf/frf_choice.h"
@@ -73,6 +74,23 @@ std::string takeMeasured(FrfPicture& picture, const project::PanelState& state, 
     return loaded->digest() + toJson(source.import).dump() + "#" + std::to_string(number);
 }
 
+/// Error valueNotUnderstood for a mode that nothing holds.
+void requireStiffness(const std::vector<receptance::ModalMode>& modes)
+{
+    for (const receptance::ModalMode& mode : modes)
+        if (mode.stiffness_N_mm == 0)
+            throw Error(
+                errors::valueNotUnderstood,
+                {{"parameter", "modes"}, {"found", 0.0}, {"expected", LT_TEXT("Engine", "a stiffness, not 0")}});
+}
+
+/// Does the parameter say how the response of the shaft is computed?
+bool isOfComputing(const std::string& key)
+{
+    const auto all = infos<receptance::ReceptanceParameters>();
+    return std::any_of(all.begin(), all.end(), [&](const FieldInfo& info) { return info.key == key; });
+}
+
 /// The lines of the measured response, evenly spaced; else those of the range asked for.
 void chooseLines(receptance::ReceptanceParameters& computing, const FrfPicture& picture)
 {
@@ -131,6 +149,7 @@ FrfPicture frfPicture(const project::PanelState& state, Stores& stores, const Pr
     FrfPicture picture;
     picture.question = fromValues<FrfQuestion>(state.parameters);
     const FrfQuestion& question = picture.question;
+    requireStiffness(question.modes);
     std::string basis = takeMeasured(picture, state, stores, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
     const std::string computed =
         takeComputed(picture, state, stores, progress.part(0.3, 0.5, LT_TEXT("Engine", "Computing")));
@@ -150,6 +169,14 @@ FrfPicture frfPicture(const project::PanelState& state, Stores& stores, const Pr
 report::Document reportOf(const FrfPicture& picture, const Language& language)
 {
     report::Document document = receptance::responseReport(picture.study, picture.notes, language);
+    if (picture.study.computed) {
+        std::vector<FieldInfo> infos;
+        for (const FieldInfo& info : lathelier::infos<FrfQuestion>())
+            if (isOfComputing(info.key)) infos.push_back(info);
+        report::QuantityTable table = report::parametersTable(infos, toValues(picture.question), language);
+        table.title = LT_TEXT("Engine", "Computed response");
+        document.sections.back().blocks.emplace_back(std::move(table));
+    }
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic;
     document.results = {report::toText(report::wholeResult("frf_modes", picture.inputs, toValues(picture.question),

@@ -16,15 +16,24 @@ constexpr std::size_t mostFindings = 3;
 
 report::Finding findingOf(const ShownMode& mode, const Language& language)
 {
-    return {
-        LT_TEXT("Engine", "{rank}. {frequency} Hz: -min Re {flexibility} nm/N · ζ {damping} % · k {stiffness} N/mm"),
-        {{"rank", std::int64_t{mode.rank}},
-         {"frequency", fixed(mode.mode.frequency_hz, 1, language)},
-         {"flexibility", fixed(mode.flexibility_nm_N, 1, language)},
-         {"damping", fixed(100 * mode.mode.damping_ratio, 2, language)},
-         {"stiffness", fixed(mode.mode.stiffness_N_mm, 0, language)}},
-        {},
-        {}};
+    return {LT_TEXT("Engine", "{rank}. {frequency} Hz: {flexibility} nm/N · ζ {damping} %"),
+            {{"rank", std::int64_t{mode.rank}},
+             {"frequency", fixed(mode.mode.frequency_hz, 1, language)},
+             {"flexibility", fixed(mode.flexibility_nm_N, 1, language)},
+             {"damping", fixed(100 * mode.mode.damping_ratio, 2, language)}},
+            {},
+            {}};
+}
+
+report::QuantityTable residualsTable(const ResponseStudy& study)
+{
+    const Text low = LT_TEXT("Engine", "mm/(N·s²)"), high = LT_TEXT("Engine", "nm/N");
+    const Text uncertainty = LT_TEXT("Engine", "Its standard uncertainty");
+    return {LT_TEXT("Engine", "Residuals"),
+            {{LT_TEXT("Engine", "Of modes below, 1/M"), study.model.residuals.lower_mm_Ns2, low, 4},
+             {uncertainty, study.fit->lower_uncertainty_mm_Ns2, low, 4},
+             {LT_TEXT("Engine", "Of modes above, 1/K"), 1e6 * study.model.residuals.upper_mm_N, high, 3},
+             {uncertainty, 1e6 * study.fit->upper_uncertainty_mm_N, high, 3}}};
 }
 
 /// Without modes: where the real part is least.
@@ -94,7 +103,10 @@ report::Document responseReport(const ResponseStudy& study, const Notes& notes, 
     report::Document document;
     document.title = LT_TEXT("Engine", "Frequency response and its modes");
     report::Section result{LT_TEXT("Engine", "Result"), {answer(study, language)}};
-    if (study.fit && !study.model.modes.empty()) result.blocks.push_back(modesTable(study));
+    if (study.fit && !study.model.modes.empty()) {
+        result.blocks.push_back(modesTable(study));
+        result.blocks.push_back(residualsTable(study));
+    }
     if (!notes.empty()) result.blocks.push_back(notes);
     document.sections.push_back(std::move(result));
     document.sections.push_back({LT_TEXT("Engine", "Frequency response"),

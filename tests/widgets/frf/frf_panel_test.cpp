@@ -247,6 +247,16 @@ private slots:
         QVERIFY(contains(panel_->result()->notes, notes::frfSlopeContradictsLabel));
     }
 
+    void aModeWithoutStiffnessIsRefused()
+    {
+        openResponse();
+        FrfQuestion question;
+        question.modes = {{223, .03, 0}};
+        session_->edit("Set",
+                       [&](project::Project& project) { project.panels["frf"].parameters = toValues(question); });
+        QTRY_VERIFY_WITH_TIMEOUT(panel_->error().has_value(), 20000);
+    }
+
     void exportsAreReadAgain()
     {
         openResponse();

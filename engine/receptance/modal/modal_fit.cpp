@@ -116,7 +116,7 @@ void describe(ModalFit& fit, const Refined& found, const FitLines& lines, bool c
         fit.modes.push_back(
             {mode, mode.frequency_hz * uncertainty(0), mode.damping_ratio * uncertainty(1),
              mode.stiffness_N_mm * mode.stiffness_N_mm * residueUncertainty(found, lines, k, complex_residues),
-             halfPowerLines(lines, mode), flexibility_mm_N(mode)});
+             halfPowerLines(lines, mode), flexibilityOf(mode)});
     }
     fit.model.residuals = {found.lower_mm_Ns2, found.upper_mm_N};
     fit.lower_uncertainty_mm_Ns2 = uncertaintyOf(found, lines, found.terms.size(), 0, complex_residues);
@@ -156,7 +156,7 @@ const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
     return all;
 }
 
-double flexibility_mm_N(const ModalMode& mode)
+double flexibilityOf(const ModalMode& mode)
 {
     // Re of 1/(k (1 - r² + 2iζr)) is least at r² = 1 + 2ζ; a negative k turns it round: r² = 1 - 2ζ.
     double least = 0;
@@ -186,10 +186,11 @@ ModalFit fitModes(const Frf& frf, const ModalParameters& parameters, const Progr
         reweigh(lines, found);
         found = fitByOrder(thinned(lines, linesToCompare), request, progress.part(0.45, 0.9));
     }
-    found = refinedFully(lines, found, complex_residues, progress);
+    const Progress last = progress.part(0.9, 1);
+    found = refinedFully(lines, found, complex_residues, last);
     for (int pass = 0; by_errors && pass < reweighings; ++pass) {
         reweigh(lines, found);
-        found = refinedFully(lines, found, complex_residues, progress);
+        found = refinedFully(lines, found, complex_residues, last);
     }
     describe(fit, found, lines, complex_residues);
     compare(fit, lines);

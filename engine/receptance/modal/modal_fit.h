@@ -59,6 +59,6 @@ struct ModalFit {
 ModalFit fitModes(const Frf& frf, const ModalParameters& parameters = {}, const Progress& progress = {});
 
 /// Flexibility of one mode in the direction that chatter needs: the least real part of its receptance, sign reversed.
-double flexibility_mm_N(const ModalMode& mode);
+double flexibilityOf(const ModalMode& mode);
 
 }  // namespace lathelier::receptance

@@ -138,7 +138,7 @@ Refined fitByOrder(const FitLines& lines, const OrderRequest& request, const Pro
     for (int count = 0; count <= most; ++count) {
         const Progress part = progress.part(static_cast<double>(count) / (most + 1), (count + 1.0) / (most + 1));
         part.report(0);
-        std::vector<Refined> fits = fitsWith(lines, count, fewer, request.range_hz, complex_residues, Progress());
+        std::vector<Refined> fits = fitsWith(lines, count, fewer, request.range_hz, complex_residues, part);
         bool gained = false;
         for (const Refined& fit : fits) {
             const int modes = modesInside(fit, request.range_hz);

@@ -54,7 +54,7 @@ std::vector<ShownMode> shownModes(const ResponseStudy& study)
     for (std::size_t k = 0; k < study.model.modes.size(); ++k) {
         ShownMode& shown = modes.emplace_back();
         shown.mode = study.model.modes[k];
-        shown.flexibility_nm_N = millionth * flexibility_mm_N(shown.mode);
+        shown.flexibility_nm_N = millionth * flexibilityOf(shown.mode);
         if (study.is_changed) continue;
         const FittedMode& fitted = study.fit->modes[k];
         shown.frequency_uncertainty_hz = fitted.frequency_uncertainty_hz;

@@ -178,7 +178,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
     double damping = 1e-3;
     int settled = 0;
     for (int step = 0; step < ending.steps && settled < ending.settled && !model.terms.empty(); ++step) {
-        progress.report(0);
+        progress.check();
         const Normal normal = allParameters(lines, model, complex_residues);
         bool moved = false;
         for (int attempt = 0; attempt < attempts && !moved; ++attempt) {

@@ -102,7 +102,7 @@ std::vector<PoleTerm> rationalStart(const FitLines& lines, int count, const Prog
     for (std::size_t i = 0; i < lines.value.size(); ++i) size += std::norm(lines.weight[i] * lines.value[i]);
     size = std::sqrt(size) / static_cast<double>(lines.value.size());
     for (int i = 0; i < iterations; ++i) {
-        progress.report(0);
+        progress.check();
         poles = nextPoles(lines, poles, size);
     }
     std::vector<PoleTerm> terms;

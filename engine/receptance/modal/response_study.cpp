@@ -72,9 +72,8 @@ std::vector<std::size_t> byFlexibility(const std::vector<ModalMode>& modes)
 {
     std::vector<std::size_t> order(modes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return flexibility_mm_N(modes[a]) > flexibility_mm_N(modes[b]);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return flexibilityOf(modes[a]) > flexibilityOf(modes[b]); });
     return order;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
@@ -217,6 +218,19 @@ TEST(ModalFit, IsTheSameWithAnyNumberOfThreads)
     EXPECT_EQ(fitModes(frf).model, all.model);
 }
 
+TEST(ModalFit, StopsWhenAskedTo)
+{
+    std::stop_source stop;
+    double last = 0;
+    const Progress progress(stop.get_token(), [&](double fraction, Text) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        if (fraction > .3) stop.request_stop();
+    });
+    EXPECT_THROW(fitModes(measured(sixModes(), {40, 1500, 1, .01}), {}, progress), Cancelled);
+    EXPECT_LT(last, .5);
+}
+
 TEST(ModalFit, ADraggedPeakStandsWhereItWasDropped)
 {
     const ModalModel model{{{400, .02, 2e4}, {420, .02, 3e4, 10}}, {}, {300, 2e-6}};
@@ -249,10 +263,10 @@ TEST(ModalFit, ModesChangedByHandKeepTheRest)
 
 TEST(ModalFit, FlexibilityIsTheLeastRealPart)
 {
-    EXPECT_NEAR(flexibility_mm_N({223, .03, 1e4}), 1 / (4 * 1e4 * .03 * 1.03), 1e-15);
+    EXPECT_NEAR(flexibilityOf({223, .03, 1e4}), 1 / (4 * 1e4 * .03 * 1.03), 1e-15);
     double least = 0;
     for (double f = 100; f < 400; f += .001) least = std::min(least, receptanceOf(ModalMode{223, .03, -1e4}, f).real());
-    EXPECT_NEAR(flexibility_mm_N({223, .03, -1e4}), -least, 1e-8 * -least);
+    EXPECT_NEAR(flexibilityOf({223, .03, -1e4}), -least, 1e-8 * -least);
 }
 
 }  // namespace lathelier::receptance

@@ -122,8 +122,7 @@ std::string takeComputed(FrfPicture& picture, const project::PanelState& state, 
     }
     receptance::ReceptanceParameters computing = picture.question.computing;
     chooseLines(computing, picture);
-    const std::string key =
-        shaft->input.sha256 + (spindle ? spindle->input.sha256 : "") + toJson(toValues(computing)).dump();
+    std::string key = shaft->input.sha256 + (spindle ? spindle->input.sha256 : "") + toJson(toValues(computing)).dump();
     const auto found = stores.of<ComputedMemo>()->find(key, progress.part(0.2, 1), [&](const Progress& part) {
         return receptance::shaftReceptance(shaft->value, computing, machine, part);
     });

@@ -2,6 +2,7 @@
 
 #include "widgets/compare/compare_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
+#include "widgets/frf/frf_panel.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
@@ -17,7 +18,8 @@ const std::vector<PanelFacts>& panelTable()
         compare_panel::comparePanelFacts(),           roundness_panel::roundnessPanelFacts(),
         trajectory_panel::trajectoryPanelFacts(),     longitudinal_panel::longitudinalPanelFacts(),
         cylindricity_panel::cylindricityPanelFacts(), shaft_panel::shaftPanelFacts(),
-        machine_panel::machinePanelFacts(),           lobes_panel::lobesPanelFacts()};
+        machine_panel::machinePanelFacts(),           frf_panel::frfPanelFacts(),
+        lobes_panel::lobesPanelFacts()};
     return table;
 }
 

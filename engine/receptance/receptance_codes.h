@@ -83,6 +83,18 @@ inline constexpr NoteCode spindleNotPassive{
     "spindle_not_passive", Severity::Warning,
     LT_TEXT("Engine", "At {lines} of {all} frequencies the spindle found would give power away.")};
 
+inline constexpr NoteCode frfSlopeContradictsLabel{
+    "frf_slope_contradicts_label", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: stated is {stated}, but up to {to_hz} Hz the magnitude goes with the power {slope} of the "
+            "frequency, as that of {found} does. State the unit as it is, or convert the file.")};
+
+inline constexpr NoteCode frfPowerGivenAway{
+    "frf_power_given_away", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: in {percent} % of its lines the receptance has a positive imaginary part. If force and motion are "
+            "at one place, a direction, a unit or the sign of time is stated wrongly.")};
+
 }  // namespace notes
 
 }  // namespace lathelier

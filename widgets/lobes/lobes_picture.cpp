@@ -8,6 +8,7 @@
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project_codes.h"
+#include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/task/memo.h"
@@ -62,6 +63,8 @@ void takeFile(LobesPicture& picture, const project::Source& source, Stores& stor
     picture.inputs = {loaded->inputs.front()};
     basis = loaded->digest() + toJson(source.import).dump();
     picture.notes = loaded->file.notes;
+    const Notes checked = receptance::checkResponse(loaded->file.frfs.front(), source.path);
+    picture.notes.insert(picture.notes.end(), checked.begin(), checked.end());
     if (const std::size_t count = loaded->file.frfs.size(); count > 1)
         picture.notes.push_back(
             {notes::severalResponses, {{"path", source.path}, {"count", static_cast<std::int64_t>(count)}}});
@@ -69,12 +72,6 @@ void takeFile(LobesPicture& picture, const project::Source& source, Stores& stor
 }
 
 }  // namespace
-
-io::FrfFile FrfStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
-{
-    return io::readFrf(source.path, inputs.open(source.path, progress), fromValues<io::ImportOptions>(source.import),
-                       fromValues<io::FrfOptions>(source.import), progress);
-}
 
 LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
 {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/report/colours.h"
+#include "engine/report/chart.h"
 #include "widgets/scene/scene_data.h"
 
 namespace lathelier::plot {

@@ -102,7 +102,7 @@ void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::
 report::Answer TrajectoryPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     const trajectory::TrajectorySection* chosen = picture.chosenSection();
-    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen, screenLanguage()) : report::Answer();
+    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen) : report::Answer();
 }
 
 report::Document TrajectoryPanel::document(const trajectory_common::SpindlePicture& picture) const

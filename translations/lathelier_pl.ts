@@ -4732,22 +4732,6 @@
         <translation>H: ugięcie na siłę</translation>
     </message>
     <message>
-        <source>L: deflection per moment</source>
-        <translation>L: ugięcie na moment</translation>
-    </message>
-    <message>
-        <source>mm/(N·mm)</source>
-        <translation>mm/(N·mm)</translation>
-    </message>
-    <message>
-        <source>P: rotation per moment</source>
-        <translation>P: obrót na moment</translation>
-    </message>
-    <message>
-        <source>rad/(N·mm)</source>
-        <translation>rad/(N·mm)</translation>
-    </message>
-    <message>
         <source>Inverse receptance coupling line by line: a linear start from the motion of the joint, then weighted least squares on the measured responses.</source>
         <translation>Odwrotne sprzęganie receptancji prążek po prążku: początek liniowy z ruchu połączenia, potem ważone najmniejsze kwadraty na zmierzonych charakterystykach.</translation>
     </message>
@@ -5526,6 +5510,686 @@
     <message>
         <source>Stable at every speed up to {depth_mm:3} mm</source>
         <translation>Stabilne przy każdej prędkości do {depth_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>{lines} lines are too many to be kept in a project; at most {maximum} are.</source>
+        <translation>Linii jest {lines}, za dużo, by przechować je w projekcie; przechowuje się najwyżej {maximum}.</translation>
+    </message>
+    <message>
+        <source>a receptance</source>
+        <translation>receptancja</translation>
+    </message>
+    <message>
+        <source>a mobility</source>
+        <translation>mobilność</translation>
+    </message>
+    <message>
+        <source>an accelerance</source>
+        <translation>akcelerancja</translation>
+    </message>
+    <message>
+        <source>{found} lines lie between {from_hz} and {to_hz} Hz; a modal fit needs at least {minimum}.</source>
+        <translation>Między {from_hz} a {to_hz} Hz linii jest {found}; dopasowanie modalne wymaga co najmniej {minimum}.</translation>
+    </message>
+    <message>
+        <source>Modes are fitted to a receptance (displacement per force); convert the response first.</source>
+        <translation>Postacie dopasowuje się do receptancji (przemieszczenie na siłę); najpierw przelicz charakterystykę.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz: {lines} lines lie in its half-power band, at least {minimum} are needed to measure its damping. Use a finer frequency resolution.</source>
+        <translation>Postać przy {frequency_hz} Hz: w jej paśmie połowy mocy leżą linie w liczbie {lines}, do pomiaru tłumienia potrzeba co najmniej {minimum}. Użyj mniejszego kroku częstotliwości.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz has a negative stiffness: force and motion are measured at places that move against each other, or a direction is reversed.</source>
+        <translation>Postać przy {frequency_hz} Hz ma ujemną sztywność: siłę i ruch mierzono w miejscach poruszających się przeciwnie albo kierunek jest odwrócony.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz is hardly determined by the data (stiffness ± {percent} %): fewer modes describe the response.</source>
+        <translation>Postać przy {frequency_hz} Hz jest słabo wyznaczona przez dane (sztywność ± {percent} %): charakterystykę opisuje mniej postaci.</translation>
+    </message>
+    <message>
+        <source>{asked} modes were asked for; the response between {from_hz} and {to_hz} Hz supports {found}.</source>
+        <translation>Żądano postaci: {asked}; charakterystyka między {from_hz} a {to_hz} Hz pozwala na {found}.</translation>
+    </message>
+    <message>
+        <source>Between {from_hz} and {to_hz} Hz no mode stands out of the noise.</source>
+        <translation>Między {from_hz} a {to_hz} Hz żadna postać nie wyróżnia się z szumu.</translation>
+    </message>
+    <message>
+        <source>A mode outside the fitted range takes part in the fit (near {frequency_hz} Hz); it stands for what lies there and is not measured.</source>
+        <translation>W dopasowaniu bierze udział postać spoza zakresu (blisko {frequency_hz} Hz); zastępuje to, co tam leży, i nie jest zmierzona.</translation>
+    </message>
+    <message>
+        <source>The modal fit did not converge; judge it by its error.</source>
+        <translation>Dopasowanie modalne nie zbiegło się; oceń je po błędzie.</translation>
+    </message>
+    <message>
+        <source>one range</source>
+        <translation>jeden zakres</translation>
+    </message>
+    <message>
+        <source>Number of modes</source>
+        <translation>Liczba postaci</translation>
+    </message>
+    <message>
+        <source>1 to 6; 0: as many as the data tell.</source>
+        <translation>1 do 6; 0: tyle, ile mówią dane.</translation>
+    </message>
+    <message>
+        <source>Range of frequencies</source>
+        <translation>Zakres częstotliwości</translation>
+    </message>
+    <message>
+        <source>Whose lines are fitted, as 100:800; empty: all.</source>
+        <translation>Którego linie są dopasowywane, np. 100:800; puste: wszystkie.</translation>
+    </message>
+    <message>
+        <source>Complex residues</source>
+        <translation>Residua zespolone</translation>
+    </message>
+    <message>
+        <source>For modes whose places do not move in phase or against each other.</source>
+        <translation>Dla postaci, których miejsca nie poruszają się zgodnie ani przeciwnie w fazie.</translation>
+    </message>
+    <message>
+        <source>f</source>
+        <translation>f</translation>
+    </message>
+    <message>
+        <source>Natural frequency, undamped.</source>
+        <translation>Częstotliwość własna, bez tłumienia.</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
+    <message>
+        <source>Damping ratio, of critical damping.</source>
+        <translation>Stopień tłumienia, względem krytycznego.</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Modal stiffness, force over displacement at rest; negative between places out of phase.</source>
+        <translation>Sztywność modalna, siła przez przemieszczenie w spoczynku; ujemna między miejscami w przeciwfazie.</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Of the residue: 0 for a real normal mode.</source>
+        <translation>Residuum: 0 dla rzeczywistej postaci normalnej.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>zmierzona</translation>
+    </message>
+    <message>
+        <source>modal model, changed by hand</source>
+        <translation>model modalny, zmieniony ręcznie</translation>
+    </message>
+    <message>
+        <source>modal model</source>
+        <translation>model modalny</translation>
+    </message>
+    <message>
+        <source>{frequency} Hz</source>
+        <translation>{frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Phase of the receptance</source>
+        <translation>Faza receptancji</translation>
+    </message>
+    <message>
+        <source>Real part of the receptance</source>
+        <translation>Część rzeczywista receptancji</translation>
+    </message>
+    <message>
+        <source>Real part</source>
+        <translation>Część rzeczywista</translation>
+    </message>
+    <message>
+        <source>Imaginary part of the receptance</source>
+        <translation>Część urojona receptancji</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Część urojona</translation>
+    </message>
+    <message>
+        <source>Nyquist plot of the receptance</source>
+        <translation>Wykres Nyquista receptancji</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Koherencja</translation>
+    </message>
+    <message>
+        <source>Coherence γ²</source>
+        <translation>Koherencja γ²</translation>
+    </message>
+    <message>
+        <source>Error of the modal model</source>
+        <translation>Błąd modelu modalnego</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Błąd</translation>
+    </message>
+    <message>
+        <source>Rank by flexibility</source>
+        <translation>Kolejność według podatności</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Kolejność</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Jej niepewność standardowa</translation>
+    </message>
+    <message>
+        <source>u(f)</source>
+        <translation>u(f)</translation>
+    </message>
+    <message>
+        <source>Damping ratio ζ</source>
+        <translation>Stopień tłumienia ζ</translation>
+    </message>
+    <message>
+        <source>u(ζ)</source>
+        <translation>u(ζ)</translation>
+    </message>
+    <message>
+        <source>u(k)</source>
+        <translation>u(k)</translation>
+    </message>
+    <message>
+        <source>Phase of the residue</source>
+        <translation>Faza residuum</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>faza</translation>
+    </message>
+    <message>
+        <source>Least real part of this mode, sign reversed</source>
+        <translation>Najmniejsza część rzeczywista tej postaci, z odwróconym znakiem</translation>
+    </message>
+    <message>
+        <source>nm/N</source>
+        <translation>nm/N</translation>
+    </message>
+    <message>
+        <source>-min Re</source>
+        <translation>-min Re</translation>
+    </message>
+    <message>
+        <source>{rank}. {frequency} Hz: {flexibility} nm/N · ζ {damping} %</source>
+        <translation>{rank}. {frequency} Hz: {flexibility} nm/N · ζ {damping} %</translation>
+    </message>
+    <message>
+        <source>mm/(N·s²)</source>
+        <translation>mm/(N·s²)</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Reszty</translation>
+    </message>
+    <message>
+        <source>Of modes below, 1/M</source>
+        <translation>Postaci poniżej, 1/M</translation>
+    </message>
+    <message>
+        <source>Of modes above, 1/K</source>
+        <translation>Postaci powyżej, 1/K</translation>
+    </message>
+    <message>
+        <source>Least real part {real} nm/N · lines: {lines}</source>
+        <translation>Najmniejsza część rzeczywista {real} nm/N · linii: {lines}</translation>
+    </message>
+    <message>
+        <source>changed by hand</source>
+        <translation>zmienione ręcznie</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>dopasowane</translation>
+    </message>
+    <message>
+        <source>Dominant mode</source>
+        <translation>Postać dominująca</translation>
+    </message>
+    <message>
+        <source>ζ {damping} % · k {stiffness} N/mm · error of the model {error} % (rms) · modes: {modes}</source>
+        <translation>ζ {damping} % · k {stiffness} N/mm · błąd modelu {error} % (rms) · postaci: {modes}</translation>
+    </message>
+    <message>
+        <source>Frequency response and its modes</source>
+        <translation>Charakterystyka częstotliwościowa i jej postacie</translation>
+    </message>
+    <message>
+        <source>Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: a rational fraction gives the start, Gauss and Newton refine all parameters with weights from coherence, or from the errors of the fit where it is not known. Uncertainties are standard uncertainties from the covariance.</source>
+        <translation>Postacie z tłumieniem wiskotycznym, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: punkt startowy daje ułamek wymierny, a metoda Gaussa-Newtona poprawia wszystkie parametry z wagami z koherencji albo, gdy jej brak, z błędów dopasowania. Niepewności są niepewnościami standardowymi z kowariancji.</translation>
+    </message>
+    <message>
+        <source>Handbook values of {material} are assumed, not those of this bar (source: {source}).</source>
+        <translation>Przyjęto wartości z poradnika dla: {material}, a nie wartości tego pręta (źródło: {source}).</translation>
+    </message>
+    <message>
+        <source>The springs are taken from the library, not from this machine (source: {source}).</source>
+        <translation>Sprężyny pochodzą z biblioteki, a nie z tej maszyny (źródło: {source}).</translation>
+    </message>
+    <message>
+        <source>The shaft is that of the table, which was changed since {source} was opened.</source>
+        <translation>Wał jest wzięty z tabeli, którą zmieniono po otwarciu {source}.</translation>
+    </message>
+    <message>
+        <source>{path}: stated is {stated}, but up to {to_hz} Hz the magnitude goes with the power {slope} of the frequency, as that of {found} does. State the unit as it is, or convert the file.</source>
+        <translation>{path}: podano: {stated}, lecz do {to_hz} Hz moduł zmienia się z potęgą {slope} częstotliwości, jak {found}. Podaj właściwą jednostkę albo przelicz plik.</translation>
+    </message>
+    <message>
+        <source>{path}: in {percent} % of its lines the receptance has a positive imaginary part. If force and motion are at one place, a direction, a unit or the sign of time is stated wrongly.</source>
+        <translation>{path}: w {percent} % linii receptancja ma dodatnią część urojoną. Jeżeli siła i ruch są w jednym miejscu, błędnie podano kierunek, jednostkę albo znak czasu.</translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation>Wały</translation>
+    </message>
+    <message>
+        <source>spindle on springs</source>
+        <translation>wrzeciono na sprężynach</translation>
+    </message>
+    <message>
+        <source>spindle, measured</source>
+        <translation>wrzeciono, zmierzone</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>utwierdzony</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>podpora</translation>
+    </message>
+    <message>
+        <source>z from the free end</source>
+        <translation>z od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Mode shapes</source>
+        <translation>Postacie drgań</translation>
+    </message>
+    <message>
+        <source>Deflection, largest 1</source>
+        <translation>Ugięcie, największe 1</translation>
+    </message>
+    <message>
+        <source>{mode}: {frequency} Hz</source>
+        <translation>{mode}: {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Segments, from the free end</source>
+        <translation>Odcinki, od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Mass {mass} kg, length {length_mm:1} mm</source>
+        <translation>Masa {mass} kg, długość {length_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Not held: no static compliance</source>
+        <translation>Niepodparty: brak podatności statycznej</translation>
+    </message>
+    <message>
+        <source>Static compliance {compliance} nm/N</source>
+        <translation>Podatność statyczna {compliance} nm/N</translation>
+    </message>
+    <message>
+        <source>Static compliance not known: the spindle is a table of receptances</source>
+        <translation>Podatność statyczna nieznana: wrzeciono jest tabelą receptancji</translation>
+    </message>
+    <message>
+        <source>Shaft in bending</source>
+        <translation>Wał zginany</translation>
+    </message>
+    <message>
+        <source>Spindles</source>
+        <translation>Wrzeciona</translation>
+    </message>
+    <message>
+        <source>Tap tests</source>
+        <translation>Próby udarowe</translation>
+    </message>
+    <message>
+        <source>L × 100 mm: deflection per moment</source>
+        <translation>L × 100 mm: ugięcie na moment</translation>
+    </message>
+    <message>
+        <source>P × (100 mm)²: rotation per moment</source>
+        <translation>P × (100 mm)²: obrót na moment</translation>
+    </message>
+    <message>
+        <source>Phase of the chuck face</source>
+        <translation>Faza czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>Residual of each line</source>
+        <translation>Reszta każdej linii</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>Rod held out: measured and predicted</source>
+        <translation>Pręt odłożony: zmierzony i przewidziany</translation>
+    </message>
+    <message>
+        <source>points {a} and {b}, predicted</source>
+        <translation>punkty {a} i {b}, przewidziane</translation>
+    </message>
+    <message>
+        <source>Residual of each response</source>
+        <translation>Reszta każdej charakterystyki</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>pręt</translation>
+    </message>
+    <message>
+        <source>point a</source>
+        <translation>punkt a</translation>
+    </message>
+    <message>
+        <source>point b</source>
+        <translation>punkt b</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>użyte</translation>
+    </message>
+    <message>
+        <source>residual (%)</source>
+        <translation>reszta (%)</translation>
+    </message>
+    <message>
+        <source>Measured by a hammer or shaker: UFF, CSV or MAT.</source>
+        <translation>Zmierzona młotkiem lub wzbudnikiem: UFF, CSV albo MAT.</translation>
+    </message>
+    <message>
+        <source>Whose computed response is drawn under the measured one: SHAFT.json or a stock file.</source>
+        <translation>Którego obliczona charakterystyka jest rysowana pod zmierzoną: SHAFT.json albo plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>That holds the shaft: SPINDLE.json. Without it the shaft is free.</source>
+        <translation>Które trzyma wał: SPINDLE.json. Bez niego wał jest swobodny.</translation>
+    </message>
+    <message>
+        <source>Drop a measured frequency response here, or a shaft and its spindle.</source>
+        <translation>Upuść tu zmierzoną charakterystykę częstotliwościową albo wał i jego wrzeciono.</translation>
+    </message>
+    <message>
+        <source>FRF</source>
+        <translation>FRF</translation>
+    </message>
+    <message>
+        <source>Frequency response or shaft</source>
+        <translation>Charakterystyka częstotliwościowa lub wał</translation>
+    </message>
+    <message>
+        <source>a stiffness, not 0</source>
+        <translation>sztywność różna od 0</translation>
+    </message>
+    <message>
+        <source>Fitting modes</source>
+        <translation>Dopasowywanie postaci</translation>
+    </message>
+    <message>
+        <source>Computed response</source>
+        <translation>Charakterystyka obliczona</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Charakterystyka</translation>
+    </message>
+    <message>
+        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: the first.</source>
+        <translation>Która z kilku w pliku: jej numer albo węzły jako 12/5 (odpowiedź/siła). Puste: pierwsza.</translation>
+    </message>
+    <message>
+        <source>Fit modes</source>
+        <translation>Dopasuj postacie</translation>
+    </message>
+    <message>
+        <source>Finds the modes.</source>
+        <translation>Znajduje postacie.</translation>
+    </message>
+    <message>
+        <source>The response itself</source>
+        <translation>Sama charakterystyka</translation>
+    </message>
+    <message>
+        <source>The modal model</source>
+        <translation>Model modalny</translation>
+    </message>
+    <message>
+        <source>Use for lobes</source>
+        <translation>Do krzywych workowych</translation>
+    </message>
+    <message>
+        <source>What “Use this response” hands on: the response, or its modal model.</source>
+        <translation>Co przekazuje „Użyj tej charakterystyki”: charakterystykę albo jej model modalny.</translation>
+    </message>
+    <message>
+        <source>Modes changed by hand</source>
+        <translation>Postacie zmienione ręcznie</translation>
+    </message>
+    <message>
+        <source>In place of those of the fit; drag a peak in the magnitude chart.</source>
+        <translation>Zamiast dopasowanych; przeciągnij szczyt na wykresie modułu.</translation>
+    </message>
+    <message>
+        <source>SHAFT.json or a stock file; fills the table of segments</source>
+        <translation>SHAFT.json albo plik półfabrykatu; wypełnia tabelę odcinków</translation>
+    </message>
+    <message>
+        <source>SPINDLE.json, or what the panel Spindle made; without it the shaft is free</source>
+        <translation>SPINDLE.json albo wynik panelu Wrzeciono; bez niego wał jest swobodny</translation>
+    </message>
+    <message>
+        <source>Drop a shaft here (SHAFT.json, stock text), or state its segments.</source>
+        <translation>Upuść tu wał (SHAFT.json, tekst półfabrykatu) albo podaj jego odcinki.</translation>
+    </message>
+    <message>
+        <source>Shaft or segments</source>
+        <translation>Wał lub odcinki</translation>
+    </message>
+    <message>
+        <source>From the free end; 0: a tailstock.</source>
+        <translation>Od wolnego końca; 0: konik.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Sztywność</translation>
+    </message>
+    <message>
+        <source>Against deflection.</source>
+        <translation>Przeciw ugięciu.</translation>
+    </message>
+    <message>
+        <source>The spring is multiplied by 1 + iη.</source>
+        <translation>Sprężyna jest mnożona przez 1 + iη.</translation>
+    </message>
+    <message>
+        <source>From the free end toward the chuck. A file fills the table; once it is changed, the table rules.</source>
+        <translation>Od wolnego końca do uchwytu. Plik wypełnia tabelę; po zmianie obowiązuje tabela.</translation>
+    </message>
+    <message>
+        <source>Segments changed from</source>
+        <translation>Odcinki zmienione względem</translation>
+    </message>
+    <message>
+        <source>The input that the table was changed from.</source>
+        <translation>Dane, względem których zmieniono tabelę.</translation>
+    </message>
+    <message>
+        <source>as the file states</source>
+        <translation>jak podaje plik</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stal</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Stal nierdzewna</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Brass</source>
+        <translation>Mosiądz</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Tytan</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Żeliwo</translation>
+    </message>
+    <message>
+        <source>Handbook values of the library are marked as assumed.</source>
+        <translation>Wartości z biblioteki są oznaczone jako przyjęte.</translation>
+    </message>
+    <message>
+        <source>Own material</source>
+        <translation>Własny materiał</translation>
+    </message>
+    <message>
+        <source>Stated in place of the file and the library.</source>
+        <translation>Podany zamiast pliku i biblioteki.</translation>
+    </message>
+    <message>
+        <source>the spindle given, else free</source>
+        <translation>podane wrzeciono, inaczej swobodny</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>sprężyny</translation>
+    </message>
+    <message>
+        <source>clamped rigidly</source>
+        <translation>sztywno utwierdzony</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>swobodny</translation>
+    </message>
+    <message>
+        <source>Held at the chuck</source>
+        <translation>Mocowanie w uchwycie</translation>
+    </message>
+    <message>
+        <source>At the last segment&apos;s end.</source>
+        <translation>Na końcu ostatniego odcinka.</translation>
+    </message>
+    <message>
+        <source>Springs at the chuck</source>
+        <translation>Sprężyny w uchwycie</translation>
+    </message>
+    <message>
+        <source>Where it is held by springs.</source>
+        <translation>Gdy trzymają go sprężyny.</translation>
+    </message>
+    <message>
+        <source>Tailstock and rests</source>
+        <translation>Konik i podtrzymki</translation>
+    </message>
+    <message>
+        <source>Springs between the shaft and the ground.</source>
+        <translation>Sprężyny między wałem a podstawą.</translation>
+    </message>
+    <message>
+        <source>MEASUREMENTS.json, with the file of frequency responses beside it</source>
+        <translation>MEASUREMENTS.json, z plikiem charakterystyk częstotliwościowych obok</translation>
+    </message>
+    <message>
+        <source>Drop tap tests on rods here (MEASUREMENTS.json), or choose springs or a known machine.</source>
+        <translation>Upuść tu próby udarowe na prętach (MEASUREMENTS.json) albo wybierz sprężyny lub znaną maszynę.</translation>
+    </message>
+    <message>
+        <source>Tap tests or springs</source>
+        <translation>Próby udarowe lub sprężyny</translation>
+    </message>
+    <message>
+        <source>Residual of the rod held out</source>
+        <translation>Reszta pręta odłożonego</translation>
+    </message>
+    <message>
+        <source>Of the responses used {used} % · responses: {responses} · lines: {lines}</source>
+        <translation>Użytych charakterystyk {used} % · charakterystyk: {responses} · linii: {lines}</translation>
+    </message>
+    <message>
+        <source>✓ accepted</source>
+        <translation>✓ przyjęte</translation>
+    </message>
+    <message>
+        <source>✗ not accepted</source>
+        <translation>✗ nieprzyjęte</translation>
+    </message>
+    <message>
+        <source>Static compliance of the chuck face</source>
+        <translation>Podatność statyczna czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>Tilt {tilt} µrad/(N·m) · loss factor {loss}</source>
+        <translation>Przechył {tilt} µrad/(N·m) · współczynnik strat {loss}</translation>
+    </message>
+    <message>
+        <source>Quality of the identification</source>
+        <translation>Jakość identyfikacji</translation>
+    </message>
+    <message>
+        <source>tap tests</source>
+        <translation>próby udarowe</translation>
+    </message>
+    <message>
+        <source>lathe of the papers</source>
+        <translation>tokarka z artykułów</translation>
+    </message>
+    <message>
+        <source>stiff lathe (example)</source>
+        <translation>sztywna tokarka (przykład)</translation>
+    </message>
+    <message>
+        <source>soft lathe (example)</source>
+        <translation>podatna tokarka (przykład)</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Skąd znane</translation>
+    </message>
+    <message>
+        <source>Machines of the library are assumed values to begin with.</source>
+        <translation>Maszyny z biblioteki są wartościami przyjętymi na początek.</translation>
+    </message>
+    <message>
+        <source>Where they are typed.</source>
+        <translation>Gdy są wpisywane.</translation>
+    </message>
+    <message>
+        <source>Largest residual</source>
+        <translation>Największa reszta</translation>
+    </message>
+    <message>
+        <source>Of the rod held out, else of all responses used.</source>
+        <translation>Pręta odłożonego, inaczej wszystkich użytych charakterystyk.</translation>
     </message>
 </context>
 <context>
@@ -6809,6 +7473,112 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::frf_panel::FrfPanel</name>
+    <message>
+        <source>Drag a peak</source>
+        <translation>Przeciągnij szczyt</translation>
+    </message>
+    <message>
+        <source>Back to the fit</source>
+        <translation>Powrót do dopasowania</translation>
+    </message>
+    <message>
+        <source>%1, modal model</source>
+        <translation>%1, model modalny</translation>
+    </message>
+    <message>
+        <source>Length %1</source>
+        <translation>Długość %1</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Sprężyny</translation>
+    </message>
+    <message>
+        <source>Table of receptances</source>
+        <translation>Tabela receptancji</translation>
+    </message>
+    <message>
+        <source>%L1 lines</source>
+        <translation>Linii: %L1</translation>
+    </message>
+    <message>
+        <source>%L1 responses · %2</source>
+        <translation>Charakterystyk: %L1 · %2</translation>
+    </message>
+    <message>
+        <source>Response (CSV)…</source>
+        <translation>Charakterystyka (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Response (UFF 58)…</source>
+        <translation>Charakterystyka (UFF 58)…</translation>
+    </message>
+    <message>
+        <source>Universal file (*.uff)</source>
+        <translation>Plik uniwersalny (*.uff)</translation>
+    </message>
+    <message>
+        <source>Modes (CSV)…</source>
+        <translation>Postacie (CSV)…</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::frf_panel::FrfViews</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Postacie</translation>
+    </message>
+    <message>
+        <source>Real part</source>
+        <translation>Część rzeczywista</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Część urojona</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Koherencja</translation>
+    </message>
+    <message>
+        <source>Error of the model</source>
+        <translation>Błąd modelu</translation>
+    </message>
+    <message>
+        <source>Use this response</source>
+        <translation>Użyj tej charakterystyki</translation>
+    </message>
+    <message>
+        <source>Lobes of this response: as measured, or of its modal model (Use for lobes)</source>
+        <translation>Krzywe workowe tej charakterystyki: zmierzonej albo jej modelu modalnego (Do krzywych workowych)</translation>
+    </message>
+    <message>
+        <source>Back to the fit</source>
+        <translation>Powrót do dopasowania</translation>
+    </message>
+    <message>
+        <source>Takes the modes of the fit again in place of those changed by hand</source>
+        <translation>Przyjmuje znów postacie dopasowane zamiast zmienionych ręcznie</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::lobes_panel::LobesPanel</name>
     <message>
         <source>Move the operating point</source>
@@ -6935,6 +7705,72 @@ odchyłka %3</translation>
     <message>
         <source>Two-point range: largest minus smallest distance of opposite points; half of it: GOST</source>
         <translation>Rozstęp dwupunktowy: największa minus najmniejsza odległość przeciwległych punktów; połowa z tego: GOST</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::machine_panel::MachinePanel</name>
+    <message>
+        <source>spindle</source>
+        <translation>wrzeciono</translation>
+    </message>
+    <message>
+        <source>spindle of %1</source>
+        <translation>wrzeciono z %1</translation>
+    </message>
+    <message>
+        <source>%L1 rods, %L2 responses</source>
+        <translation>Prętów: %L1, charakterystyk: %L2</translation>
+    </message>
+    <message>
+        <source>Spindle (SPINDLE.json)…</source>
+        <translation>Wrzeciono (SPINDLE.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Magnitude over frequency (CSV)…</source>
+        <translation>Moduł w funkcji częstotliwości (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::machine_panel::MachineViews</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Rod held out</source>
+        <translation>Pręt odłożony</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Uwarunkowanie</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Charakterystyki</translation>
+    </message>
+    <message>
+        <source>Use this spindle</source>
+        <translation>Użyj tego wrzeciona</translation>
+    </message>
+    <message>
+        <source>Put a shaft on it</source>
+        <translation>Osadź na nim wał</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +8050,112 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Show all</source>
         <translation>Pokaż całość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::shaft_panel::ShaftPanel</name>
+    <message>
+        <source>shaft, %1 mm</source>
+        <translation>wał, %1 mm</translation>
+    </message>
+    <message>
+        <source>Move the end of segment %1</source>
+        <translation>Przesuń koniec odcinka %1</translation>
+    </message>
+    <message>
+        <source>response of %1</source>
+        <translation>charakterystyka: %1</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>sprężyny</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabela</translation>
+    </message>
+    <message>
+        <source>%L1 segments</source>
+        <translation>Odcinków: %L1</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>Receptance (CSV)…</source>
+        <translation>Receptancja (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Receptance (UFF)…</source>
+        <translation>Receptancja (UFF)…</translation>
+    </message>
+    <message>
+        <source>Universal file (*.uff)</source>
+        <translation>Plik uniwersalny (*.uff)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::shaft_panel::ShaftViews</name>
+    <message>
+        <source>Shaft</source>
+        <translation>Wał</translation>
+    </message>
+    <message>
+        <source>Mode shapes</source>
+        <translation>Postacie drgań</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Real and imaginary</source>
+        <translation>Część rzeczywista i urojona</translation>
+    </message>
+    <message>
+        <source>Natural frequencies</source>
+        <translation>Częstotliwości własne</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Drgaj</translation>
+    </message>
+    <message>
+        <source>Let the mode shapes swing</source>
+        <translation>Wprawia postacie drgań w ruch</translation>
+    </message>
+    <message>
+        <source>Use this shaft</source>
+        <translation>Użyj tego wału</translation>
+    </message>
+    <message>
+        <source>Keep it in the project, where other panels take it as an input</source>
+        <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+    <message>
+        <source>Use this response</source>
+        <translation>Użyj tej charakterystyki</translation>
+    </message>
+    <message>
+        <source>Find the stability lobes of this receptance</source>
+        <translation>Wyznacza krzywe workowe tej receptancji</translation>
     </message>
 </context>
 <context>

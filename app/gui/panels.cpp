@@ -14,12 +14,15 @@ namespace lathelier {
 
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{
-        compare_panel::comparePanelFacts(),           roundness_panel::roundnessPanelFacts(),
-        trajectory_panel::trajectoryPanelFacts(),     longitudinal_panel::longitudinalPanelFacts(),
-        cylindricity_panel::cylindricityPanelFacts(), shaft_panel::shaftPanelFacts(),
-        machine_panel::machinePanelFacts(),           frf_panel::frfPanelFacts(),
-        lobes_panel::lobesPanelFacts()};
+    static const std::vector<PanelFacts> table{compare_panel::comparePanelFacts(),
+                                               roundness_panel::roundnessPanelFacts(),
+                                               trajectory_panel::trajectoryPanelFacts(),
+                                               longitudinal_panel::longitudinalPanelFacts(),
+                                               cylindricity_panel::cylindricityPanelFacts(),
+                                               shaft_panel::shaftPanelFacts(),
+                                               machine_panel::machinePanelFacts(),
+                                               frf_panel::frfPanelFacts(),
+                                               lobes_panel::lobesPanelFacts()};
     return table;
 }
 

@@ -44,11 +44,10 @@ report::Answer answer(const ShaftStudy& study, const Language& language)
 {
     report::Answer result = answer(study.response, language);
     if (result.value) result.decimals = 1;
-    report::Finding mass{
-        LT_TEXT("Engine", "Mass {mass} kg, length {length} mm"),
-        {{"mass", fixed(study.mass_kg, 3, language)}, {"length", fixed(study.response.length_mm, 1, language)}},
-        {},
-        {}};
+    report::Finding mass{LT_TEXT("Engine", "Mass {mass} kg, length {length_mm:1} mm"),
+                         {{"mass", fixed(study.mass_kg, 3, language)}, {"length_mm", study.response.length_mm}},
+                         {},
+                         {}};
     report::Finding compliance{LT_TEXT("Engine", "Not held: no static compliance"), {}, {}, {}};
     if (study.static_mm_N) {
         compliance.pattern = LT_TEXT("Engine", "Static compliance {compliance} nm/N");

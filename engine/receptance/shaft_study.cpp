@@ -51,9 +51,9 @@ ShaftStudy studyShaft(const Shaft& shaft, const ReceptanceParameters& parameters
     study.static_mm_N = staticCompliance(beam::beamModel(shaft, material, held, between));
     const std::vector<double>& frequencies_hz = *study.response.natural_frequencies_hz;
     if (!frequencies_hz.empty()) {
-        const double highest_hz = frequencies_hz[std::min(mostModes, frequencies_hz.size()) - 1];
+        const double highest_hz = frequencies_hz[std::min(mostShapes, frequencies_hz.size()) - 1];
         study.modes = beam::modeShapes(model, highest_hz * (1 + beyond), progress.part(0.7, 1));
-        if (study.modes.size() > mostModes) study.modes.resize(mostModes);
+        if (study.modes.size() > mostShapes) study.modes.resize(mostShapes);
     }
     progress.report(1);
     return study;

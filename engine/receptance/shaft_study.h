@@ -12,10 +12,10 @@ struct ShaftStudy {
     std::optional<double> static_mm_N;   ///< deflection per force at rest between the two places asked for; none: the
                                          ///< shaft can move without bending, or its machine is not known at rest
     std::vector<double> places_z_mm;     ///< along the shaft, of the shapes
-    std::vector<beam::ModeShape> modes;  ///< the first ones, at most mostModes; none with a table of receptances
+    std::vector<beam::ModeShape> modes;  ///< the first ones, at most mostShapes; none with a table of receptances
 };
 
-inline constexpr std::size_t mostModes = 4;  ///< whose shapes are found
+inline constexpr std::size_t mostShapes = 4;  ///< whose shapes are found
 
 /// Errors of heldShaftReceptance(). Throws Cancelled.
 ShaftStudy studyShaft(const Shaft& shaft, const ReceptanceParameters& parameters, const ShaftHolding& holding,

@@ -38,10 +38,10 @@ std::optional<Interval> axisRange(const CompareResult& result)
     return Interval{map.z_start_mm, map.z_start_mm + map.z_step_mm * map.z_count};
 }
 
-/// "+0.05": a limit by its value.
-std::string signedNumber(double value, const Language& language)
+/// "+0.05": a limit by its value, in the unit that is shown.
+std::string signedNumber(double value_mm, const Language& language)
 {
-    return (value < 0 ? "−" : "+") + text(Value(std::abs(value)), language);
+    return (value_mm < 0 ? "−" : "+") + text(shownValue(std::abs(value_mm), millimetre, language), language);
 }
 
 /// Zones with their names and their own limits, and what is left out.

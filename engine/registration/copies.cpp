@@ -77,7 +77,7 @@ report::Plot copiesTrend(const std::vector<CopySummary>& copies, const ComparePa
     if (parameters.tolerance_mm)
         for (const double sign : {-1.0, 1.0}) {
             std::string words = sign < 0 ? "−" : "+";
-            words += text(Value(*parameters.tolerance_mm), language);
+            words += text(shownValue(*parameters.tolerance_mm, millimetre, language), language);
             plot.limits.push_back(
                 {report::Limit::Direction::Horizontal, sign * *parameters.tolerance_mm, std::move(words)});
         }

@@ -11,8 +11,9 @@ namespace lathelier::report {
 
 /// The heading of a column of numbers.
 struct Labelled {
-    std::variant<Text, std::string> label;  ///< a phrase, or a name that is the same in every language
-    Text unit;                              ///< in brackets behind it; empty: none
+    Text label;
+    Text unit;              ///< in brackets behind it; empty: none
+    std::string name = {};  ///< in place of the label, when it is the same in every language
     friend bool operator==(const Labelled&, const Labelled&) = default;
 };
 

@@ -200,7 +200,8 @@ report::Table sectionsTable(const TrajectoryResult& result)
         report::listTable<TrajectorySection>(LT_TEXT("Engine", "All sections against the tolerance"), result.sections,
                                              {"section", "z_mm", "RONt_um", "judged", "diameter_mm", "centre_x_um",
                                               "centre_y_um", "run_out_um", "two_point.range_um", "revolutions_used"});
-    table.columns[2] = report::Labelled{"RONt(" + std::string(name(result.parameters.form.circle)) + ")", micrometre};
+    table.columns[2] =
+        report::Labelled{{}, micrometre, "RONt(" + std::string(name(result.parameters.form.circle)) + ")"};
     return table;
 }
 

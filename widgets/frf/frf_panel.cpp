@@ -171,7 +171,7 @@ QString FrfPanel::understood(const InputRole& role, const project::Source& sourc
 {
     if (role.role == shaftRole) {
         const auto loaded = session().stores().of<ShaftStore>()->known(source);
-        return loaded ? tr("Length %1 mm").arg(screenNumber(loaded->file.shaft.length_mm(), 1)) : QString();
+        return loaded ? tr("Length %1").arg(screenQuantity(loaded->file.shaft.length_mm(), millimetre, 1)) : QString();
     }
     if (role.role == spindleRole) {
         const auto loaded = session().stores().of<SpindleStore>()->known(source);

@@ -164,7 +164,7 @@ LimitEdit::LimitEdit(QWidget* parent)
     layout->addWidget(lower_, 1, 0);
     for (QDoubleSpinBox* box : {upper_, lower_}) {
         box->setDecimals(4);
-        box->setRange(0.00001, 100000);
+        box->setRange(0.0001, 1000);
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         box->setKeyboardTracking(false);
         connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { announce(); });
@@ -209,6 +209,11 @@ void LimitEdit::announce()
 void LimitEdit::setUnit(Text unit)
 {
     unit_ = unit;
+    {
+        const QSignalBlocker quiet[]{QSignalBlocker(upper_), QSignalBlocker(lower_)};
+        const double factor = screenFactor(unit_);
+        for (QDoubleSpinBox* box : {upper_, lower_}) box->setRange(factor < 1 ? 1e-5 : 1e-4, factor > 1 ? 1e5 : 1e3);
+    }
     setColours(shown_);
 }
 

@@ -149,8 +149,7 @@ void RoundnessViews::showTables()
     hints_->setTable(hintTable(result));
     report::Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
     if (picture_->superimposed)
-        document.sections.insert(document.sections.begin(),
-                                 superimposeSection(*picture_->superimposed));
+        document.sections.insert(document.sections.begin(), superimposeSection(*picture_->superimposed));
     numbers_->setQuantities(document);
 }
 

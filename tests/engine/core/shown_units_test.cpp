@@ -51,9 +51,10 @@ TEST(ShownUnits, NumbersAndLists)
     EXPECT_EQ(shownNumber(2.54, micrometre, 2, inches()), "100.0");
     EXPECT_EQ(shownNumber(2.54, micrometre, 0, inches()), "100") << "no fewer than none";
     EXPECT_EQ(shownNumber(2.5, Text{"Hz"}, 1, inches()), "2.5");
-    EXPECT_EQ(shownValue(std::vector<double>{25.4, 50.8}, millimetre, inches()), Value(std::vector<double>{1, 2}));
-    EXPECT_EQ(shownValue(std::vector<Interval>{{25.4, 50.8}}, millimetre, inches()),
-              Value(std::vector<Interval>{{1, 2}}));
+    const Value list = shownValue(std::vector<double>{25.4, 50.8}, millimetre, inches());
+    EXPECT_EQ(text(list), "1, 2");
+    const Value ranges = shownValue(std::vector<Interval>{{25.4, 50.8}}, millimetre, inches());
+    EXPECT_EQ(text(ranges), "1:2");
     EXPECT_EQ(shownValue(std::int64_t{3}, millimetre, inches()), Value(std::int64_t{3}));
     EXPECT_EQ(fill("{a_mm} mm", {{"a_mm", 25.4}}, inEngineUnits(inches())), "25.4 mm");
 }

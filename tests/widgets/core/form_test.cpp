@@ -142,11 +142,13 @@ private slots:
     {
         form_->setValues(someValues());
         setScreenUnits({ScreenUnits::Length::Inch, ScreenUnits::Form::Micrometre});
+        QCoreApplication::processEvents();
         auto* const size = qobject_cast<QLineEdit*>(form_->editor("size_mm"));
         const QString shown = size->text();
         type("size_mm", "2");
         const QString count = qobject_cast<QLineEdit*>(form_->editor("count"))->text();
         setScreenUnits({});
+        QCoreApplication::processEvents();
         QCOMPARE(shown, QString("0.08858268"));
         QCOMPARE(count, QString("5"));  // no length
         QCOMPARE(changes_.size(), std::size_t{1});

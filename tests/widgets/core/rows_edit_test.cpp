@@ -72,6 +72,7 @@ private slots:
         type(0, 1, "1.5");
         const Shaft typed = shaft();
         setScreenUnits({});
+        QCoreApplication::processEvents();
         QCOMPARE(head, QString("Length\n(in)"));
         QCOMPARE(shown, QString("0.7874016"));
         QCOMPARE(changes_.size(), std::size_t{1});

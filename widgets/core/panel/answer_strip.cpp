@@ -129,8 +129,9 @@ AnswerRuler::AnswerRuler(QWidget* parent) : QWidget(parent)
 void AnswerRuler::setAnswer(const std::optional<report::Answer>& answer)
 {
     ruler_ = answer ? report::rulerOf(*answer) : std::nullopt;
-    const auto number = [](const std::optional<double>& value) {
-        return value ? said(lathelier::text(Value(*value), screenLanguage())) : QString();
+    const double factor = answer ? screenFactor(answer->unit) : 1;
+    const auto number = [factor](const std::optional<double>& value) {
+        return value ? said(lathelier::text(Value(*value * factor), screenLanguage())) : QString();
     };
     lower_ = answer ? number(answer->lower_limit) : QString();
     upper_ = answer ? number(answer->upper_limit) : QString();

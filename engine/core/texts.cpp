@@ -36,6 +36,14 @@ std::string place(const Values& values, const Language& language)
     return result;
 }
 
+/// The digits that can be meant of a number that was converted: 0.1 mm is 0.003937 in.
+double readable(double converted)
+{
+    if (converted == 0 || !std::isfinite(converted)) return converted;
+    const double digit = std::pow(10, 4 - std::floor(std::log10(std::abs(converted))));
+    return std::round(converted * digit) / digit;
+}
+
 /// {name} or {name:+3} of a pattern.
 struct Brace {
     std::size_t begin = 0, end = 0;  ///< in the pattern, braces included
@@ -244,15 +252,15 @@ Value shownValue(const Value& value, Text unit, const Language& language)
 {
     const double factor = shownUnit(unit, language).factor;
     if (factor == 1) return value;
-    if (const double* number = std::get_if<double>(&value)) return *number * factor;
+    if (const double* number = std::get_if<double>(&value)) return readable(*number * factor);
     if (const auto* list = std::get_if<std::vector<double>>(&value)) {
         std::vector<double> shown = *list;
-        for (double& number : shown) number *= factor;
+        for (double& number : shown) number = readable(number * factor);
         return shown;
     }
     if (const auto* ranges = std::get_if<std::vector<Interval>>(&value)) {
         std::vector<Interval> shown = *ranges;
-        for (Interval& range : shown) range = {range.from * factor, range.to * factor};
+        for (Interval& range : shown) range = {readable(range.from * factor), readable(range.to * factor)};
         return shown;
     }
     return value;

@@ -39,7 +39,7 @@ ShownUnit shownUnit(Text unit, const Language& language);
 /// when it does not exist.
 std::string shownNumber(double value, Text unit, int decimals, const Language& language = {});
 
-/// The numbers of `value` (one, a list, ranges) in the unit that `unit` is shown in; anything else as it is.
+/// The numbers of `value` (one, a list, ranges) in the unit shown, to 5 digits where that is another; else as it is.
 Value shownValue(const Value& value, Text unit, const Language& language);
 
 /// The same language with the engine's units: for files.

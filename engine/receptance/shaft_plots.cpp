@@ -122,7 +122,9 @@ int decimalsOf(double value)
 
 void addDimensions(report::Plot& plot, const Shaft& shaft, double largest_mm, const Language& language)
 {
-    const auto number = [&](double value) { return fixed(value, decimalsOf(value), language); };
+    const auto number = [&](double value_mm) {
+        return shownNumber(value_mm, millimetre, decimalsOf(value_mm), language);
+    };
     double z_mm = 0;
     for (const ShaftSegment& segment : shaft.segments) {
         const double start_mm = segment.start_diameter_mm, end_mm = segment.end_diameter_mm;

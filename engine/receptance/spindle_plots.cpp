@@ -9,7 +9,6 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double scale_mm = 100;
 constexpr double degrees = 180 / std::numbers::pi;
 
 report::Axis frequencyAxis()

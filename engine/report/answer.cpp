@@ -22,7 +22,7 @@ std::string unitText(const Answer& answer, const Language& language)
 /// A limit has the digits that it was given with.
 std::string limitNumber(double value, const Answer& answer, const Language& language)
 {
-    return text(Value(value * shownUnit(answer.unit, language).factor), language);
+    return text(shownValue(value, answer.unit, language), language);
 }
 
 }  // namespace

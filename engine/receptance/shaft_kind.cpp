@@ -63,34 +63,52 @@ io::Likeness likeShaft(const std::string& path, std::string_view head, const Val
     return io::Likeness::No;
 }
 
-io::FileFacts shaftFacts(const io::FileToRead& file, Notes& notes)
+double largestDiameter_mm(const Shaft& shaft)
 {
-    Notes found;
-    const Shaft shaft = readShaftFile(file.bytes, found, file.progress);
-    for (Note& note : found) set(note.values, "path", file.path);
-    notes.insert(notes.end(), found.begin(), found.end());
     double largest_mm = 0;
     for (const ShaftSegment& segment : shaft.segments)
         largest_mm = std::max({largest_mm, segment.start_diameter_mm, segment.end_diameter_mm});
-    io::FileFacts facts;
+    return largest_mm;
+}
+
+}  // namespace
+
+ShaftFile loadShaft(const io::FileToRead& file)
+{
+    ShaftFile loaded;
+    try {
+        loaded.shaft = readShaftFile(file.bytes, loaded.notes, file.progress);
+    } catch (Error& error) {
+        throw error.with("path", file.path);
+    }
+    for (Note& note : loaded.notes) set(note.values, "path", file.path);
+    const Shaft& shaft = loaded.shaft;
+    io::FileFacts& facts = loaded.facts;
     facts.path = file.path;
-    facts.format = io::keysOfHead(file.bytes).empty() ? "stock" : "shaft_json";
+    facts.format = io::keysOfHead(file.bytes.substr(0, io::headForKind)).empty() ? "stock" : "shaft_json";
     facts.unit = "mm";
     facts.unit_source = "stated";
     if (!shaft.name.empty()) set(facts.details, "name", shaft.name);
     set(facts.details, "segments", static_cast<std::int64_t>(shaft.segments.size()));
     set(facts.details, "length_mm", shaft.length_mm());
-    set(facts.details, "largest_diameter_mm", largest_mm);
+    set(facts.details, "largest_diameter_mm", largestDiameter_mm(shaft));
     if (shaft.material) set(facts.details, "material", shaft.material->name);
-    return facts;
+    return loaded;
 }
-
-}  // namespace
 
 const io::FileKind& shaftFiles()
 {
-    static const io::FileKind kind{"shaft",   LT_TEXT("Engine", "Shafts"), "*.json *.txt *.stock", {}, {}, likeShaft,
-                                   shaftFacts};
+    static const io::FileKind kind{"shaft",
+                                   LT_TEXT("Engine", "Shafts"),
+                                   "*.json *.txt *.stock",
+                                   {},
+                                   {},
+                                   likeShaft,
+                                   [](const io::FileToRead& file, Notes& notes) {
+                                       ShaftFile loaded = loadShaft(file);
+                                       notes.insert(notes.end(), loaded.notes.begin(), loaded.notes.end());
+                                       return std::move(loaded.facts);
+                                   }};
     return kind;
 }
 

@@ -1,5 +1,8 @@
 #include "engine/receptance/spindle_kind.h"
 
+#include <filesystem>
+
+#include "engine/io/frf/frf_reader.h"
 #include "engine/io/json/json_head.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/spindle_file.h"
@@ -27,39 +30,30 @@ io::Likeness likeMeasurements(const std::string&, std::string_view head, const V
     return io::hasKey(keys, "rods") && !isResult(keys) ? io::Likeness::Certain : io::Likeness::No;
 }
 
-io::FileFacts factsOf(const io::FileToRead& file, const char* format, Notes& notes, Notes found)
+/// Calls `read`; its errors and notes get the path.
+template <class Read>
+auto named(const io::FileToRead& file, Notes& notes, Read read)
 {
-    for (Note& note : found) set(note.values, "path", file.path);
-    notes.insert(notes.end(), found.begin(), found.end());
+    try {
+        auto value = read(std::string(file.bytes), notes);
+        for (Note& note : notes) set(note.values, "path", file.path);
+        return value;
+    } catch (Error& error) {
+        throw error.with("path", file.path);
+    }
+}
+
+io::FileFacts factsOf(const io::FileToRead& file, const char* format)
+{
     io::FileFacts facts;
     facts.path = file.path;
     facts.format = format;
     return facts;
 }
 
-io::FileFacts spindleFacts(const io::FileToRead& file, Notes& notes)
+io::FileFacts measurementFacts(const io::FileToRead& file, const MeasurementFile& measured)
 {
-    Notes found;
-    const SpindleReceptance spindle = readSpindle(std::string(file.bytes), found);
-    io::FileFacts facts = factsOf(file, "spindle_json", notes, std::move(found));
-    if (const SpindleSprings* springs = spindle.springs()) {
-        set(facts.details, "source", std::string("springs"));
-        for (const auto& [key, value] : toValues(*springs)) set(facts.details, key, value);
-    } else {
-        const std::vector<double>& lines = std::get<SpindleTable>(spindle.source).frequency_hz;
-        set(facts.details, "source", std::string("table"));
-        set(facts.details, "lines", static_cast<std::int64_t>(lines.size()));
-        set(facts.details, "from_hz", lines.front());
-        set(facts.details, "to_hz", lines.back());
-    }
-    return facts;
-}
-
-io::FileFacts measurementFacts(const io::FileToRead& file, Notes& notes)
-{
-    Notes found;
-    const MeasurementFile measured = readMeasurements(std::string(file.bytes), found);
-    io::FileFacts facts = factsOf(file, "measurements_json", notes, std::move(found));
+    io::FileFacts facts = factsOf(file, "measurements_json");
     set(facts.details, "frf", measured.frf);
     Rows rods;
     rods.rows.reserve(measured.rods.size());
@@ -74,17 +68,71 @@ io::FileFacts measurementFacts(const io::FileToRead& file, Notes& notes)
 
 }  // namespace
 
+SpindleFile loadSpindle(const io::FileToRead& file)
+{
+    SpindleFile loaded;
+    loaded.spindle = named(file, loaded.notes, readSpindle);
+    io::FileFacts& facts = loaded.facts = factsOf(file, "spindle_json");
+    if (const SpindleSprings* springs = loaded.spindle.springs()) {
+        set(facts.details, "source", std::string("springs"));
+        for (const auto& [key, value] : lathelier::toValues(*springs)) set(facts.details, key, value);
+    } else {
+        const std::vector<double>& lines = std::get<SpindleTable>(loaded.spindle.source).frequency_hz;
+        set(facts.details, "source", std::string("table"));
+        set(facts.details, "lines", static_cast<std::int64_t>(lines.size()));
+        set(facts.details, "from_hz", lines.front());
+        set(facts.details, "to_hz", lines.back());
+    }
+    return loaded;
+}
+
+TapTests loadTapTests(const io::FileToRead& file)
+{
+    TapTests loaded;
+    const MeasurementFile measured = named(file, loaded.notes, readMeasurements);
+    loaded.facts = measurementFacts(file, measured);
+    const std::string beside = (std::filesystem::path(file.path).parent_path() / measured.frf).string();
+    const io::FrfFile responses =
+        io::readFrf(beside, file.inputs.open(beside, file.progress), fromValues<io::ImportOptions>(file.reading),
+                    fromValues<io::FrfOptions>(file.reading), file.progress);
+    loaded.notes.insert(loaded.notes.end(), responses.notes.begin(), responses.notes.end());
+    std::vector<NodeFrf> frfs;
+    frfs.reserve(responses.frfs.size());
+    for (const io::MeasuredFrf& one : responses.frfs) frfs.push_back({one.response_node, one.reference_node, one.frf});
+    loaded.measurements = measurementsOf(measured, frfs);
+    return loaded;
+}
+
 const io::FileKind& spindleFiles()
 {
-    static const io::FileKind kind{"spindle",   LT_TEXT("Engine", "Spindles"), "*.json", {}, {}, likeSpindle,
-                                   spindleFacts};
+    static const io::FileKind kind{"spindle",
+                                   LT_TEXT("Engine", "Spindles"),
+                                   "*.json",
+                                   {},
+                                   {},
+                                   likeSpindle,
+                                   [](const io::FileToRead& file, Notes& notes) {
+                                       SpindleFile loaded = loadSpindle(file);
+                                       notes.insert(notes.end(), loaded.notes.begin(), loaded.notes.end());
+                                       return std::move(loaded.facts);
+                                   }};
     return kind;
 }
 
 const io::FileKind& measurementFiles()
 {
-    static const io::FileKind kind{"measurements",  LT_TEXT("Engine", "Tap tests"), "*.json", {}, {}, likeMeasurements,
-                                   measurementFacts};
+    static const io::FileKind kind{"measurements",
+                                   LT_TEXT("Engine", "Tap tests"),
+                                   "*.json",
+                                   {},
+                                   {},
+                                   likeMeasurements,
+                                   [](const io::FileToRead& file, Notes& notes) {
+                                       Notes found;
+                                       const MeasurementFile measured = named(file, found, readMeasurements);
+                                       notes.insert(notes.end(), found.begin(), found.end());
+                                       return measurementFacts(file, measured);
+                                   }};
     return kind;
 }
 

@@ -1,48 +1,35 @@
 // Files of shafts and spindles that were read, and the libraries inside the program.
 #pragma once
 
-#include "engine/core/shaft.h"
-#include "engine/io/import.h"
 #include "engine/receptance/library.h"
+#include "engine/receptance/shaft_kind.h"
+#include "engine/receptance/spindle_kind.h"
 #include "widgets/core/files/file_cache.h"
 
 namespace lathelier::chatter_common {
 
-struct ShaftFile {
-    Shaft shaft;          ///< as read
-    io::FileFacts facts;  ///< as inspect says
-    Notes notes;          ///< of the reading
-};
-
-/// Errors as readShaftFile().
-class ShaftStore : public FileCache<ShaftFile> {
+/// Errors as receptance::loadShaft().
+class ShaftStore : public FileCache<receptance::ShaftFile> {
 public:
     ShaftStore() : FileCache(20) {}
 
 protected:
-    ShaftFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
+    receptance::ShaftFile read(const project::Source& source, io::InputFiles& inputs,
+                               const Progress& progress) const override;
 };
 
-struct SpindleFile {
-    receptance::SpindleReceptance spindle;  ///< as read
-    io::FileFacts facts;                    ///< as inspect says
-    Notes notes;                            ///< of the reading
-};
-
-/// Errors as readSpindle().
-class SpindleStore : public FileCache<SpindleFile> {
+/// Errors as receptance::loadSpindle().
+class SpindleStore : public FileCache<receptance::SpindleFile> {
 public:
     SpindleStore() : FileCache(20) {}
 
 protected:
-    SpindleFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
+    receptance::SpindleFile read(const project::Source& source, io::InputFiles& inputs,
+                                 const Progress& progress) const override;
 };
 
 /// Read once from the program's resources. Safe from any thread.
 const std::vector<receptance::LibraryEntry<Material>>& materialLibrary();
 const std::vector<receptance::LibraryEntry<receptance::SpindleSprings>>& machineLibrary();
-
-/// An item as if it had been a file: its name and the digest of its values.
-InputFile inputOfItem(const project::Source& source, const Values& values);
 
 }  // namespace lathelier::chatter_common

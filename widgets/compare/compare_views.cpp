@@ -8,6 +8,7 @@
 
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
+#include "widgets/compare/place_words.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
 #include "widgets/plot/colour_legend.h"
@@ -337,7 +338,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
         p.zones->markZ({});
         return;
     }
-    p.scene->setMarker(place->reference_mm, describe(*place));
+    p.scene->setMarker(place->reference_mm, allWords(*place));
     const bool onMap = place->z_mm && place->angle_deg;
     p.map->setMarker(onMap ? std::optional(QPointF(*place->z_mm, *place->angle_deg)) : std::nullopt);
     p.along->setMarker(place->z_mm);
@@ -351,34 +352,7 @@ void CompareViews::tag(const ComparePlace& place)
 {
     const Parts& p = *parts_;
     const bool means = p.smooth->isChecked() && place.local_mean_mm;
-    const std::optional<double> value_mm = means ? place.local_mean_mm : place.deviation_mm;
-    QString where =
-        place.z_mm && place.angle_deg
-            ? QString("z %1  ·  %2°").arg(screenQuantity(*place.z_mm, millimetre, 1), screenNumber(*place.angle_deg, 0))
-            : QString("%1 · %2 · %3")
-                  .arg(screenNumber(place.reference_mm.x(), millimetre, 1),
-                       screenNumber(place.reference_mm.y(), millimetre, 1),
-                       screenQuantity(place.reference_mm.z(), millimetre, 1));
-    p.scene->setTag(value_mm ? screenQuantity(*value_mm, millimetre, 3, true) : tr("left out"), where);
-}
-
-QString CompareViews::describe(const ComparePlace& place) const
-{
-    const auto signedLength = [](double value) { return screenQuantity(value, millimetre, 3, true); };
-    QStringList lines;
-    lines << QString("X %1   Y %2   Z %3")
-                 .arg(screenNumber(place.reference_mm.x(), millimetre, 3),
-                      screenNumber(place.reference_mm.y(), millimetre, 3),
-                      screenQuantity(place.reference_mm.z(), millimetre, 3));
-    if (place.z_mm && place.angle_deg)
-        lines << tr("along the axis %1, angle %2°")
-                     .arg(screenQuantity(*place.z_mm, millimetre, 2), screenNumber(*place.angle_deg, 1));
-    if (place.deviation_mm)
-        lines << tr("deviation %1").arg(signedLength(*place.deviation_mm));
-    else if (place.point || place.surface)
-        lines << tr("this point was left out");
-    if (place.local_mean_mm) lines << tr("mean around it %1").arg(signedLength(*place.local_mean_mm));
-    return lines.join('\n');
+    p.scene->setTag(valueWords(means ? place.local_mean_mm : place.deviation_mm), placeWords(place));
 }
 
 std::vector<report::Picture> CompareViews::pictures()

@@ -13,6 +13,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/quantity_table.h"
+#include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
@@ -162,7 +163,7 @@ void FrfPanel::assignFiles(project::PanelState& state, const std::vector<FoundFi
 Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
 {
     return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-        takeSpindle(state, *stores, progress);  // all there can be while the state is incomplete
+        chatter_common::takeSpindle(state, *stores, progress);  // all there can be while the state is incomplete
         return nullptr;
     };
 }
@@ -170,11 +171,11 @@ Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
 QString FrfPanel::understood(const InputRole& role, const project::Source& source) const
 {
     if (role.role == shaftRole) {
-        const auto loaded = session().stores().of<ShaftStore>()->known(source);
+        const auto loaded = session().stores().of<chatter_common::ShaftStore>()->known(source);
         return loaded ? tr("Length %1").arg(screenQuantity(loaded->file.shaft.length_mm(), millimetre, 1)) : QString();
     }
     if (role.role == spindleRole) {
-        const auto loaded = session().stores().of<SpindleStore>()->known(source);
+        const auto loaded = session().stores().of<chatter_common::SpindleStore>()->known(source);
         if (!loaded) return {};
         return loaded->file.spindle.springs() ? tr("Springs") : tr("Table of receptances");
     }

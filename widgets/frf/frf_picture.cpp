@@ -5,12 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/core_codes.h"
-#include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/frf/frf_choice.h"
 #include "engine/io/frf/frf_lines.h"
 #include "engine/io/io_codes.h"
-#include "engine/project/project_codes.h"
 #include "engine/receptance/frf_checks.h"
 #include "engine/receptance/modal/modal_quantities.h"
 #include "engine/receptance/modal/modal_report.h"
@@ -34,7 +32,7 @@ void append(Notes& all, const Notes& more)
 }
 
 template <class T>
-void note(FrfPicture& picture, const Taken<T>& taken)
+void note(FrfPicture& picture, const chatter_common::Taken<T>& taken)
 {
     picture.inputs.push_back(taken.input);
     append(picture.notes, taken.notes);
@@ -45,18 +43,14 @@ void note(FrfPicture& picture, const Taken<T>& taken)
 std::string takeMeasured(FrfPicture& picture, const project::PanelState& state, Stores& stores,
                          const Progress& progress)
 {
-    const auto at = state.inputs.find(frfRole);
-    if (at == state.inputs.end()) return {};
-    const project::Source& source = at->second;
-    if (!source.item.empty()) {
-        const Values& values = itemOf(state, frfRole, frfItem);
-        std::optional<Frf> frf = frfOf(values);
-        if (!frf) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(frfItem)}});
-        picture.inputs.push_back(inputOfItem(source, values));
-        picture.study.measured = std::make_shared<const Frf>(*std::move(frf));
+    const project::Source* const found = chatter_common::sourceOf(state, frfRole);
+    if (!found) return {};
+    const project::Source& source = *found;
+    if (const auto item = chatter_common::takeResponseItem(state)) {
+        note(picture, *item);
+        picture.study.measured = std::make_shared<const Frf>(item->value);
         picture.name = source.item;
-        picture.synthetic |= source.synthetic;
-        return picture.inputs.back().sha256;
+        return item->input.sha256;
     }
     const auto loaded = stores.of<FrfStore>()->load(source, progress);
     const io::MeasuredFrf& chosen = io::chosenResponse(loaded->file.frfs, picture.question.response);
@@ -111,10 +105,10 @@ void chooseLines(receptance::ReceptanceParameters& computing, const FrfPicture& 
 std::string takeComputed(FrfPicture& picture, const project::PanelState& state, Stores& stores,
                          const Progress& progress)
 {
-    const auto shaft = takeShaft(state, stores, progress.part(0, 0.1));
+    const auto shaft = chatter_common::takeShaft(state, stores, progress.part(0, 0.1));
     if (!shaft) return {};
     note(picture, *shaft);
-    const auto spindle = takeSpindle(state, stores, progress.part(0.1, 0.2));
+    const auto spindle = chatter_common::takeSpindle(state, stores, progress.part(0.1, 0.2));
     std::optional<receptance::SpindleReceptance> machine;
     if (spindle) {
         note(picture, *spindle);

@@ -8,12 +8,15 @@
 #include "engine/receptance/modal/response_study.h"
 #include "engine/report/document.h"
 #include "widgets/chatter_common/frf_files.h"
+#include "widgets/chatter_common/taken_input.h"
 #include "widgets/frf/frf_question.h"
-#include "widgets/frf/model_files.h"
 
 namespace lathelier::frf_panel {
 
+using chatter_common::frfRole;
 using chatter_common::FrfStore;
+using chatter_common::shaftRole;
+using chatter_common::spindleRole;
 
 struct FrfPicture {
     receptance::ResponseStudy study;  ///< responses and model

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
-#include "engine/project/project_codes.h"
 #include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
-#include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/task/memo.h"
 
 namespace lathelier::lobes_panel {
@@ -41,20 +38,6 @@ void recommend(LobesPicture& picture)
     }
 }
 
-/// A response that another panel made. Error itemNotThere.
-void takeItem(LobesPicture& picture, const project::PanelState& state, const project::Source& source,
-              std::string& basis)
-{
-    const auto item = state.items.find(frfRole);
-    std::optional<Frf> frf;
-    if (item != state.items.end() && item->second.kind == frfItem) frf = frfOf(item->second.values);
-    if (!frf) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(frfItem)}});
-    picture.inputs = {chatter_common::inputOfItem(source, item->second.values)};
-    picture.frf = std::make_shared<const Frf>(*std::move(frf));
-    basis = picture.inputs.front().sha256;
-    picture.synthetic = source.synthetic;
-}
-
 void takeFile(LobesPicture& picture, const project::Source& source, Stores& stores, const Progress& progress,
               std::string& basis)
 {
@@ -79,11 +62,13 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
     picture.question = fromValues<LobesQuestion>(state.parameters);
     const LobesQuestion& question = picture.question;
     std::string basis;  // tells responses apart
-    const auto source = state.inputs.find(frfRole);
-    if (source != state.inputs.end() && !source->second.item.empty()) {
-        takeItem(picture, state, source->second, basis);
-    } else if (source != state.inputs.end()) {
-        takeFile(picture, source->second, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
+    if (const auto item = chatter_common::takeResponseItem(state)) {
+        picture.frf = std::make_shared<const Frf>(item->value);
+        picture.inputs = {item->input};
+        picture.synthetic = item->synthetic;
+        basis = item->input.sha256;
+    } else if (const project::Source* source = chatter_common::sourceOf(state, frfRole)) {
+        takeFile(picture, *source, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
     } else {
         const double highest =
             question.lobes.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : question.lobes.speed_rpm.front().to;

@@ -7,6 +7,7 @@
 #include "engine/report/document.h"
 #include "engine/stability/stability_plots.h"
 #include "widgets/chatter_common/frf_files.h"
+#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/lobes/lobes_question.h"
 
@@ -14,7 +15,7 @@ namespace lathelier::lobes_panel {
 
 using chatter_common::FrfStore;
 
-inline constexpr const char* frfRole = "frf";
+using chatter_common::frfRole;
 
 struct LobesPicture {
     std::shared_ptr<const Frf> frf;                      ///< receptance of the point that is cut

@@ -2,22 +2,12 @@
 
 #include <limits>
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/frf/frf_lines.h"
-#include "engine/io/io_codes.h"
-#include "engine/project/project_codes.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_item.h"
 #include "widgets/chatter_common/shaft_files.h"
 
 namespace lathelier::shaft_panel {
 namespace {
-
-const project::Source* sourceOf(const project::PanelState& state, const char* role)
-{
-    const auto source = state.inputs.find(role);
-    return source == state.inputs.end() ? nullptr : &source->second;
-}
 
 /// What stands for a source in a sentence.
 std::string nameOf(const project::Source& source)
@@ -25,39 +15,13 @@ std::string nameOf(const project::Source& source)
     return source.item.empty() ? source.path : source.item;
 }
 
-/// Values of the item that an input names. Error itemNotThere.
-const Values& itemOf(const project::PanelState& state, const char* role, const char* kind)
-{
-    const auto item = state.items.find(role);
-    if (item != state.items.end() && item->second.kind == kind) return item->second.values;
-    throw Error(errors::itemNotThere, {{"item", state.inputs.at(role).item}, {"kind", std::string(kind)}});
-}
-
 template <class T>
-T required(std::optional<T> value, const project::Source& source, const char* kind)
+T noted(ShaftPicture& picture, chatter_common::Taken<T> taken)
 {
-    if (!value) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(kind)}});
-    return *std::move(value);
-}
-
-void take(ShaftPicture& picture, const project::Source& source, const InputFile& input, const Notes& notes)
-{
-    picture.inputs.push_back(input);
-    picture.notes.insert(picture.notes.end(), notes.begin(), notes.end());
-    picture.synthetic |= source.synthetic || contains(notes, notes::syntheticData);
-}
-
-Shaft shaftOfInput(ShaftPicture& picture, const project::PanelState& state, const project::Source& source,
-                   Stores& stores, const Progress& progress)
-{
-    if (source.item.empty()) {
-        const auto loaded = stores.of<chatter_common::ShaftStore>()->load(source, progress);
-        take(picture, source, loaded->inputs.front(), loaded->file.notes);
-        return loaded->file.shaft;
-    }
-    const Values& values = itemOf(state, shaftRole, shaftItem);
-    take(picture, source, chatter_common::inputOfItem(source, values), {});
-    return required(shaftOf(values), source, shaftItem);
+    picture.inputs.push_back(std::move(taken.input));
+    picture.notes.insert(picture.notes.end(), taken.notes.begin(), taken.notes.end());
+    picture.synthetic |= taken.synthetic;
+    return std::move(taken.value);
 }
 
 /// The table where it was changed; where the file it came from is gone by now, the table is enough.
@@ -65,9 +29,9 @@ void chooseShaft(ShaftPicture& picture, const project::PanelState& state, Stores
 {
     const ShaftQuestion& question = picture.question;
     picture.table_rules = !question.segments.empty() && question.segments_of == identity(state);
-    if (const project::Source* source = sourceOf(state, shaftRole)) {
+    if (const project::Source* source = chatter_common::sourceOf(state, shaftRole)) {
         try {
-            picture.shaft = shaftOfInput(picture, state, *source, stores, progress);
+            picture.shaft = noted(picture, *chatter_common::takeShaft(state, stores, progress));
         } catch (const Error&) {
             if (!picture.table_rules) throw;
         }
@@ -116,17 +80,8 @@ void chooseHolding(ShaftPicture& picture, const project::PanelState& state, Stor
         case Hold::Springs: holding.spindle = receptance::SpindleReceptance{question.springs}; return;
         case Hold::Given: break;
     }
-    const project::Source* source = sourceOf(state, spindleRole);
-    if (!source) return;
-    if (source->item.empty()) {
-        const auto loaded = stores.of<chatter_common::SpindleStore>()->load(*source, progress);
-        take(picture, *source, loaded->inputs.front(), loaded->file.notes);
-        holding.spindle = loaded->file.spindle;
-    } else {
-        const Values& values = itemOf(state, spindleRole, receptance::spindleItem);
-        take(picture, *source, chatter_common::inputOfItem(*source, values), {});
-        holding.spindle = required(receptance::spindleOf(values), *source, receptance::spindleItem);
-    }
+    if (auto spindle = chatter_common::takeSpindle(state, stores, progress))
+        holding.spindle = noted(picture, *std::move(spindle));
 }
 
 /// A table of the spindle says what range there is.
@@ -147,7 +102,7 @@ receptance::ReceptanceParameters responseAsked(const ShaftPicture& picture)
 
 std::string identity(const project::PanelState& state)
 {
-    const project::Source* source = sourceOf(state, shaftRole);
+    const project::Source* source = chatter_common::sourceOf(state, shaftRole);
     if (!source) return {};
     return source->item.empty() ? source->path : "item " + source->item;
 }

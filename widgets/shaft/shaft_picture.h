@@ -8,13 +8,13 @@
 #include "engine/project/project.h"
 #include "engine/receptance/shaft_study.h"
 #include "engine/report/document.h"
-#include "widgets/core/files/stores.h"
+#include "widgets/chatter_common/taken_input.h"
 #include "widgets/shaft/shaft_question.h"
 
 namespace lathelier::shaft_panel {
 
-inline constexpr const char* shaftRole = "shaft";
-inline constexpr const char* spindleRole = "spindle";
+using chatter_common::shaftRole;
+using chatter_common::spindleRole;
 
 struct ShaftPicture {
     Shaft shaft;                       ///< as computed

@@ -1,23 +1,30 @@
 #include "widgets/spindle_machine/machine_picture.h"
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/io/frf/frf_reader.h"
 #include "engine/io/io_codes.h"
 #include "engine/receptance/receptance_codes.h"
+#include "engine/receptance/receptance_quantities.h"
 #include "engine/receptance/receptance_report.h"
 #include "engine/receptance/spindle_file.h"
-#include "engine/receptance/spindle_kind.h"
 #include "engine/receptance/spindle_plots.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/result_json.h"
 #include "widgets/chatter_common/shaft_files.h"
+#include "widgets/core/task/memo.h"
 
 namespace lathelier::machine_panel {
 namespace {
 
 constexpr double nanometres = 1e6;  ///< per mm
+
+struct Identified {
+    receptance::SpindleIdentification spindle;
+    receptance::SpindleCheck check;
+};
+
+/// By measurements and parameters: another limit computes nothing anew.
+struct IdentifiedMemo : Memo<Identified> {};
 
 void identify(MachinePicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
 {
@@ -27,13 +34,21 @@ void identify(MachinePicture& picture, const project::PanelState& state, Stores&
     picture.inputs = loaded->inputs;
     picture.notes = loaded->file.notes;
     picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
-    picture.identified = identifySpindle(loaded->file.measurements, picture.question.identification,
-                                         progress.part(0.1, 0.9, LT_TEXT("Engine", "Identifying")));
-    picture.check = checkSpindle(loaded->file.measurements, *picture.identified, progress.part(0.9, 1));
+    const receptance::SpindleMeasurements& measured = loaded->file.measurements;
+    const auto& asked = picture.question.identification;
+    const auto found = stores.of<IdentifiedMemo>()->find(
+        loaded->digest() + toJson(source.import).dump() + toJson(toValues(asked)).dump(),
+        progress.part(0.1, 1, LT_TEXT("Engine", "Identifying")), [&](const Progress& identifying) {
+            Identified result{identifySpindle(measured, asked, identifying.part(0, 0.9)), {}};
+            result.check = checkSpindle(measured, result.spindle, identifying.part(0.9, 1));
+            return result;
+        });
+    picture.identified = {found, &found->spindle};
+    picture.check = {found, &found->check};
     picture.spindle = picture.identified->spindle;
     picture.used = picture.identified->used;
-    const Notes& found = picture.identified->notes;
-    picture.notes.insert(picture.notes.end(), found.begin(), found.end());
+    const Notes& remarks = picture.identified->notes;
+    picture.notes.insert(picture.notes.end(), remarks.begin(), remarks.end());
 }
 
 void takeSprings(MachinePicture& picture)
@@ -54,14 +69,8 @@ void takeSprings(MachinePicture& picture)
 Json resultOf(const MachinePicture& picture)
 {
     if (!picture.identified) return Json::parse(receptance::spindleText(picture.spindle));
-    const receptance::SpindleIdentification& found = *picture.identified;
-    Json json;
-    json["frequency_hz"] = found.frequency_hz;
-    json["condition"] = found.condition;
+    Json json = nestedJson(describedValues(*picture.identified));
     json["residual_percent"] = picture.check->residual_percent;
-    json["residual_rms_percent"] = found.residual_rms_percent;
-    json["hold_out_rms_percent"] = found.hold_out_rms_percent ? Json(*found.hold_out_rms_percent) : Json();
-    json["frfs"] = found.frfs;
     return json;
 }
 
@@ -78,30 +87,10 @@ report::Document springsReport(const MachinePicture& picture, const Language& la
 
 }  // namespace
 
-MeasuredFile MeasurementStore::read(const project::Source& source, io::InputFiles& inputs,
-                                    const Progress& progress) const
+receptance::TapTests MeasurementStore::read(const project::Source& source, io::InputFiles& inputs,
+                                            const Progress& progress) const
 {
-    MeasuredFile file;
-    receptance::MeasurementFile measured;
-    Notes twice;
-    const std::string_view bytes = inputs.open(source.path, progress);
-    try {
-        measured = receptance::readMeasurements(std::string(bytes), twice);
-        file.facts =
-            receptance::measurementFiles().facts({source.path, bytes, source.import, inputs, progress}, file.notes);
-    } catch (Error& error) {
-        throw error.with("path", source.path);
-    }
-    const std::string beside = (std::filesystem::path(source.path).parent_path() / measured.frf).string();
-    const io::FrfFile responses =
-        io::readFrf(beside, inputs.open(beside, progress), fromValues<io::ImportOptions>(source.import),
-                    fromValues<io::FrfOptions>(source.import), progress);
-    file.notes.insert(file.notes.end(), responses.notes.begin(), responses.notes.end());
-    std::vector<receptance::NodeFrf> frfs;
-    frfs.reserve(responses.frfs.size());
-    for (const io::MeasuredFrf& one : responses.frfs) frfs.push_back({one.response_node, one.reference_node, one.frf});
-    file.measurements = measurementsOf(measured, frfs);
-    return file;
+    return receptance::loadTapTests({source.path, inputs.open(source.path, progress), source.import, inputs, progress});
 }
 
 MachinePicture machinePicture(const project::PanelState& state, Stores& stores, const Progress& progress)

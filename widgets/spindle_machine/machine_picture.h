@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 
-#include "engine/io/import.h"
 #include "engine/project/project.h"
 #include "engine/receptance/eirc/spindle_check.h"
+#include "engine/receptance/spindle_kind.h"
 #include "engine/report/document.h"
+#include "widgets/core/files/file_cache.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/spindle_machine/machine_question.h"
 
@@ -15,31 +16,25 @@ namespace lathelier::machine_panel {
 
 inline constexpr const char* measurementsRole = "measurements";
 
-/// MEASUREMENTS.json with the responses beside it.
-struct MeasuredFile {
-    receptance::SpindleMeasurements measurements;  ///< rods and responses put together
-    io::FileFacts facts;                           ///< as inspect says
-    Notes notes;                                   ///< of the reading
-};
-
-/// Errors as readMeasurements(), readFrf(), measurementsOf().
-class MeasurementStore : public FileCache<MeasuredFile> {
+/// Errors as receptance::loadTapTests().
+class MeasurementStore : public FileCache<receptance::TapTests> {
 public:
     MeasurementStore() : FileCache(6) {}
 
 protected:
-    MeasuredFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
+    receptance::TapTests read(const project::Source& source, io::InputFiles& inputs,
+                              const Progress& progress) const override;
 };
 
 struct MachinePicture {
-    receptance::SpindleReceptance spindle;                        ///< the answer
-    std::optional<receptance::SpindleIdentification> identified;  ///< none: springs
-    std::optional<receptance::SpindleCheck> check;                ///< likewise
-    MachineQuestion question;                                     ///< as asked
-    UsedValues used;                                              ///< springs or materials, and who stated them
-    std::vector<InputFile> inputs;                                ///< the tap tests and their responses
-    Notes notes;                                                  ///< of files and result
-    bool synthetic = false;                                       ///< the source is marked as synthetic
+    receptance::SpindleReceptance spindle;                                ///< the answer
+    std::shared_ptr<const receptance::SpindleIdentification> identified;  ///< null: springs
+    std::shared_ptr<const receptance::SpindleCheck> check;                ///< likewise
+    MachineQuestion question;                                             ///< as asked
+    UsedValues used;                                                      ///< springs or materials, and who stated them
+    std::vector<InputFile> inputs;                                        ///< the tap tests and their responses
+    Notes notes;                                                          ///< of files and result
+    bool synthetic = false;                                               ///< the source is marked as synthetic
 };
 
 /// Reads and computes; safe from any thread. Errors of the store and of identifySpindle(). Throws Cancelled.

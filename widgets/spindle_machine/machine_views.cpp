@@ -44,7 +44,7 @@ MachineViews::MachineViews(QWidget* parent)
 void MachineViews::setPicture(const std::shared_ptr<const MachinePicture>& picture)
 {
     picture_ = picture;
-    const bool measured = picture->check.has_value();
+    const bool measured = picture->check != nullptr;
     for (const char* key : {"residual", "condition", "responses"}) heroes_->setAvailable(key, measured);
     heroes_->setAvailable("heldOut", measured && picture->identified->hold_out_rms_percent.has_value());
     show();

@@ -16,9 +16,9 @@
 #include "engine/receptance/modal/modal_plots.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
+#include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
-#include "widgets/core/session.h"
 #include "widgets/frf/frf_panel.h"
 #include "widgets/frf/frf_views.h"
 
@@ -42,18 +42,16 @@ io::MeasuredFrf measuredResponse(bool with_coherence)
 
 }  // namespace
 
-class FrfPanelTest : public QObject {
+class FrfPanelTest : public QObject, PanelFixture<FrfPanel> {
     Q_OBJECT
 
     QTemporaryDir folder_;
-    std::unique_ptr<Session> session_;
-    std::unique_ptr<FrfPanel> panel_;
 
     std::string pathOf(const char* name) const { return folder_.filePath(name).toStdString(); }
-    void set(const std::string& key, const Value& value)
+    /// Sets a parameter and waits for the answer.
+    void ask(const std::string& key, const Value& value)
     {
-        session_->edit(
-            "Set", [&](project::Project& project) { lathelier::set(project.panels["frf"].parameters, key, value); });
+        set(key, value);
         settle();
     }
     void take(const char* role, const std::string& path)
@@ -67,25 +65,13 @@ class FrfPanelTest : public QObject {
         take(frfRole, pathOf("response.csv"));
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(panel_->isCurrent(), 20000); }
     const receptance::ResponseStudy& study() const { return panel_->result()->study; }
     QToolButton* button(const char* name) const { return panel_->findChild<QToolButton*>(name); }
 
 private slots:
     void initTestCase() { useResources(); }
-    void init()
-    {
-        session_ = std::make_unique<Session>();
-        panel_ = std::make_unique<FrfPanel>(*session_);
-        panel_->resize(1200, 750);
-        panel_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
-    }
-    void cleanup()
-    {
-        panel_.reset();
-        session_.reset();
-    }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     void modesOfAFileAreFound()
     {
@@ -111,7 +97,7 @@ private slots:
         openResponse(false);
         QVERIFY(!panel_->views().heroes()->keys().contains("coherence"));
         QVERIFY(panel_->views().heroes()->keys().contains("error"));
-        set("fit", false);
+        ask("fit", false);
         QVERIFY(!panel_->views().heroes()->keys().contains("modes"));
         QVERIFY(panel_->views().magnitude()->data().handles.empty());
         QVERIFY(panel_->reportDocument().has_value());
@@ -154,7 +140,7 @@ private slots:
         connect(panel_.get(), &PanelBase::itemOffered, this,
                 [&](const std::string& name, const project::Item& item) { offered.emplace_back(name, item); });
         button("useThisResponse")->click();
-        set("handed_on", std::string("model"));
+        ask("handed_on", std::string("model"));
         button("useThisResponse")->click();
         QCOMPARE(offered.size(), std::size_t{2});
         QCOMPARE(offered[0].second.kind, std::string(frfItem));
@@ -177,9 +163,9 @@ private slots:
         take(frfRole, pathOf("two.uff"));
         settle();
         const double first = std::abs(study().measured->value[5]);
-        set("response", std::string("102/101"));
+        ask("response", std::string("102/101"));
         QVERIFY(std::abs(std::abs(study().measured->value[5]) / first - 3) < .1);
-        set("response", std::string("1"));
+        ask("response", std::string("1"));
         QCOMPARE(std::abs(study().measured->value[5]), first);
         session_->edit("Set", [](project::Project& project) {
             lathelier::set(project.panels["frf"].parameters, "response", std::string("9/9"));

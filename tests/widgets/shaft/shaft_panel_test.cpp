@@ -14,21 +14,19 @@
 #include "engine/receptance/shaft_file.h"
 #include "engine/receptance/spindle_file.h"
 #include "engine/receptance/spindle_item.h"
+#include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
-#include "widgets/core/session.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/shaft/shaft_views.h"
 
 namespace lathelier::shaft_panel {
 
-class ShaftPanelTest : public QObject {
+class ShaftPanelTest : public QObject, PanelFixture<ShaftPanel> {
     Q_OBJECT
 
     QTemporaryDir folder_;
-    std::unique_ptr<Session> session_;
-    std::unique_ptr<ShaftPanel> panel_;
     QString file_, spindle_;
 
     static Shaft rod(double length_mm, double diameter_mm)
@@ -38,12 +36,6 @@ class ShaftPanelTest : public QObject {
         shaft.segments = {{length_mm, diameter_mm, diameter_mm, 0, {}, {}}};
         shaft.material = Material{};
         return shaft;
-    }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(panel_->isCurrent(), 20000); }
-    void set(const std::string& key, const Value& value)
-    {
-        session_->edit(
-            "Set", [&](project::Project& project) { lathelier::set(project.panels["shaft"].parameters, key, value); });
     }
     void open(const QString& path)
     {
@@ -68,19 +60,8 @@ private slots:
         springs.source = receptance::SpindleSprings{15000, 1.974e8, 0.06};
         io::writeFile(spindle_.toStdString(), receptance::spindleText(springs));
     }
-    void init()
-    {
-        session_ = std::make_unique<Session>();
-        panel_ = std::make_unique<ShaftPanel>(*session_);
-        panel_->resize(1200, 750);
-        panel_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
-    }
-    void cleanup()
-    {
-        panel_.reset();
-        session_.reset();
-    }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     void aFileFillsTheTable()
     {

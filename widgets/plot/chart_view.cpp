@@ -201,12 +201,19 @@ void ChartView::keepScalesEqual()
 {
     if (content_->levelling || !content_->data.equal_scales) return;
     content_->levelling = true;
+    const QRectF before = visibleRange();
     if (!isViewChosen()) fitRanges();
     const double perX = plot().xAxis->range().size() / std::max(1, plot().axisRect()->width());
     const double perY = plot().yAxis->range().size() / std::max(1, plot().axisRect()->height());
     if (perX > 1.0001 * perY) plot().yAxis->setScaleRatio(plot().xAxis, 1);
     if (perY > 1.0001 * perX) plot().xAxis->setScaleRatio(plot().yAxis, 1);
     content_->levelling = false;
+    // The ticks of this drawing are those of the range before; a change of margins alone is not drawn again.
+    constexpr double seen = 0.02;
+    const QRectF after = visibleRange();
+    if (std::abs(after.width() - before.width()) > seen * before.width() ||
+        std::abs(after.height() - before.height()) > seen * before.height())
+        redraw();
 }
 
 QString ChartView::readoutAt(double x, double y) const

@@ -58,7 +58,7 @@ QPalette paperPalette()
 
 QString readable(double value, double span, Text unit, const QLocale& locale)
 {
-    const QString number = readable(value * screenFactor(unit), span * screenFactor(unit), locale);
+    QString number = readable(value * screenFactor(unit), span * screenFactor(unit), locale);
     if (unit.empty()) return number;
     const QString said = screenUnit(unit);
     return said == QStringLiteral("°") ? number + said : number + ' ' + said;

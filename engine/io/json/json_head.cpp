@@ -48,6 +48,10 @@ std::vector<std::string> keysOfText(std::string_view text)
 
 std::vector<std::string> keysOfHead(std::string_view head)
 {
+    // Of no other file is the head decoded. Bytes of marks and of the wider encodings may stand before the brace.
+    constexpr std::string_view before("\xef\xbb\xbf\xff\xfe\0 \t\r\n", 10);
+    const std::size_t first = head.find_first_not_of(before);
+    if (first == std::string_view::npos || head[first] != '{') return {};
     try {
         return keysOfText(decodeText(head, Encoding::Auto).view());
     } catch (const Error&) {  // no text

@@ -182,6 +182,8 @@ Text patternOf(const Finding& finding)
 {
     switch (finding.kind) {
         case Finding::Kind::Step:
+            if (finding.z_start_mm == finding.z_end_mm)
+                return LT_TEXT("Engine", "Face {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm");
             return LT_TEXT("Engine", "Step {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm");
         case Finding::Kind::Taper:
             return LT_TEXT("Engine", "Taper {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm");

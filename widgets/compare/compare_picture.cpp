@@ -146,7 +146,7 @@ std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareR
     };
     std::vector<Corner> meridian;
     for (const registration::MeridianStretch& stretch : result.windows->stretches) {
-        if (stretch.is_bore) continue;
+        if (stretch.is_bore || stretch.isFace()) continue;
         const double half = stretch.slope * (stretch.end_mm - stretch.start_mm) / 2;
         meridian.push_back({stretch.start_mm, stretch.radius_mm - half});
         meridian.push_back({stretch.end_mm, stretch.radius_mm + half});

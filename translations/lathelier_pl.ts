@@ -6191,6 +6191,10 @@
         <source>Of the rod held out, else of all responses used.</source>
         <translation>Pręta odłożonego, inaczej wszystkich użytych charakterystyk.</translation>
     </message>
+    <message>
+        <source>Face {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm</source>
+        <translation>Czoło {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

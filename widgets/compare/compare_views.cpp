@@ -287,6 +287,7 @@ void CompareViews::showSurface()
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
     p.coloured = copy.values;
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
+    copy.along_axis = p.picture->along_axis;
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
     // Beside an error that is drawn larger than it is, the right shape.

@@ -1036,10 +1036,6 @@
         <translation>x</translation>
     </message>
     <message>
-        <source>shift (mm)</source>
-        <translation>przesunięcie (mm)</translation>
-    </message>
-    <message>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
@@ -1928,16 +1924,8 @@
         <translation>punkt styku, okrąg wewnętrzny</translation>
     </message>
     <message>
-        <source>1 division = {step} µm</source>
-        <translation>1 działka = {step} µm</translation>
-    </message>
-    <message>
         <source>Deviations magnified {times} times</source>
         <translation>Odchyłki powiększone {times} razy</translation>
-    </message>
-    <message>
-        <source>Base circle: radius {radius} mm</source>
-        <translation>Okrąg bazowy: promień {radius} mm</translation>
     </message>
     <message>
         <source>profile</source>
@@ -1960,22 +1948,6 @@
         <translation>punkty odstające</translation>
     </message>
     <message>
-        <source>LSCI (µm)</source>
-        <translation>LSCI (µm)</translation>
-    </message>
-    <message>
-        <source>MZCI (µm)</source>
-        <translation>MZCI (µm)</translation>
-    </message>
-    <message>
-        <source>MICI (µm)</source>
-        <translation>MICI (µm)</translation>
-    </message>
-    <message>
-        <source>MCCI (µm)</source>
-        <translation>MCCI (µm)</translation>
-    </message>
-    <message>
         <source>undersampled</source>
         <translation>za mało punktów</translation>
     </message>
@@ -1994,10 +1966,6 @@
     <message>
         <source>Strongest harmonics</source>
         <translation>Najsilniejsze harmoniczne</translation>
-    </message>
-    <message>
-        <source>amplitude (µm)</source>
-        <translation>amplituda (µm)</translation>
     </message>
     <message>
         <source>phase (°)</source>
@@ -2142,10 +2110,6 @@
     <message>
         <source>? not decided: too near the tolerance</source>
         <translation>? nierozstrzygnięte: zbyt blisko tolerancji</translation>
-    </message>
-    <message>
-        <source>{upr} UPR, {amplitude} µm: {meaning}.</source>
-        <translation>{upr} UPR, {amplitude} µm: {meaning}.</translation>
     </message>
     <message>
         <source>Overview</source>
@@ -2432,18 +2396,6 @@
         <translation>sygnał</translation>
     </message>
     <message>
-        <source>synchronous (µm)</source>
-        <translation>synchroniczne (µm)</translation>
-    </message>
-    <message>
-        <source>asynchronous (µm)</source>
-        <translation>asynchroniczne (µm)</translation>
-    </message>
-    <message>
-        <source>total (µm)</source>
-        <translation>całkowite (µm)</translation>
-    </message>
-    <message>
         <source>drift (µm/rev)</source>
         <translation>dryft (µm/obr)</translation>
     </message>
@@ -2462,10 +2414,6 @@
     <message>
         <source>Motion of spindle and tool in that section</source>
         <translation>Ruch wrzeciona i narzędzia w tym przekroju</translation>
-    </message>
-    <message>
-        <source>The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean hides what differs from turn to turn.</source>
-        <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least} do {most} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
     </message>
     <message>
         <source>Trajectories and the machined surface</source>
@@ -3552,18 +3500,6 @@
         <translation>Promień, odchyłka od średniej</translation>
     </message>
     <message>
-        <source>barrel {value} µm on radius</source>
-        <translation>baryłkowość {value} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>saddle {value} µm on radius</source>
-        <translation>siodłowość {value} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>taper {value} µm on diameter</source>
-        <translation>stożkowość {value} µm na średnicy</translation>
-    </message>
-    <message>
         <source>angle</source>
         <translation>kąt</translation>
     </message>
@@ -3608,16 +3544,8 @@
         <translation>ruch synchroniczny {probe}</translation>
     </message>
     <message>
-        <source>CYLt(LSCY) {value} µm · {points} points</source>
-        <translation>CYLt(LSCY) {value} µm · punktów: {points}</translation>
-    </message>
-    <message>
         <source>{filter}</source>
         <translation>{filter}</translation>
-    </message>
-    <message>
-        <source>{filter} · other methods say {least} to {most} µm</source>
-        <translation>{filter} · inne metody dają od {least} do {most} µm</translation>
     </message>
     <message>
         <source>{filter} · the limit lies within the uncertainty; {within} of {count} methods keep it</source>
@@ -3636,16 +3564,8 @@
         <translation>{filter} · w granicy według {within} z {count} metod: sprawdź filtr</translation>
     </message>
     <message>
-        <source>Points that stand out: {count}; without them {value} µm</source>
-        <translation>Punkty odstające: {count}; bez nich {value} µm</translation>
-    </message>
-    <message>
         <source>Largest difference of the profiles</source>
         <translation>Największa różnica profili</translation>
-    </message>
-    <message>
-        <source>mean {mean} µm</source>
-        <translation>średnio {mean} µm</translation>
     </message>
     <message>
         <source>RMS deviation</source>
@@ -3654,14 +3574,6 @@
     <message>
         <source>{method}</source>
         <translation>{method}</translation>
-    </message>
-    <message>
-        <source>mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm</source>
-        <translation>średnio {mean} mm · {method} · {share} % punktów w ±{tolerance} mm</translation>
-    </message>
-    <message>
-        <source>mean {mean} mm · {method}</source>
-        <translation>średnio {mean} mm · {method}</translation>
     </message>
     <message>
         <source>limit ±{limit}</source>
@@ -3688,28 +3600,12 @@
         <translation>Ruch osi przedmiotu</translation>
     </message>
     <message>
-        <source>Repeats with every turn {synchronous} µm, differs from turn to turn {asynchronous} µm · {turns} turns · probe X3</source>
-        <translation>Powtarzalny w każdym obrocie {synchronous} µm, zmienny między obrotami {asynchronous} µm · obrotów: {turns} · czujnik X3</translation>
-    </message>
-    <message>
         <source>Form not measured: the noise hides it · {filter}</source>
         <translation>Kształtu nie zmierzono: kryje go szum · {filter}</translation>
     </message>
     <message>
         <source>Section {section} of {count} is the worst · {filter}</source>
         <translation>Najgorszy przekrój: {section} z {count} · {filter}</translation>
-    </message>
-    <message>
-        <source>Taper {taper} µm on diameter, over the measured length</source>
-        <translation>Stożkowatość {taper} µm na średnicy, na zmierzonej długości</translation>
-    </message>
-    <message>
-        <source>Saddle {size} µm on radius</source>
-        <translation>Siodłowość {size} µm na promieniu</translation>
-    </message>
-    <message>
-        <source>Barrel {size} µm on radius</source>
-        <translation>Baryłkowość {size} µm na promieniu</translation>
     </message>
     <message>
         <source>✗ out</source>
@@ -3808,40 +3704,8 @@
         <translation>Co się różni</translation>
     </message>
     <message>
-        <source>Step {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Skok {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Taper {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Stożek {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Saddle {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Siodłowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Barrel {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Baryłkowość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Bump {value} ± {uncertainty} mm · z {from}-{to} mm</source>
-        <translation>Wypukłość {value} ± {uncertainty} mm · z {from}-{to} mm</translation>
-    </message>
-    <message>
-        <source>Bump {value} ± {uncertainty} mm at X {x} Y {y} Z {z}</source>
-        <translation>Wypukłość {value} ± {uncertainty} mm w X {x} Y {y} Z {z}</translation>
-    </message>
-    <message>
-        <source>No data of the copy · z {from}-{to} mm</source>
-        <translation>Brak danych kopii · z {from}-{to} mm</translation>
-    </message>
-    <message>
         <source>Worst local deviation</source>
         <translation>Największa odchyłka lokalna</translation>
-    </message>
-    <message>
-        <source>RMS {rms} mm · mean {mean} mm · noise of the scans {scatter} mm · {method}</source>
-        <translation>RMS {rms} mm · średnio {mean} mm · szum skanów {scatter} mm · {method}</translation>
     </message>
     <message>
         <source>The scan does not decide on ±{limit_mm} mm everywhere: means over {cell_mm} mm are uncertain by {uncertainty_mm} mm. {times} times as many points would, or limits of ±{uncertainty_mm} mm.</source>
@@ -4136,10 +4000,6 @@
         <translation>drgania samowzbudne lub posuw?</translation>
     </message>
     <message>
-        <source>tolerance {tolerance} µm</source>
-        <translation>tolerancja {tolerance} µm</translation>
-    </message>
-    <message>
         <source>Profile and reference circle</source>
         <translation>Profil i okrąg odniesienia</translation>
     </message>
@@ -4148,40 +4008,12 @@
         <translation>strefa</translation>
     </message>
     <message>
-        <source>No filter was chosen: with 1-{upr} UPR {value} µm</source>
-        <translation>Nie wybrano filtru: z 1-{upr} UPR {value} µm</translation>
-    </message>
-    <message>
         <source>Averaging the deviation locally</source>
         <translation>Lokalne uśrednianie odchyłki</translation>
     </message>
     <message>
         <source>Copies of the same original</source>
         <translation>Kopie tego samego oryginału</translation>
-    </message>
-    <message>
-        <source>worst (mm)</source>
-        <translation>najgorsza (mm)</translation>
-    </message>
-    <message>
-        <source>U (mm)</source>
-        <translation>U (mm)</translation>
-    </message>
-    <message>
-        <source>z (mm)</source>
-        <translation>z (mm)</translation>
-    </message>
-    <message>
-        <source>mean (mm)</source>
-        <translation>średnia (mm)</translation>
-    </message>
-    <message>
-        <source>RMS (mm)</source>
-        <translation>RMS (mm)</translation>
-    </message>
-    <message>
-        <source>noise (mm)</source>
-        <translation>szum (mm)</translation>
     </message>
     <message>
         <source>Trend of the copies</source>
@@ -4900,22 +4732,6 @@
         <translation>H: ugięcie na siłę</translation>
     </message>
     <message>
-        <source>L: deflection per moment</source>
-        <translation>L: ugięcie na moment</translation>
-    </message>
-    <message>
-        <source>mm/(N·mm)</source>
-        <translation>mm/(N·mm)</translation>
-    </message>
-    <message>
-        <source>P: rotation per moment</source>
-        <translation>P: obrót na moment</translation>
-    </message>
-    <message>
-        <source>rad/(N·mm)</source>
-        <translation>rad/(N·mm)</translation>
-    </message>
-    <message>
         <source>Inverse receptance coupling line by line: a linear start from the motion of the joint, then weighted least squares on the measured responses.</source>
         <translation>Odwrotne sprzęganie receptancji prążek po prążku: początek liniowy z ruchu połączenia, potem ważone najmniejsze kwadraty na zmierzonych charakterystykach.</translation>
     </message>
@@ -5444,20 +5260,8 @@
         <translation>{speed} 1/min · worek {k}, drgania przy {frequency} Hz</translation>
     </message>
     <message>
-        <source>Recommended: {speed} 1/min, stable up to {limit} {unit}</source>
-        <translation>Zalecane: {speed} 1/min, stabilne do {limit} {unit}</translation>
-    </message>
-    <message>
-        <source>Recommended: {speed} 1/min</source>
-        <translation>Zalecane: {speed} 1/min</translation>
-    </message>
-    <message>
         <source>No speed is recommended: {reason}</source>
         <translation>Żadna prędkość nie jest zalecana: {reason}</translation>
-    </message>
-    <message>
-        <source>Stable at every speed up to {depth} mm</source>
-        <translation>Stabilne przy każdej prędkości do {depth} mm</translation>
     </message>
     <message>
         <source>Modes</source>
@@ -5522,6 +5326,1238 @@
     <message>
         <source>recommended</source>
         <translation>zalecenie</translation>
+    </message>
+    <message>
+        <source>CYLt(LSCY) {value_um:2} µm · {points} points</source>
+        <translation>CYLt(LSCY) {value_um:2} µm · punktów: {points}</translation>
+    </message>
+    <message>
+        <source>tolerance {tolerance_um} µm</source>
+        <translation>tolerancja {tolerance_um} µm</translation>
+    </message>
+    <message>
+        <source>LSCI</source>
+        <translation>LSCI</translation>
+    </message>
+    <message>
+        <source>MZCI</source>
+        <translation>MZCI</translation>
+    </message>
+    <message>
+        <source>MICI</source>
+        <translation>MICI</translation>
+    </message>
+    <message>
+        <source>MCCI</source>
+        <translation>MCCI</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplituda</translation>
+    </message>
+    <message>
+        <source>{filter} · other methods say {least_um:1} to {most_um:1} µm</source>
+        <translation>{filter} · inne metody dają od {least_um:1} do {most_um:1} µm</translation>
+    </message>
+    <message>
+        <source>No filter was chosen: with 1-{upr} UPR {value_um:2} µm</source>
+        <translation>Nie wybrano filtru: z 1-{upr} UPR {value_um:2} µm</translation>
+    </message>
+    <message>
+        <source>Points that stand out: {count}; without them {value_um:2} µm</source>
+        <translation>Punkty odstające: {count}; bez nich {value_um:2} µm</translation>
+    </message>
+    <message>
+        <source>{upr} UPR, {amplitude_um:2} µm: {meaning}.</source>
+        <translation>{upr} UPR, {amplitude_um:2} µm: {meaning}.</translation>
+    </message>
+    <message>
+        <source>mean {mean_um:2} µm</source>
+        <translation>średnio {mean_um:2} µm</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>przesunięcie</translation>
+    </message>
+    <message>
+        <source>Step {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Skok {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Taper {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Stożek {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Saddle {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Siodłowość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Barrel {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Baryłkowość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Wypukłość {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Bump {value_mm:+3} ± {uncertainty_mm:3} mm at X {x_mm:1} Y {y_mm:1} Z {z_mm:1}</source>
+        <translation>Wypukłość {value_mm:+3} ± {uncertainty_mm:3} mm w X {x_mm:1} Y {y_mm:1} Z {z_mm:1}</translation>
+    </message>
+    <message>
+        <source>No data of the copy · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Brak danych kopii · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>z&#xa0;{z_mm:1}&#xa0;mm</source>
+        <translation>z&#xa0;{z_mm:1}&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>RMS {rms_mm:4} mm · mean {mean_mm:+4} mm · noise of the scans {scatter_mm:4} mm · {method}</source>
+        <translation>RMS {rms_mm:4} mm · średnio {mean_mm:+4} mm · szum skanów {scatter_mm:4} mm · {method}</translation>
+    </message>
+    <message>
+        <source>mean {mean_mm:+4} mm · {method} · {share} % of the points within ±{tolerance_mm} mm</source>
+        <translation>średnio {mean_mm:+4} mm · {method} · {share} % punktów w ±{tolerance_mm} mm</translation>
+    </message>
+    <message>
+        <source>mean {mean_mm:+4} mm · {method}</source>
+        <translation>średnio {mean_mm:+4} mm · {method}</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>najgorsza</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>szum</translation>
+    </message>
+    <message>
+        <source>1 division = {step_um} µm</source>
+        <translation>1 działka = {step_um} µm</translation>
+    </message>
+    <message>
+        <source>Base circle: radius {radius_mm:4} mm</source>
+        <translation>Okrąg bazowy: promień {radius_mm:4} mm</translation>
+    </message>
+    <message>
+        <source>barrel {value_um:1} µm on radius</source>
+        <translation>baryłkowość {value_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>saddle {value_um:1} µm on radius</source>
+        <translation>siodłowość {value_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>taper {value_um:1} µm on diameter</source>
+        <translation>stożkowość {value_um:1} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>synchronous</source>
+        <translation>synchroniczne</translation>
+    </message>
+    <message>
+        <source>asynchronous</source>
+        <translation>asynchroniczne</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>całkowite</translation>
+    </message>
+    <message>
+        <source>The images of single revolutions have RONt(LSCI) from {least_um:2} to {most_um:2} µm; their mean hides what differs from turn to turn.</source>
+        <translation>Obrazy pojedynczych obrotów mają RONt(LSCI) od {least_um:2} do {most_um:2} µm; średnia ukrywa to, co zmienia się z obrotu na obrót.</translation>
+    </message>
+    <message>
+        <source>Repeats with every turn {synchronous_um:1} µm, differs from turn to turn {asynchronous_um:1} µm · {turns} turns · probe X3</source>
+        <translation>Powtarzalny w każdym obrocie {synchronous_um:1} µm, zmienny między obrotami {asynchronous_um:1} µm · obrotów: {turns} · czujnik X3</translation>
+    </message>
+    <message>
+        <source>Taper {taper_um:+1} µm on diameter, over the measured length</source>
+        <translation>Stożkowatość {taper_um:+1} µm na średnicy, na zmierzonej długości</translation>
+    </message>
+    <message>
+        <source>Saddle {size_um:1} µm on radius</source>
+        <translation>Siodłowość {size_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>Barrel {size_um:1} µm on radius</source>
+        <translation>Baryłkowość {size_um:1} µm na promieniu</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>µin</source>
+        <translation>µin</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min</source>
+        <translation>Zalecane: {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min, stable up to {limit:3} ×</source>
+        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit:3} ×</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
+        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>Stable at every speed up to {depth_mm:3} mm</source>
+        <translation>Stabilne przy każdej prędkości do {depth_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>{lines} lines are too many to be kept in a project; at most {maximum} are.</source>
+        <translation>Linii jest {lines}, za dużo, by przechować je w projekcie; przechowuje się najwyżej {maximum}.</translation>
+    </message>
+    <message>
+        <source>a receptance</source>
+        <translation>receptancja</translation>
+    </message>
+    <message>
+        <source>a mobility</source>
+        <translation>mobilność</translation>
+    </message>
+    <message>
+        <source>an accelerance</source>
+        <translation>akcelerancja</translation>
+    </message>
+    <message>
+        <source>{found} lines lie between {from_hz} and {to_hz} Hz; a modal fit needs at least {minimum}.</source>
+        <translation>Między {from_hz} a {to_hz} Hz linii jest {found}; dopasowanie modalne wymaga co najmniej {minimum}.</translation>
+    </message>
+    <message>
+        <source>Modes are fitted to a receptance (displacement per force); convert the response first.</source>
+        <translation>Postacie dopasowuje się do receptancji (przemieszczenie na siłę); najpierw przelicz charakterystykę.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz: {lines} lines lie in its half-power band, at least {minimum} are needed to measure its damping. Use a finer frequency resolution.</source>
+        <translation>Postać przy {frequency_hz} Hz: w jej paśmie połowy mocy leżą linie w liczbie {lines}, do pomiaru tłumienia potrzeba co najmniej {minimum}. Użyj mniejszego kroku częstotliwości.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz has a negative stiffness: force and motion are measured at places that move against each other, or a direction is reversed.</source>
+        <translation>Postać przy {frequency_hz} Hz ma ujemną sztywność: siłę i ruch mierzono w miejscach poruszających się przeciwnie albo kierunek jest odwrócony.</translation>
+    </message>
+    <message>
+        <source>Mode at {frequency_hz} Hz is hardly determined by the data (stiffness ± {percent} %): fewer modes describe the response.</source>
+        <translation>Postać przy {frequency_hz} Hz jest słabo wyznaczona przez dane (sztywność ± {percent} %): charakterystykę opisuje mniej postaci.</translation>
+    </message>
+    <message>
+        <source>{asked} modes were asked for; the response between {from_hz} and {to_hz} Hz supports {found}.</source>
+        <translation>Żądano postaci: {asked}; charakterystyka między {from_hz} a {to_hz} Hz pozwala na {found}.</translation>
+    </message>
+    <message>
+        <source>Between {from_hz} and {to_hz} Hz no mode stands out of the noise.</source>
+        <translation>Między {from_hz} a {to_hz} Hz żadna postać nie wyróżnia się z szumu.</translation>
+    </message>
+    <message>
+        <source>A mode outside the fitted range takes part in the fit (near {frequency_hz} Hz); it stands for what lies there and is not measured.</source>
+        <translation>W dopasowaniu bierze udział postać spoza zakresu (blisko {frequency_hz} Hz); zastępuje to, co tam leży, i nie jest zmierzona.</translation>
+    </message>
+    <message>
+        <source>The modal fit did not converge; judge it by its error.</source>
+        <translation>Dopasowanie modalne nie zbiegło się; oceń je po błędzie.</translation>
+    </message>
+    <message>
+        <source>one range</source>
+        <translation>jeden zakres</translation>
+    </message>
+    <message>
+        <source>Number of modes</source>
+        <translation>Liczba postaci</translation>
+    </message>
+    <message>
+        <source>1 to 6; 0: as many as the data tell.</source>
+        <translation>1 do 6; 0: tyle, ile mówią dane.</translation>
+    </message>
+    <message>
+        <source>Range of frequencies</source>
+        <translation>Zakres częstotliwości</translation>
+    </message>
+    <message>
+        <source>Whose lines are fitted, as 100:800; empty: all.</source>
+        <translation>Którego linie są dopasowywane, np. 100:800; puste: wszystkie.</translation>
+    </message>
+    <message>
+        <source>Complex residues</source>
+        <translation>Residua zespolone</translation>
+    </message>
+    <message>
+        <source>For modes whose places do not move in phase or against each other.</source>
+        <translation>Dla postaci, których miejsca nie poruszają się zgodnie ani przeciwnie w fazie.</translation>
+    </message>
+    <message>
+        <source>f</source>
+        <translation>f</translation>
+    </message>
+    <message>
+        <source>Natural frequency, undamped.</source>
+        <translation>Częstotliwość własna, bez tłumienia.</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
+    <message>
+        <source>Damping ratio, of critical damping.</source>
+        <translation>Stopień tłumienia, względem krytycznego.</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Modal stiffness, force over displacement at rest; negative between places out of phase.</source>
+        <translation>Sztywność modalna, siła przez przemieszczenie w spoczynku; ujemna między miejscami w przeciwfazie.</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Of the residue: 0 for a real normal mode.</source>
+        <translation>Residuum: 0 dla rzeczywistej postaci normalnej.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>zmierzona</translation>
+    </message>
+    <message>
+        <source>modal model, changed by hand</source>
+        <translation>model modalny, zmieniony ręcznie</translation>
+    </message>
+    <message>
+        <source>modal model</source>
+        <translation>model modalny</translation>
+    </message>
+    <message>
+        <source>{frequency} Hz</source>
+        <translation>{frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Phase of the receptance</source>
+        <translation>Faza receptancji</translation>
+    </message>
+    <message>
+        <source>Real part of the receptance</source>
+        <translation>Część rzeczywista receptancji</translation>
+    </message>
+    <message>
+        <source>Real part</source>
+        <translation>Część rzeczywista</translation>
+    </message>
+    <message>
+        <source>Imaginary part of the receptance</source>
+        <translation>Część urojona receptancji</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Część urojona</translation>
+    </message>
+    <message>
+        <source>Nyquist plot of the receptance</source>
+        <translation>Wykres Nyquista receptancji</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Koherencja</translation>
+    </message>
+    <message>
+        <source>Coherence γ²</source>
+        <translation>Koherencja γ²</translation>
+    </message>
+    <message>
+        <source>Error of the modal model</source>
+        <translation>Błąd modelu modalnego</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Błąd</translation>
+    </message>
+    <message>
+        <source>Rank by flexibility</source>
+        <translation>Kolejność według podatności</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Kolejność</translation>
+    </message>
+    <message>
+        <source>Its standard uncertainty</source>
+        <translation>Jej niepewność standardowa</translation>
+    </message>
+    <message>
+        <source>u(f)</source>
+        <translation>u(f)</translation>
+    </message>
+    <message>
+        <source>Damping ratio ζ</source>
+        <translation>Stopień tłumienia ζ</translation>
+    </message>
+    <message>
+        <source>u(ζ)</source>
+        <translation>u(ζ)</translation>
+    </message>
+    <message>
+        <source>u(k)</source>
+        <translation>u(k)</translation>
+    </message>
+    <message>
+        <source>Phase of the residue</source>
+        <translation>Faza residuum</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>faza</translation>
+    </message>
+    <message>
+        <source>Least real part of this mode, sign reversed</source>
+        <translation>Najmniejsza część rzeczywista tej postaci, z odwróconym znakiem</translation>
+    </message>
+    <message>
+        <source>nm/N</source>
+        <translation>nm/N</translation>
+    </message>
+    <message>
+        <source>-min Re</source>
+        <translation>-min Re</translation>
+    </message>
+    <message>
+        <source>{rank}. {frequency} Hz: {flexibility} nm/N · ζ {damping} %</source>
+        <translation>{rank}. {frequency} Hz: {flexibility} nm/N · ζ {damping} %</translation>
+    </message>
+    <message>
+        <source>mm/(N·s²)</source>
+        <translation>mm/(N·s²)</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Reszty</translation>
+    </message>
+    <message>
+        <source>Of modes below, 1/M</source>
+        <translation>Postaci poniżej, 1/M</translation>
+    </message>
+    <message>
+        <source>Of modes above, 1/K</source>
+        <translation>Postaci powyżej, 1/K</translation>
+    </message>
+    <message>
+        <source>Least real part {real} nm/N · lines: {lines}</source>
+        <translation>Najmniejsza część rzeczywista {real} nm/N · linii: {lines}</translation>
+    </message>
+    <message>
+        <source>changed by hand</source>
+        <translation>zmienione ręcznie</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>dopasowane</translation>
+    </message>
+    <message>
+        <source>Dominant mode</source>
+        <translation>Postać dominująca</translation>
+    </message>
+    <message>
+        <source>ζ {damping} % · k {stiffness} N/mm · error of the model {error} % (rms) · modes: {modes}</source>
+        <translation>ζ {damping} % · k {stiffness} N/mm · błąd modelu {error} % (rms) · postaci: {modes}</translation>
+    </message>
+    <message>
+        <source>Frequency response and its modes</source>
+        <translation>Charakterystyka częstotliwościowa i jej postacie</translation>
+    </message>
+    <message>
+        <source>Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: a rational fraction gives the start, Gauss and Newton refine all parameters with weights from coherence, or from the errors of the fit where it is not known. Uncertainties are standard uncertainties from the covariance.</source>
+        <translation>Postacie z tłumieniem wiskotycznym, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: punkt startowy daje ułamek wymierny, a metoda Gaussa-Newtona poprawia wszystkie parametry z wagami z koherencji albo, gdy jej brak, z błędów dopasowania. Niepewności są niepewnościami standardowymi z kowariancji.</translation>
+    </message>
+    <message>
+        <source>Handbook values of {material} are assumed, not those of this bar (source: {source}).</source>
+        <translation>Przyjęto wartości z poradnika dla: {material}, a nie wartości tego pręta (źródło: {source}).</translation>
+    </message>
+    <message>
+        <source>The springs are taken from the library, not from this machine (source: {source}).</source>
+        <translation>Sprężyny pochodzą z biblioteki, a nie z tej maszyny (źródło: {source}).</translation>
+    </message>
+    <message>
+        <source>The shaft is that of the table, which was changed since {source} was opened.</source>
+        <translation>Wał jest wzięty z tabeli, którą zmieniono po otwarciu {source}.</translation>
+    </message>
+    <message>
+        <source>{path}: stated is {stated}, but up to {to_hz} Hz the magnitude goes with the power {slope} of the frequency, as that of {found} does. State the unit as it is, or convert the file.</source>
+        <translation>{path}: podano: {stated}, lecz do {to_hz} Hz moduł zmienia się z potęgą {slope} częstotliwości, jak {found}. Podaj właściwą jednostkę albo przelicz plik.</translation>
+    </message>
+    <message>
+        <source>{path}: in {percent} % of its lines the receptance has a positive imaginary part. If force and motion are at one place, a direction, a unit or the sign of time is stated wrongly.</source>
+        <translation>{path}: w {percent} % linii receptancja ma dodatnią część urojoną. Jeżeli siła i ruch są w jednym miejscu, błędnie podano kierunek, jednostkę albo znak czasu.</translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation>Wały</translation>
+    </message>
+    <message>
+        <source>spindle on springs</source>
+        <translation>wrzeciono na sprężynach</translation>
+    </message>
+    <message>
+        <source>spindle, measured</source>
+        <translation>wrzeciono, zmierzone</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>utwierdzony</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>podpora</translation>
+    </message>
+    <message>
+        <source>z from the free end</source>
+        <translation>z od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Mode shapes</source>
+        <translation>Postacie drgań</translation>
+    </message>
+    <message>
+        <source>Deflection, largest 1</source>
+        <translation>Ugięcie, największe 1</translation>
+    </message>
+    <message>
+        <source>{mode}: {frequency} Hz</source>
+        <translation>{mode}: {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Segments, from the free end</source>
+        <translation>Odcinki, od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Mass {mass} kg, length {length_mm:1} mm</source>
+        <translation>Masa {mass} kg, długość {length_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Not held: no static compliance</source>
+        <translation>Niepodparty: brak podatności statycznej</translation>
+    </message>
+    <message>
+        <source>Static compliance {compliance} nm/N</source>
+        <translation>Podatność statyczna {compliance} nm/N</translation>
+    </message>
+    <message>
+        <source>Static compliance not known: the spindle is a table of receptances</source>
+        <translation>Podatność statyczna nieznana: wrzeciono jest tabelą receptancji</translation>
+    </message>
+    <message>
+        <source>Shaft in bending</source>
+        <translation>Wał zginany</translation>
+    </message>
+    <message>
+        <source>Spindles</source>
+        <translation>Wrzeciona</translation>
+    </message>
+    <message>
+        <source>Tap tests</source>
+        <translation>Próby udarowe</translation>
+    </message>
+    <message>
+        <source>L × 100 mm: deflection per moment</source>
+        <translation>L × 100 mm: ugięcie na moment</translation>
+    </message>
+    <message>
+        <source>P × (100 mm)²: rotation per moment</source>
+        <translation>P × (100 mm)²: obrót na moment</translation>
+    </message>
+    <message>
+        <source>Phase of the chuck face</source>
+        <translation>Faza czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>Residual of each line</source>
+        <translation>Reszta każdej linii</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>Rod held out: measured and predicted</source>
+        <translation>Pręt odłożony: zmierzony i przewidziany</translation>
+    </message>
+    <message>
+        <source>points {a} and {b}, predicted</source>
+        <translation>punkty {a} i {b}, przewidziane</translation>
+    </message>
+    <message>
+        <source>Residual of each response</source>
+        <translation>Reszta każdej charakterystyki</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>pręt</translation>
+    </message>
+    <message>
+        <source>point a</source>
+        <translation>punkt a</translation>
+    </message>
+    <message>
+        <source>point b</source>
+        <translation>punkt b</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>użyte</translation>
+    </message>
+    <message>
+        <source>residual (%)</source>
+        <translation>reszta (%)</translation>
+    </message>
+    <message>
+        <source>Measured by a hammer or shaker: UFF, CSV or MAT.</source>
+        <translation>Zmierzona młotkiem lub wzbudnikiem: UFF, CSV albo MAT.</translation>
+    </message>
+    <message>
+        <source>Whose computed response is drawn under the measured one: SHAFT.json or a stock file.</source>
+        <translation>Którego obliczona charakterystyka jest rysowana pod zmierzoną: SHAFT.json albo plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>That holds the shaft: SPINDLE.json. Without it the shaft is free.</source>
+        <translation>Które trzyma wał: SPINDLE.json. Bez niego wał jest swobodny.</translation>
+    </message>
+    <message>
+        <source>Drop a measured frequency response here, or a shaft and its spindle.</source>
+        <translation>Upuść tu zmierzoną charakterystykę częstotliwościową albo wał i jego wrzeciono.</translation>
+    </message>
+    <message>
+        <source>FRF</source>
+        <translation>FRF</translation>
+    </message>
+    <message>
+        <source>Frequency response or shaft</source>
+        <translation>Charakterystyka częstotliwościowa lub wał</translation>
+    </message>
+    <message>
+        <source>a stiffness, not 0</source>
+        <translation>sztywność różna od 0</translation>
+    </message>
+    <message>
+        <source>Fitting modes</source>
+        <translation>Dopasowywanie postaci</translation>
+    </message>
+    <message>
+        <source>Computed response</source>
+        <translation>Charakterystyka obliczona</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Charakterystyka</translation>
+    </message>
+    <message>
+        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: the first.</source>
+        <translation>Która z kilku w pliku: jej numer albo węzły jako 12/5 (odpowiedź/siła). Puste: pierwsza.</translation>
+    </message>
+    <message>
+        <source>Fit modes</source>
+        <translation>Dopasuj postacie</translation>
+    </message>
+    <message>
+        <source>Finds the modes.</source>
+        <translation>Znajduje postacie.</translation>
+    </message>
+    <message>
+        <source>The response itself</source>
+        <translation>Sama charakterystyka</translation>
+    </message>
+    <message>
+        <source>The modal model</source>
+        <translation>Model modalny</translation>
+    </message>
+    <message>
+        <source>Use for lobes</source>
+        <translation>Do krzywych workowych</translation>
+    </message>
+    <message>
+        <source>What “Use this response” hands on: the response, or its modal model.</source>
+        <translation>Co przekazuje „Użyj tej charakterystyki”: charakterystykę albo jej model modalny.</translation>
+    </message>
+    <message>
+        <source>Modes changed by hand</source>
+        <translation>Postacie zmienione ręcznie</translation>
+    </message>
+    <message>
+        <source>In place of those of the fit; drag a peak in the magnitude chart.</source>
+        <translation>Zamiast dopasowanych; przeciągnij szczyt na wykresie modułu.</translation>
+    </message>
+    <message>
+        <source>SHAFT.json or a stock file; fills the table of segments</source>
+        <translation>SHAFT.json albo plik półfabrykatu; wypełnia tabelę odcinków</translation>
+    </message>
+    <message>
+        <source>SPINDLE.json, or what the panel Spindle made; without it the shaft is free</source>
+        <translation>SPINDLE.json albo wynik panelu Wrzeciono; bez niego wał jest swobodny</translation>
+    </message>
+    <message>
+        <source>Drop a shaft here (SHAFT.json, stock text), or state its segments.</source>
+        <translation>Upuść tu wał (SHAFT.json, tekst półfabrykatu) albo podaj jego odcinki.</translation>
+    </message>
+    <message>
+        <source>Shaft or segments</source>
+        <translation>Wał lub odcinki</translation>
+    </message>
+    <message>
+        <source>From the free end; 0: a tailstock.</source>
+        <translation>Od wolnego końca; 0: konik.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Sztywność</translation>
+    </message>
+    <message>
+        <source>Against deflection.</source>
+        <translation>Przeciw ugięciu.</translation>
+    </message>
+    <message>
+        <source>The spring is multiplied by 1 + iη.</source>
+        <translation>Sprężyna jest mnożona przez 1 + iη.</translation>
+    </message>
+    <message>
+        <source>From the free end toward the chuck. A file fills the table; once it is changed, the table rules.</source>
+        <translation>Od wolnego końca do uchwytu. Plik wypełnia tabelę; po zmianie obowiązuje tabela.</translation>
+    </message>
+    <message>
+        <source>Segments changed from</source>
+        <translation>Odcinki zmienione względem</translation>
+    </message>
+    <message>
+        <source>The input that the table was changed from.</source>
+        <translation>Dane, względem których zmieniono tabelę.</translation>
+    </message>
+    <message>
+        <source>as the file states</source>
+        <translation>jak podaje plik</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stal</translation>
+    </message>
+    <message>
+        <source>Stainless steel</source>
+        <translation>Stal nierdzewna</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Brass</source>
+        <translation>Mosiądz</translation>
+    </message>
+    <message>
+        <source>Titanium</source>
+        <translation>Tytan</translation>
+    </message>
+    <message>
+        <source>Cast iron</source>
+        <translation>Żeliwo</translation>
+    </message>
+    <message>
+        <source>Handbook values of the library are marked as assumed.</source>
+        <translation>Wartości z biblioteki są oznaczone jako przyjęte.</translation>
+    </message>
+    <message>
+        <source>Own material</source>
+        <translation>Własny materiał</translation>
+    </message>
+    <message>
+        <source>Stated in place of the file and the library.</source>
+        <translation>Podany zamiast pliku i biblioteki.</translation>
+    </message>
+    <message>
+        <source>the spindle given, else free</source>
+        <translation>podane wrzeciono, inaczej swobodny</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>sprężyny</translation>
+    </message>
+    <message>
+        <source>clamped rigidly</source>
+        <translation>sztywno utwierdzony</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>swobodny</translation>
+    </message>
+    <message>
+        <source>Held at the chuck</source>
+        <translation>Mocowanie w uchwycie</translation>
+    </message>
+    <message>
+        <source>At the last segment&apos;s end.</source>
+        <translation>Na końcu ostatniego odcinka.</translation>
+    </message>
+    <message>
+        <source>Springs at the chuck</source>
+        <translation>Sprężyny w uchwycie</translation>
+    </message>
+    <message>
+        <source>Where it is held by springs.</source>
+        <translation>Gdy trzymają go sprężyny.</translation>
+    </message>
+    <message>
+        <source>Tailstock and rests</source>
+        <translation>Konik i podtrzymki</translation>
+    </message>
+    <message>
+        <source>Springs between the shaft and the ground.</source>
+        <translation>Sprężyny między wałem a podstawą.</translation>
+    </message>
+    <message>
+        <source>MEASUREMENTS.json, with the file of frequency responses beside it</source>
+        <translation>MEASUREMENTS.json, z plikiem charakterystyk częstotliwościowych obok</translation>
+    </message>
+    <message>
+        <source>Drop tap tests on rods here (MEASUREMENTS.json), or choose springs or a known machine.</source>
+        <translation>Upuść tu próby udarowe na prętach (MEASUREMENTS.json) albo wybierz sprężyny lub znaną maszynę.</translation>
+    </message>
+    <message>
+        <source>Tap tests or springs</source>
+        <translation>Próby udarowe lub sprężyny</translation>
+    </message>
+    <message>
+        <source>Residual of the rod held out</source>
+        <translation>Reszta pręta odłożonego</translation>
+    </message>
+    <message>
+        <source>Of the responses used {used} % · responses: {responses} · lines: {lines}</source>
+        <translation>Użytych charakterystyk {used} % · charakterystyk: {responses} · linii: {lines}</translation>
+    </message>
+    <message>
+        <source>✓ accepted</source>
+        <translation>✓ przyjęte</translation>
+    </message>
+    <message>
+        <source>✗ not accepted</source>
+        <translation>✗ nieprzyjęte</translation>
+    </message>
+    <message>
+        <source>Static compliance of the chuck face</source>
+        <translation>Podatność statyczna czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>Tilt {tilt} µrad/(N·m) · loss factor {loss}</source>
+        <translation>Przechył {tilt} µrad/(N·m) · współczynnik strat {loss}</translation>
+    </message>
+    <message>
+        <source>Quality of the identification</source>
+        <translation>Jakość identyfikacji</translation>
+    </message>
+    <message>
+        <source>tap tests</source>
+        <translation>próby udarowe</translation>
+    </message>
+    <message>
+        <source>lathe of the papers</source>
+        <translation>tokarka z artykułów</translation>
+    </message>
+    <message>
+        <source>stiff lathe (example)</source>
+        <translation>sztywna tokarka (przykład)</translation>
+    </message>
+    <message>
+        <source>soft lathe (example)</source>
+        <translation>podatna tokarka (przykład)</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Skąd znane</translation>
+    </message>
+    <message>
+        <source>Machines of the library are assumed values to begin with.</source>
+        <translation>Maszyny z biblioteki są wartościami przyjętymi na początek.</translation>
+    </message>
+    <message>
+        <source>Where they are typed.</source>
+        <translation>Gdy są wpisywane.</translation>
+    </message>
+    <message>
+        <source>Largest residual</source>
+        <translation>Największa reszta</translation>
+    </message>
+    <message>
+        <source>Of the rod held out, else of all responses used.</source>
+        <translation>Pręta odłożonego, inaczej wszystkich użytych charakterystyk.</translation>
+    </message>
+    <message>
+        <source>Face {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm</source>
+        <translation>Czoło {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Natural frequencies of beams</source>
+        <translation>Częstotliwości własne belek</translation>
+    </message>
+    <message>
+        <source>Receptances of beams</source>
+        <translation>Receptancje belek</translation>
+    </message>
+    <message>
+        <source>Two halves of a shaft coupled</source>
+        <translation>Dwie sprzężone połowy wałka</translation>
+    </message>
+    <message>
+        <source>Rod of the source papers on its springs</source>
+        <translation>Pręt z artykułów źródłowych na sprężynach</translation>
+    </message>
+    <message>
+        <source>Spindle found from made responses</source>
+        <translation>Wrzeciono wyznaczone z wytworzonych charakterystyk</translation>
+    </message>
+    <message>
+        <source>the exact relation: the published one has no process damping</source>
+        <translation>zależność dokładna: opublikowana nie ma tłumienia procesowego</translation>
+    </message>
+    <message>
+        <source>the cutting coefficient for the process damping</source>
+        <translation>współczynnik skrawania dla tłumienia procesowego</translation>
+    </message>
+    <message>
+        <source>the diameter for the process damping</source>
+        <translation>średnica dla tłumienia procesowego</translation>
+    </message>
+    <message>
+        <source>Process damping C</source>
+        <translation>Tłumienie procesowe C</translation>
+    </message>
+    <message>
+        <source>Of the force C (a/v) ẋ, v the cutting speed; needs coefficient, diameter and the exact relation.</source>
+        <translation>Z siły C (a/v) ẋ, v to prędkość skrawania; wymaga współczynnika, średnicy i zależności dokładnej.</translation>
+    </message>
+    <message>
+        <source>Of the turned surface; for the process damping.</source>
+        <translation>Powierzchni toczonej; dla tłumienia procesowego.</translation>
+    </message>
+    <message>
+        <source>the cutting coefficient</source>
+        <translation>współczynnik skrawania</translation>
+    </message>
+    <message>
+        <source>Operating speed</source>
+        <translation>Prędkość robocza</translation>
+    </message>
+    <message>
+        <source>Of a point that is asked about: is it stable, and how surely?</source>
+        <translation>Punktu, o który się pyta: czy jest stabilny i jak pewnie?</translation>
+    </message>
+    <message>
+        <source>Operating depth of cut</source>
+        <translation>Robocza głębokość skrawania</translation>
+    </message>
+    <message>
+        <source>Of that point, in mm; without a cutting coefficient in multiples of the least limit.</source>
+        <translation>Tego punktu, w mm; bez współczynnika skrawania w wielokrotnościach najmniejszej granicy.</translation>
+    </message>
+    <message>
+        <source>speed and depth of the operating point</source>
+        <translation>prędkość i głębokość punktu pracy</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Punkt pracy</translation>
+    </message>
+    <message>
+        <source>Limit at this speed</source>
+        <translation>Granica przy tej prędkości</translation>
+    </message>
+    <message>
+        <source>Stable</source>
+        <translation>Stabilny</translation>
+    </message>
+    <message>
+        <source>Probability that it is stable</source>
+        <translation>Prawdopodobieństwo, że jest stabilny</translation>
+    </message>
+    <message>
+        <source>the diameter that is left</source>
+        <translation>pozostająca średnica</translation>
+    </message>
+    <message>
+        <source>more than the bore</source>
+        <translation>większa niż otwór</translation>
+    </message>
+    <message>
+        <source>the stretch that the tool cuts, such as 0:100</source>
+        <translation>odcinek skrawany przez narzędzie, na przykład 0:100</translation>
+    </message>
+    <message>
+        <source>a range such as 0:100</source>
+        <translation>zakres, na przykład 0:100</translation>
+    </message>
+    <message>
+        <source>the depth of cut of the pass</source>
+        <translation>głębokość skrawania przejścia</translation>
+    </message>
+    <message>
+        <source>the cutting coefficient for a pass</source>
+        <translation>współczynnik skrawania dla przejścia</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Przejście</translation>
+    </message>
+    <message>
+        <source>Stretch that the tool cuts, 0:100 from the free end toward the chuck: lobes for each place.</source>
+        <translation>Odcinek skrawany przez narzędzie, 0:100 od wolnego końca w stronę uchwytu: krzywe workowe dla każdego miejsca.</translation>
+    </message>
+    <message>
+        <source>Depth of the pass</source>
+        <translation>Głębokość przejścia</translation>
+    </message>
+    <message>
+        <source>On the radius; the shaft is thinner by it behind the tool.</source>
+        <translation>Na promieniu; o tyle wałek jest cieńszy za narzędziem.</translation>
+    </message>
+    <message>
+        <source>Stations of the pass</source>
+        <translation>Stacje przejścia</translation>
+    </message>
+    <message>
+        <source>Places of the tool, evenly over the pass.</source>
+        <translation>Położenia narzędzia, równomiernie wzdłuż przejścia.</translation>
+    </message>
+    <message>
+        <source>Limit less depth of cut over the pass</source>
+        <translation>Granica pomniejszona o głębokość skrawania wzdłuż przejścia</translation>
+    </message>
+    <message>
+        <source>Place of the tool z</source>
+        <translation>Położenie narzędzia z</translation>
+    </message>
+    <message>
+        <source>Limit less depth of cut</source>
+        <translation>Granica pomniejszona o głębokość skrawania</translation>
+    </message>
+    <message>
+        <source>Least limit over the pass</source>
+        <translation>Najmniejsza granica wzdłuż przejścia</translation>
+    </message>
+    <message>
+        <source>least limit</source>
+        <translation>najmniejsza granica</translation>
+    </message>
+    <message>
+        <source>depth of the pass</source>
+        <translation>głębokość przejścia</translation>
+    </message>
+    <message>
+        <source>The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the most over the whole pass: {depth} mm.</source>
+        <translation>Za narzędziem wałek jest cieńszy o głębokość skrawania. Ze wszystkich pokazanych prędkości {speed} 1/min znosi najwięcej w całym przejściu: {depth} mm.</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>diameter left (mm)</source>
+        <translation>pozostająca średnica (mm)</translation>
+    </message>
+    <message>
+        <source>least limit (mm)</source>
+        <translation>najmniejsza granica (mm)</translation>
+    </message>
+    <message>
+        <source>Lobes over the pass</source>
+        <translation>Krzywe workowe wzdłuż przejścia</translation>
+    </message>
+    <message>
+        <source>the speed of the spindle</source>
+        <translation>prędkość wrzeciona</translation>
+    </message>
+    <message>
+        <source>the depth of cut</source>
+        <translation>głębokość skrawania</translation>
+    </message>
+    <message>
+        <source>Of the cut that is simulated.</source>
+        <translation>Symulowanego skrawania.</translation>
+    </message>
+    <message>
+        <source>Force along the chip thickness over its area.</source>
+        <translation>Siła wzdłuż grubości wióra podzielona przez jego pole.</translation>
+    </message>
+    <message>
+        <source>Chip thickness without vibration; says when the tool leaves the cut.</source>
+        <translation>Grubość wióra bez drgań; mówi, kiedy narzędzie wychodzi z materiału.</translation>
+    </message>
+    <message>
+        <source>That are simulated.</source>
+        <translation>Które są symulowane.</translation>
+    </message>
+    <message>
+        <source>Of the force C (a/v) ẋ, v the cutting speed; needs the diameter.</source>
+        <translation>Z siły C (a/v) ẋ, v to prędkość skrawania; wymaga średnicy.</translation>
+    </message>
+    <message>
+        <source>at least one mode</source>
+        <translation>co najmniej jedna postać</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <source>Growth per revolution</source>
+        <translation>Wzrost na obrót</translation>
+    </message>
+    <message>
+        <source>Its change by half the time step</source>
+        <translation>Jego zmiana przy połowie kroku czasu</translation>
+    </message>
+    <message>
+        <source>Frequency of the vibration</source>
+        <translation>Częstotliwość drgań</translation>
+    </message>
+    <message>
+        <source>Amplitude at the end</source>
+        <translation>Amplituda na końcu</translation>
+    </message>
+    <message>
+        <source>Time out of the cut at the end</source>
+        <translation>Czas poza materiałem na końcu</translation>
+    </message>
+    <message>
+        <source>Deflection of the steady cut</source>
+        <translation>Ugięcie przy skrawaniu bez drgań</translation>
+    </message>
+    <message>
+        <source>Waves in a revolution</source>
+        <translation>Fale na obrót</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Symulowany czas</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Krok czasu</translation>
+    </message>
+    <message>
+        <source>Time steps in a revolution</source>
+        <translation>Kroki czasu na obrót</translation>
+    </message>
+    <message>
+        <source>Full scale of the sound</source>
+        <translation>Pełna skala dźwięku</translation>
+    </message>
+    <message>
+        <source>Deflection of the tool</source>
+        <translation>Ugięcie narzędzia</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Ugięcie</translation>
+    </message>
+    <message>
+        <source>steady cut</source>
+        <translation>skrawanie bez drgań</translation>
+    </message>
+    <message>
+        <source>Outer and inner wave of the last revolution</source>
+        <translation>Fala zewnętrzna i wewnętrzna ostatniego obrotu</translation>
+    </message>
+    <message>
+        <source>Height above the bottom of the steady cut</source>
+        <translation>Wysokość nad dnem skrawania bez drgań</translation>
+    </message>
+    <message>
+        <source>outer wave, left before</source>
+        <translation>fala zewnętrzna, pozostawiona wcześniej</translation>
+    </message>
+    <message>
+        <source>inner wave, path of the tool</source>
+        <translation>fala wewnętrzna, tor narzędzia</translation>
+    </message>
+    <message>
+        <source>Growth of the vibration per revolution</source>
+        <translation>Wzrost drgań na obrót</translation>
+    </message>
+    <message>
+        <source>{frequency} Hz · amplitude {amplitude} mm · out of the cut {lost} %</source>
+        <translation>{frequency} Hz · amplituda {amplitude} mm · poza materiałem {lost} %</translation>
+    </message>
+    <message>
+        <source>Simulated cut</source>
+        <translation>Symulowane skrawanie</translation>
+    </message>
+    <message>
+        <source>Simulation of a cut</source>
+        <translation>Symulacja skrawania</translation>
+    </message>
+    <message>
+        <source>Waveform</source>
+        <translation>Przebieg</translation>
+    </message>
+    <message>
+        <source>The modes go on exactly from step to step under a force that runs straight between them; the chip is as thick as the feed and the waves of earlier revolutions leave it, and has no force where the tool is out of the cut. The growth is that of the cut without loss of contact.</source>
+        <translation>Postacie drgań są całkowane dokładnie od kroku do kroku przy sile zmiennej między nimi liniowo; wiór jest tak gruby, jak pozostawiają go posuw i fale wcześniejszych obrotów, i nie ma siły, gdy narzędzie jest poza materiałem. Wzrost dotyczy skrawania bez utraty kontaktu.</translation>
+    </message>
+    <message>
+        <source>at least two columns and rows</source>
+        <translation>co najmniej dwie kolumny i dwa wiersze</translation>
+    </message>
+    <message>
+        <source>a range such as 1000:4000</source>
+        <translation>zakres, na przykład 1000:4000</translation>
+    </message>
+    <message>
+        <source>a range such as 0:1</source>
+        <translation>zakres, na przykład 0:1</translation>
+    </message>
+    <message>
+        <source>Natural logarithm of the growth</source>
+        <translation>Logarytm naturalny wzrostu</translation>
+    </message>
+    <message>
+        <source>The simulation would take {steps} time steps; at most {most} are allowed. Ask for fewer revolutions.</source>
+        <translation>Symulacja wymagałaby {steps} kroków czasu; dozwolone jest najwyżej {most}. Podaj mniej obrotów.</translation>
+    </message>
+    <message>
+        <source>A simulation needs modes; a frequency response alone does not give them. State them with --mode.</source>
+        <translation>Symulacja wymaga postaci drgań; sama charakterystyka częstotliwościowa ich nie daje. Podaj je przez --mode.</translation>
+    </message>
+    <message>
+        <source>Nothing chatters at the speeds shown.</source>
+        <translation>Przy pokazanych prędkościach nic nie drga.</translation>
+    </message>
+    <message>
+        <source>Limits of the worked example</source>
+        <translation>Granice z przykładu obliczeniowego</translation>
+    </message>
+    <message>
+        <source>Characteristic equation at the lobes</source>
+        <translation>Równanie charakterystyczne na krzywych workowych</translation>
+    </message>
+    <message>
+        <source>Characteristic equation with process damping</source>
+        <translation>Równanie charakterystyczne z tłumieniem procesowym</translation>
+    </message>
+    <message>
+        <source>Speeds of the source papers</source>
+        <translation>Prędkości z artykułów źródłowych</translation>
+    </message>
+    <message>
+        <source>Growth of simulated cuts</source>
+        <translation>Wzrost w symulowanych skrawaniach</translation>
+    </message>
+    <message>
+        <source>the shaft of a pass</source>
+        <translation>wałek przejścia</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>Symulacja</translation>
     </message>
 </context>
 <context>
@@ -6377,6 +7413,34 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Decision rule of new evaluations</source>
         <translation>Reguła decyzyjna nowych ocen</translation>
     </message>
+    <message>
+        <source>millimetre (mm)</source>
+        <translation>milimetr (mm)</translation>
+    </message>
+    <message>
+        <source>inch (in)</source>
+        <translation>cal (in)</translation>
+    </message>
+    <message>
+        <source>micrometre (µm)</source>
+        <translation>mikrometr (µm)</translation>
+    </message>
+    <message>
+        <source>microinch (µin)</source>
+        <translation>mikrocal (µin)</translation>
+    </message>
+    <message>
+        <source>On screen and in reports; files with numbers and the command line keep mm and µm</source>
+        <translation>Na ekranie i w raportach; pliki z liczbami i wiersz poleceń zachowują mm i µm</translation>
+    </message>
+    <message>
+        <source>Lengths and deviations in</source>
+        <translation>Długości i odchyłki</translation>
+    </message>
+    <message>
+        <source>Form and run-out in</source>
+        <translation>Kształt i bicie</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::TitleBlockDialog</name>
@@ -6525,10 +7589,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Kopia</translation>
     </message>
     <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
         <source>deviation %1</source>
         <translation>odchyłka %1</translation>
     </message>
@@ -6593,10 +7653,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Te skany obliczono, nie zmierzono.</translation>
     </message>
     <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Część</translation>
     </message>
@@ -6655,6 +7711,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Double click: show this copy</source>
         <translation>Podwójne kliknięcie: pokaż tę kopię</translation>
+    </message>
+    <message>
+        <source>along the axis %1, angle %2°</source>
+        <translation>wzdłuż osi %1, kąt %2°</translation>
     </message>
 </context>
 <context>
@@ -6740,10 +7800,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>odchyłka %1</translation>
     </message>
     <message>
-        <source>along the axis %1 mm, angle %2°</source>
-        <translation>wzdłuż osi %1 mm, kąt %2°</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Część</translation>
     </message>
@@ -6772,16 +7828,122 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Te punkty obliczono, nie zmierzono.</translation>
     </message>
     <message>
-        <source>Deviation (mm)</source>
-        <translation>Odchyłka (mm)</translation>
-    </message>
-    <message>
         <source>Roundness of this section</source>
         <translation>Okrągłość tego przekroju</translation>
     </message>
     <message>
         <source>Cuts the marked section out of the points and opens it in the panel Roundness</source>
         <translation>Wycina zaznaczony przekrój z punktów i otwiera go w panelu Okrągłość</translation>
+    </message>
+    <message>
+        <source>along the axis %1, angle %2°</source>
+        <translation>wzdłuż osi %1, kąt %2°</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::frf_panel::FrfPanel</name>
+    <message>
+        <source>Drag a peak</source>
+        <translation>Przeciągnij szczyt</translation>
+    </message>
+    <message>
+        <source>Back to the fit</source>
+        <translation>Powrót do dopasowania</translation>
+    </message>
+    <message>
+        <source>%1, modal model</source>
+        <translation>%1, model modalny</translation>
+    </message>
+    <message>
+        <source>Length %1</source>
+        <translation>Długość %1</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Sprężyny</translation>
+    </message>
+    <message>
+        <source>Table of receptances</source>
+        <translation>Tabela receptancji</translation>
+    </message>
+    <message>
+        <source>%L1 lines</source>
+        <translation>Linii: %L1</translation>
+    </message>
+    <message>
+        <source>%L1 responses · %2</source>
+        <translation>Charakterystyk: %L1 · %2</translation>
+    </message>
+    <message>
+        <source>Response (CSV)…</source>
+        <translation>Charakterystyka (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Response (UFF 58)…</source>
+        <translation>Charakterystyka (UFF 58)…</translation>
+    </message>
+    <message>
+        <source>Universal file (*.uff)</source>
+        <translation>Plik uniwersalny (*.uff)</translation>
+    </message>
+    <message>
+        <source>Modes (CSV)…</source>
+        <translation>Postacie (CSV)…</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::frf_panel::FrfViews</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Postacie</translation>
+    </message>
+    <message>
+        <source>Real part</source>
+        <translation>Część rzeczywista</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Część urojona</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Koherencja</translation>
+    </message>
+    <message>
+        <source>Error of the model</source>
+        <translation>Błąd modelu</translation>
+    </message>
+    <message>
+        <source>Use this response</source>
+        <translation>Użyj tej charakterystyki</translation>
+    </message>
+    <message>
+        <source>Lobes of this response: as measured, or of its modal model (Use for lobes)</source>
+        <translation>Krzywe workowe tej charakterystyki: zmierzonej albo jej modelu modalnego (Do krzywych workowych)</translation>
+    </message>
+    <message>
+        <source>Back to the fit</source>
+        <translation>Powrót do dopasowania</translation>
+    </message>
+    <message>
+        <source>Takes the modes of the fit again in place of those changed by hand</source>
+        <translation>Przyjmuje znów postacie dopasowane zamiast zmienionych ręcznie</translation>
     </message>
 </context>
 <context>
@@ -6856,12 +8018,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Powierzchnia wszystkich przekrojów</translation>
     </message>
     <message>
-        <source>section %1, angle %2°
-deviation %3 µm</source>
-        <translation>przekrój %1, kąt %2°
-odchyłka %3 µm</translation>
-    </message>
-    <message>
         <source>form of each section only</source>
         <translation>tylko kształt każdego przekroju</translation>
     </message>
@@ -6878,10 +8034,6 @@ odchyłka %3 µm</translation>
         <translation>Dane syntetyczne</translation>
     </message>
     <message>
-        <source>Deviation (µm)</source>
-        <translation>Odchyłka (µm)</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Kształt</translation>
     </message>
@@ -6896,6 +8048,12 @@ odchyłka %3 µm</translation>
     <message>
         <source>Error ×</source>
         <translation>Błąd ×</translation>
+    </message>
+    <message>
+        <source>section %1, angle %2°
+deviation %3</source>
+        <translation>przekrój %1, kąt %2°
+odchyłka %3</translation>
     </message>
 </context>
 <context>
@@ -6918,6 +8076,72 @@ odchyłka %3 µm</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::machine_panel::MachinePanel</name>
+    <message>
+        <source>spindle</source>
+        <translation>wrzeciono</translation>
+    </message>
+    <message>
+        <source>spindle of %1</source>
+        <translation>wrzeciono z %1</translation>
+    </message>
+    <message>
+        <source>%L1 rods, %L2 responses</source>
+        <translation>Prętów: %L1, charakterystyk: %L2</translation>
+    </message>
+    <message>
+        <source>Spindle (SPINDLE.json)…</source>
+        <translation>Wrzeciono (SPINDLE.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Magnitude over frequency (CSV)…</source>
+        <translation>Moduł w funkcji częstotliwości (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::machine_panel::MachineViews</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Rod held out</source>
+        <translation>Pręt odłożony</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Uwarunkowanie</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Charakterystyki</translation>
+    </message>
+    <message>
+        <source>Use this spindle</source>
+        <translation>Użyj tego wrzeciona</translation>
+    </message>
+    <message>
+        <source>Put a shaft on it</source>
+        <translation>Osadź na nim wał</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::plot::ChartView</name>
     <message>
         <source>radius vector %1 %2</source>
@@ -6927,24 +8151,24 @@ odchyłka %3 µm</translation>
 <context>
     <name>lathelier::plot::LimitEdit</name>
     <message>
-        <source>The colour scale runs from minus to plus this many mm.</source>
-        <translation>Skala barw sięga od minus do plus tylu mm.</translation>
-    </message>
-    <message>
-        <source>Limit of the colour scale in mm</source>
-        <translation>Granica skali barw w mm</translation>
-    </message>
-    <message>
-        <source>Upper end of the colour scale in mm</source>
-        <translation>Górny koniec skali barw w mm</translation>
-    </message>
-    <message>
-        <source>How far below 0 the colour scale goes, in mm</source>
-        <translation>Jak daleko poniżej 0 sięga skala barw, w mm</translation>
-    </message>
-    <message>
         <source>Each side of the scale by itself</source>
         <translation>Każda strona skali osobno</translation>
+    </message>
+    <message>
+        <source>Upper end of the colour scale in %1</source>
+        <translation>Górny koniec skali barw w %1</translation>
+    </message>
+    <message>
+        <source>The colour scale runs from minus to plus this many %1.</source>
+        <translation>Skala barw biegnie od minus do plus tej wartości w %1.</translation>
+    </message>
+    <message>
+        <source>Limit of the colour scale in %1</source>
+        <translation>Granica skali barw w %1</translation>
+    </message>
+    <message>
+        <source>How far below 0 the colour scale goes, in %1</source>
+        <translation>Jak daleko poniżej 0 sięga skala barw, w %1</translation>
     </message>
 </context>
 <context>
@@ -7007,10 +8231,6 @@ odchyłka %3 µm</translation>
         <translation>styk wewnętrzny</translation>
     </message>
     <message>
-        <source>%1 µm/div</source>
-        <translation>%1 µm/dz.</translation>
-    </message>
-    <message>
         <source>deviation × %1 · %2</source>
         <translation>odchyłka × %1 · %2</translation>
     </message>
@@ -7021,6 +8241,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>%1, outer circle</source>
         <translation>%1, okrąg zewnętrzny</translation>
+    </message>
+    <message>
+        <source>%1 %2/div</source>
+        <translation>%1 %2/dz.</translation>
     </message>
 </context>
 <context>
@@ -7048,10 +8272,6 @@ odchyłka %3 µm</translation>
 </context>
 <context>
     <name>lathelier::roundness_panel::RoundnessViews</name>
-    <message>
-        <source>largest difference %1 µm, mean %2 µm</source>
-        <translation>największa różnica %1 µm, średnia %2 µm</translation>
-    </message>
     <message>
         <source>Roundness</source>
         <translation>Okrągłość</translation>
@@ -7099,6 +8319,10 @@ odchyłka %3 µm</translation>
     <message>
         <source>Tables</source>
         <translation>Tabele</translation>
+    </message>
+    <message>
+        <source>largest difference %1, mean %2</source>
+        <translation>największa różnica %1, średnia %2</translation>
     </message>
 </context>
 <context>
@@ -7197,6 +8421,112 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::shaft_panel::ShaftPanel</name>
+    <message>
+        <source>shaft, %1 mm</source>
+        <translation>wał, %1 mm</translation>
+    </message>
+    <message>
+        <source>Move the end of segment %1</source>
+        <translation>Przesuń koniec odcinka %1</translation>
+    </message>
+    <message>
+        <source>response of %1</source>
+        <translation>charakterystyka: %1</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>sprężyny</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabela</translation>
+    </message>
+    <message>
+        <source>%L1 segments</source>
+        <translation>Odcinków: %L1</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>Receptance (CSV)…</source>
+        <translation>Receptancja (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Receptance (UFF)…</source>
+        <translation>Receptancja (UFF)…</translation>
+    </message>
+    <message>
+        <source>Universal file (*.uff)</source>
+        <translation>Plik uniwersalny (*.uff)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::shaft_panel::ShaftViews</name>
+    <message>
+        <source>Shaft</source>
+        <translation>Wał</translation>
+    </message>
+    <message>
+        <source>Mode shapes</source>
+        <translation>Postacie drgań</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Moduł</translation>
+    </message>
+    <message>
+        <source>Real and imaginary</source>
+        <translation>Część rzeczywista i urojona</translation>
+    </message>
+    <message>
+        <source>Natural frequencies</source>
+        <translation>Częstotliwości własne</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Drgaj</translation>
+    </message>
+    <message>
+        <source>Let the mode shapes swing</source>
+        <translation>Wprawia postacie drgań w ruch</translation>
+    </message>
+    <message>
+        <source>Use this shaft</source>
+        <translation>Użyj tego wału</translation>
+    </message>
+    <message>
+        <source>Keep it in the project, where other panels take it as an input</source>
+        <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+    <message>
+        <source>Use this response</source>
+        <translation>Użyj tej charakterystyki</translation>
+    </message>
+    <message>
+        <source>Find the stability lobes of this receptance</source>
+        <translation>Wyznacza krzywe workowe tej receptancji</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::trajectory_common::AngleBar</name>
     <message>
         <source>Play: run around the part by angle</source>
@@ -7212,10 +8542,6 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Section %1 of %2</source>
         <translation>Przekrój %1 z %2</translation>
-    </message>
-    <message>
-        <source> · z %1 mm</source>
-        <translation> · z %1 mm</translation>
     </message>
     <message>
         <source>The section before</source>
@@ -7236,6 +8562,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Always the section with the largest roundness deviation</source>
         <translation>Zawsze przekrój o największej odchyłce okrągłości</translation>
+    </message>
+    <message>
+        <source> · z %1</source>
+        <translation> · z %1</translation>
     </message>
 </context>
 <context>

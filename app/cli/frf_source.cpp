@@ -3,6 +3,7 @@
 #include "app/cli/shafts.h"
 #include "engine/core/core_codes.h"
 #include "engine/io/frf/frf_reader.h"
+#include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
 
 namespace lathelier::cli {
@@ -33,6 +34,8 @@ Frf fromFile(const std::string& path, const Request& request, io::InputFiles& in
     if (file.frfs.size() > 1)
         answer.notes.push_back(
             {notes::severalResponses, {{"path", path}, {"count", static_cast<std::int64_t>(file.frfs.size())}}});
+    const Notes checked = receptance::checkResponse(file.frfs.front(), path);
+    answer.notes.insert(answer.notes.end(), checked.begin(), checked.end());
     return io::toReceptance(file.frfs.front().frf);
 }
 

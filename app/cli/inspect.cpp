@@ -123,17 +123,19 @@ void runInspect(const Request& request, io::InputFiles& inputs, const Progress& 
 
 Verb inspectVerb(const io::FileKinds& kinds)
 {
-    return {"inspect",
-            "Say what was understood of files: format, units, columns, rows, extent.",
-            {{"FILE",
-              "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, a probe record "
-              "(CSV, L-Graph .dat/.par), frequency responses (UFF, CSV, MAT), or characteristics (Q-DAS .dfq).",
-              true}},
-            {},
-            kinds,
-            {},
-            true,
-            runInspect};
+    return {
+        "inspect",
+        "Say what was understood of files: format, units, columns, rows, extent.",
+        {{"FILE",
+          "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, a probe record "
+          "(CSV, L-Graph .dat/.par), frequency responses (UFF, CSV, MAT), a shaft, a spindle or tap tests (JSON, stock "
+          "text), or characteristics (Q-DAS .dfq).",
+          true}},
+        {},
+        kinds,
+        {},
+        true,
+        runInspect};
 }
 
 }  // namespace lathelier::cli

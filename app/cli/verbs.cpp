@@ -1,6 +1,9 @@
 // The table of verbs: a new capability is one line here and one file beside it.
 #include "app/cli/verbs.h"
 
+#include "engine/receptance/shaft_kind.h"
+#include "engine/receptance/spindle_kind.h"
+
 namespace lathelier::cli {
 
 const std::vector<Verb>& verbs()
@@ -9,7 +12,9 @@ const std::vector<Verb>& verbs()
         std::vector<Verb> table{sampleVerb(),     compareVerb(),  roundnessVerb(), cylindricityVerb(),
                                 trajectoryVerb(), frfVerb(),      spindleVerb(),   lobesVerb(),
                                 speedVerb(),      simulateVerb(), verifyVerb()};
-        io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles()};  // inspect knows the files of all others
+        // inspect knows the files of all others
+        io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &receptance::shaftFiles(), &receptance::spindleFiles(),
+                            &receptance::measurementFiles()};
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;

@@ -100,7 +100,9 @@ int main(int argc, char** argv)
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QFile::decodeName(fresh->path().c_str()));
     }
     Languages languages;
-    languages.use(arguments.language.isEmpty() ? readSettings().language : arguments.language);
+    const lathelier::Settings settings = lathelier::readSettings();
+    languages.use(arguments.language.isEmpty() ? settings.language : arguments.language);
+    lathelier::setScreenUnits(settings.units);
 
     if (!arguments.report.isEmpty()) return runReport(arguments.report, arguments.files.front(), panelTable());
     return runWindow(arguments, languages);

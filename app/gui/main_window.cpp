@@ -277,6 +277,7 @@ void MainWindow::applySettings(const Settings& settings)
     settings_ = settings;
     writeSettings(settings);
     languages_.use(settings.language);
+    setScreenUnits(settings.units);
     useStartingValues();
     useTheme();
     setPresenting(presenting);

@@ -2,19 +2,27 @@
 
 #include "widgets/compare/compare_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
+#include "widgets/frf/frf_panel.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
+#include "widgets/shaft/shaft_panel.h"
+#include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 
 namespace lathelier {
 
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{
-        compare_panel::comparePanelFacts(),           roundness_panel::roundnessPanelFacts(),
-        trajectory_panel::trajectoryPanelFacts(),     longitudinal_panel::longitudinalPanelFacts(),
-        cylindricity_panel::cylindricityPanelFacts(), lobes_panel::lobesPanelFacts()};
+    static const std::vector<PanelFacts> table{compare_panel::comparePanelFacts(),
+                                               roundness_panel::roundnessPanelFacts(),
+                                               trajectory_panel::trajectoryPanelFacts(),
+                                               longitudinal_panel::longitudinalPanelFacts(),
+                                               cylindricity_panel::cylindricityPanelFacts(),
+                                               shaft_panel::shaftPanelFacts(),
+                                               machine_panel::machinePanelFacts(),
+                                               frf_panel::frfPanelFacts(),
+                                               lobes_panel::lobesPanelFacts()};
     return table;
 }
 

@@ -3,12 +3,37 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <initializer_list>
 
 namespace lathelier {
 namespace {
 
 constexpr int recentCount = 10;
 
+/// The unit of this key; the engine's for another.
+template <class Unit>
+Unit unitOf(const QString& key, std::initializer_list<Unit> units)
+{
+    for (const Unit unit : units)
+        if (unitKey(unit) == key) return unit;
+    return *units.begin();
+}
+
+}  // namespace
+
+QString unitKey(ScreenUnits::Length unit)
+{
+    return unit == ScreenUnits::Length::Inch ? QStringLiteral("in") : QStringLiteral("mm");
+}
+
+QString unitKey(ScreenUnits::Form unit)
+{
+    switch (unit) {
+        case ScreenUnits::Form::Millimetre: return QStringLiteral("mm");
+        case ScreenUnits::Form::Microinch: return QStringLiteral("uin");
+        case ScreenUnits::Form::Micrometre: break;
+    }
+    return QStringLiteral("um");
 }
 
 Settings readSettings()
@@ -20,6 +45,11 @@ Settings readSettings()
     result.presenter_percent =
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
     result.decision = stored.value("decision").toString();
+    using Length = ScreenUnits::Length;
+    using Form = ScreenUnits::Form;
+    result.units.length = unitOf(stored.value("length_unit").toString(), {Length::Millimetre, Length::Inch});
+    result.units.form =
+        unitOf(stored.value("form_unit").toString(), {Form::Micrometre, Form::Millimetre, Form::Microinch});
     return result;
 }
 
@@ -30,6 +60,8 @@ void writeSettings(const Settings& settings)
     stored.setValue("theme", settings.theme);
     stored.setValue("presenter_percent", settings.presenter_percent);
     stored.setValue("decision", settings.decision);
+    stored.setValue("length_unit", unitKey(settings.units.length));
+    stored.setValue("form_unit", unitKey(settings.units.form));
 }
 
 QStringList recentFiles()

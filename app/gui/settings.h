@@ -4,6 +4,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "widgets/core/language.h"
+
 namespace lathelier {
 
 struct Settings {
@@ -11,7 +13,12 @@ struct Settings {
     QString theme;                ///< "light", "dark"; empty: the system's
     int presenter_percent = 150;  ///< type size in presenter mode
     QString decision = {};        ///< key of the decision rule that new evaluations begin with; empty: simple
+    ScreenUnits units = {};       ///< in which lengths are shown
 };
+
+/// Keys of the units in the settings: "mm", "in"; "um", "mm", "uin".
+QString unitKey(ScreenUnits::Length unit);
+QString unitKey(ScreenUnits::Form unit);
 
 Settings readSettings();
 void writeSettings(const Settings& settings);

@@ -21,6 +21,8 @@ private:
     QComboBox* theme_;
     QSpinBox* presenter_;
     QComboBox* decision_;
+    QComboBox* length_;
+    QComboBox* form_;
 };
 
 }  // namespace lathelier

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "engine/core/visible.h"
 
@@ -30,6 +34,109 @@ std::string place(const Values& values, const Language& language)
     if (column) add(LT_TEXT("Engine", "column {column}"));
     if (byte) add(LT_TEXT("Engine", "byte {byte}"));
     return result;
+}
+
+/// The digits that can be meant of a number that was converted: 0.1 mm is 0.003937 in.
+double readable(double converted)
+{
+    if (converted == 0 || !std::isfinite(converted)) return converted;
+    const double digit = std::pow(10, 4 - std::floor(std::log10(std::abs(converted))));
+    return std::round(converted * digit) / digit;
+}
+
+/// {name} or {name:+3} of a pattern.
+struct Brace {
+    std::size_t begin = 0, end = 0;  ///< in the pattern, braces included
+    std::string_view name;
+    std::optional<int> decimals;  ///< none: as the number needs
+    bool is_signed = false;       ///< "+" is written
+};
+
+std::optional<Brace> nextBrace(std::string_view pattern, std::size_t from)
+{
+    const std::size_t open = pattern.find('{', from);
+    const std::size_t close = open == std::string_view::npos ? open : pattern.find('}', open);
+    if (close == std::string_view::npos) return std::nullopt;
+    Brace brace{open, close + 1, pattern.substr(open + 1, close - open - 1), {}, false};
+    const std::size_t colon = brace.name.find(':');
+    if (colon == std::string_view::npos) return brace;
+    std::string_view digits = brace.name.substr(colon + 1);
+    brace.name = brace.name.substr(0, colon);
+    brace.is_signed = digits.starts_with('+');
+    if (brace.is_signed) digits.remove_prefix(1);
+    int decimals = 0;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), decimals).ec == std::errc())
+        brace.decimals = decimals;
+    return brace;
+}
+
+Text unitOfName(std::string_view name)
+{
+    if (name.ends_with("_mm")) return millimetre;
+    if (name.ends_with("_um")) return micrometre;
+    return {};
+}
+
+/// Which units of a pattern are shown in another.
+struct Lengths {
+    bool mm = false, um = false;
+    bool has(Text unit) const { return unit == millimetre ? mm : unit == micrometre && um; }
+};
+
+/// A value that is no number (a phrase with its own unit) leaves the pattern in the engine's units.
+Lengths lengthsOf(std::string_view pattern, const Values& values, const Language& language)
+{
+    Lengths found;
+    if (language.lengths.unit.empty() && language.deviations_of_form.unit.empty()) return found;
+    bool mixed = false;
+    std::size_t from = 0;
+    for (std::optional<Brace> brace; (brace = nextBrace(pattern, from)); from = brace->end) {
+        const Text unit = unitOfName(brace->name);
+        const Value* value = unit.empty() ? nullptr : find(values, brace->name);
+        if (!value) continue;
+        mixed = mixed || !std::holds_alternative<double>(*value);
+        (unit == millimetre ? found.mm : found.um) = true;
+    }
+    return mixed ? Lengths{} : found;
+}
+
+bool isPartOfWord(std::string_view around, std::size_t at)
+{
+    if (at >= around.size()) return false;
+    const auto c = static_cast<unsigned char>(around[at]);
+    return std::isalnum(c) != 0 || c == '/' || c == '_';
+}
+
+/// The words "mm" and "µm" of a piece of a pattern as the units that are shown.
+std::string withUnits(std::string piece, const Lengths& lengths, const Language& language)
+{
+    for (const Text unit : {millimetre, micrometre}) {
+        if (!lengths.has(unit)) continue;
+        const std::string_view word = unit.english;
+        const std::string shown = text(shownUnit(unit, language).unit, language);
+        std::size_t from = 0;
+        for (std::size_t at = 0; (at = piece.find(word, from)) != std::string::npos;) {
+            from = at + word.size();
+            const bool squared = std::string_view(piece).substr(from).starts_with("²");
+            if ((at > 0 && isPartOfWord(piece, at - 1)) || isPartOfWord(piece, from) || squared) continue;
+            piece.replace(at, word.size(), shown);
+            from = at + shown.size();
+        }
+    }
+    return piece;
+}
+
+/// The value of a brace. Numbers of lengths as they are shown.
+std::string worded(const Value& value, const Brace& brace, const Lengths& lengths, const Language& language)
+{
+    const double* const exact = std::get_if<double>(&value);
+    if (!exact) return text(value, language);
+    const Text unit = unitOfName(brace.name);
+    const ShownUnit shown = lengths.has(unit) ? shownUnit(unit, language) : ShownUnit{};
+    const double size = *exact * shown.factor;
+    const std::string sign = brace.is_signed && size > 0 ? "+" : "";
+    return sign + (brace.decimals ? fixed(size, std::max(0, *brace.decimals + shown.more_decimals), language)
+                                  : number(size, language));
 }
 
 }  // namespace
@@ -110,20 +217,60 @@ std::string fixed(double value, int decimals, const Language& language)
 
 std::string fill(const std::string& pattern, const Values& values, const Language& language)
 {
+    const Lengths lengths = lengthsOf(pattern, values, language);
     std::string result;
+    const auto append = [&](std::size_t from, std::size_t to) {
+        result += withUnits(pattern.substr(from, to - from), lengths, language);
+    };
     std::size_t from = 0;
-    while (from < pattern.size()) {
-        const std::size_t open = pattern.find('{', from);
-        const std::size_t close = open == std::string::npos ? open : pattern.find('}', open);
-        if (close == std::string::npos) break;
-        result.append(pattern, from, open - from);
-        const Value* value = find(values, std::string_view(pattern).substr(open + 1, close - open - 1));
-        const std::string word = value ? text(*value, language) : pattern.substr(open, close - open + 1);
+    for (std::optional<Brace> brace; (brace = nextBrace(pattern, from)); from = brace->end) {
+        append(from, brace->begin);
+        const Value* value = find(values, brace->name);
+        const std::string word =
+            value ? worded(*value, *brace, lengths, language) : pattern.substr(brace->begin, brace->end - brace->begin);
         if (word.empty() && result.ends_with(' ')) result.pop_back();  // a unit that there is none of
         result += word;
-        from = close + 1;
     }
-    return result.append(pattern, from, std::string::npos);
+    append(from, pattern.size());
+    return result;
+}
+
+ShownUnit shownUnit(Text unit, const Language& language)
+{
+    if (unit == millimetre && !language.lengths.unit.empty()) return language.lengths;
+    if (unit == micrometre && !language.deviations_of_form.unit.empty()) return language.deviations_of_form;
+    return {unit};
+}
+
+std::string shownNumber(double value, Text unit, int decimals, const Language& language)
+{
+    const ShownUnit shown = shownUnit(unit, language);
+    return fixed(value * shown.factor, std::max(0, decimals + shown.more_decimals), language);
+}
+
+Value shownValue(const Value& value, Text unit, const Language& language)
+{
+    const double factor = shownUnit(unit, language).factor;
+    if (factor == 1) return value;
+    if (const double* number = std::get_if<double>(&value)) return readable(*number * factor);
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+        std::vector<double> shown = *list;
+        for (double& number : shown) number = readable(number * factor);
+        return shown;
+    }
+    if (const auto* ranges = std::get_if<std::vector<Interval>>(&value)) {
+        std::vector<Interval> shown = *ranges;
+        for (Interval& range : shown) range = {readable(range.from * factor), readable(range.to * factor)};
+        return shown;
+    }
+    return value;
+}
+
+Language inEngineUnits(Language language)
+{
+    language.lengths = {};
+    language.deviations_of_form = {};
+    return language;
 }
 
 }  // namespace lathelier

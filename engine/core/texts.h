@@ -10,12 +10,40 @@
 
 namespace lathelier {
 
-/// How to speak: a translation of English literals and the look of numbers. Default: English, decimal point.
-struct Language {
-    std::function<std::string(const char* english)> translate;  ///< empty: as it is
-    std::function<std::string(double)> number;                  ///< empty: 6 significant digits, decimal point
-    std::function<std::string(double, int decimals)> fixed;     ///< empty: decimal point
+/// The engine's units of length.
+inline constexpr Text millimetre = LT_TEXT("Engine", "mm");
+inline constexpr Text micrometre = LT_TEXT("Engine", "µm");
+
+/// A unit in which people read what the engine gives in another.
+struct ShownUnit {
+    Text unit;              ///< "in"; empty: that of the engine
+    double factor = 1;      ///< shown value = value of the engine × factor
+    int more_decimals = 0;  ///< than the value of the engine has, so that as much can be told apart
+    friend bool operator==(const ShownUnit&, const ShownUnit&) = default;
 };
+
+/// How to speak: a translation of English literals, the look of numbers, units of length. Default: English, decimal
+/// point, the engine's units.
+struct Language {
+    std::function<std::string(const char* english)> translate = {};  ///< empty: as it is
+    std::function<std::string(double)> number = {};                  ///< empty: 6 significant digits, decimal point
+    std::function<std::string(double, int decimals)> fixed = {};     ///< empty: decimal point
+    ShownUnit lengths = {};                                          ///< of what the engine gives in mm
+    ShownUnit deviations_of_form = {};                               ///< of what the engine gives in µm
+};
+
+/// The unit in which `unit` is shown: another for "mm" and "µm" where the language asks for it, else itself.
+ShownUnit shownUnit(Text unit, const Language& language);
+
+/// `value`, which the engine gives in `unit`, with `decimals` places of it, as it is shown, without the unit. Empty
+/// when it does not exist.
+std::string shownNumber(double value, Text unit, int decimals, const Language& language = {});
+
+/// The numbers of `value` (one, a list, ranges) in the unit shown, to 5 digits where that is another; else as it is.
+Value shownValue(const Value& value, Text unit, const Language& language);
+
+/// The same language with the engine's units: for files.
+Language inEngineUnits(Language language);
 
 std::string text(Text english, const Language& language = {});
 
@@ -31,7 +59,9 @@ std::string text(const Value& value, const Language& language = {});
 std::string fixed(double value, int decimals, const Language& language = {});
 
 /// Replaces each {name} in `pattern` (already translated) by the value of that name; unknown names stay visible.
-/// An empty value takes the blank before it away.
+/// An empty value takes the blank before it away. {name:3} has 3 decimals, {name:+3} the sign of a positive number too.
+/// Numbers whose name ends in _mm or _um are shown in the units of the language; the words "mm" and "µm" of such a
+/// pattern follow.
 std::string fill(const std::string& pattern, const Values& values, const Language& language = {});
 
 }  // namespace lathelier

@@ -81,6 +81,7 @@ std::vector<std::string> pairsOnce(const std::vector<std::string>& paths)
 
 KindFound likeliestKind(const FileKinds& kinds, const std::string& path, std::string_view head, const Values& reading)
 {
+    head = head.substr(0, headForKind);
     KindFound best;
     for (const FileKind* kind : kinds)
         if (const Likeness likeness = kind->sniff(path, head, reading); likeness > best.likeness)

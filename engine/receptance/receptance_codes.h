@@ -52,6 +52,18 @@ inline constexpr NoteCode materialAssumed{
     LT_TEXT("Engine",
             "No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).")};
 
+inline constexpr NoteCode materialOfLibrary{
+    "material_of_library", Severity::Info,
+    LT_TEXT("Engine", "Handbook values of {material} are assumed, not those of this bar (source: {source}).")};
+
+inline constexpr NoteCode machineOfLibrary{
+    "machine_of_library", Severity::Info,
+    LT_TEXT("Engine", "The springs are taken from the library, not from this machine (source: {source}).")};
+
+inline constexpr NoteCode shaftChanged{
+    "shaft_changed", Severity::Info,
+    LT_TEXT("Engine", "The shaft is that of the table, which was changed since {source} was opened.")};
+
 inline constexpr NoteCode spindleHasNoModes{
     "spindle_has_no_modes", Severity::Info,
     LT_TEXT("Engine", "The spindle is a table of receptances: natural frequencies do not follow from it.")};
@@ -70,6 +82,18 @@ inline constexpr NoteCode spindleNotConverged{
 inline constexpr NoteCode spindleNotPassive{
     "spindle_not_passive", Severity::Warning,
     LT_TEXT("Engine", "At {lines} of {all} frequencies the spindle found would give power away.")};
+
+inline constexpr NoteCode frfSlopeContradictsLabel{
+    "frf_slope_contradicts_label", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: stated is {stated}, but up to {to_hz} Hz the magnitude goes with the power {slope} of the "
+            "frequency, as that of {found} does. State the unit as it is, or convert the file.")};
+
+inline constexpr NoteCode frfPowerGivenAway{
+    "frf_power_given_away", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: in {percent} % of its lines the receptance has a positive imaginary part. If force and motion are "
+            "at one place, a direction, a unit or the sign of time is stated wrongly.")};
 
 }  // namespace notes
 

@@ -31,4 +31,14 @@ const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftRe
     return all;
 }
 
+const std::vector<QuantityOf<SpindleIdentification>>& quantitiesOf(const SpindleIdentification*)
+{
+    using R = SpindleIdentification;
+    static const auto all =
+        describedBy<R>(quantity<R>("frequency_hz", &R::frequency_hz), quantity<R>("condition", &R::condition),
+                       quantity<R>("residual_rms_percent", &R::residual_rms_percent),
+                       quantity<R>("hold_out_rms_percent", &R::hold_out_rms_percent), quantity<R>("frfs", &R::frfs));
+    return all;
+}
+
 }  // namespace lathelier::receptance

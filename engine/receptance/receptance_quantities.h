@@ -1,11 +1,13 @@
-// Results of shaftReceptance() described: keys, names, units and decimals for JSON and tables.
+// Results of shaftReceptance() and identifySpindle() described: keys, names, units and decimals for JSON and tables.
 #pragma once
 
 #include "engine/core/quantities.h"
+#include "engine/receptance/eirc/identify_spindle.h"
 #include "engine/receptance/shaft_receptance.h"
 
 namespace lathelier::receptance {
 
 const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftReceptanceResult*);
+const std::vector<QuantityOf<SpindleIdentification>>& quantitiesOf(const SpindleIdentification*);
 
 }  // namespace lathelier::receptance

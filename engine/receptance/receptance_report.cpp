@@ -6,6 +6,8 @@
 #include "engine/core/texts.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/receptance/receptance_verification.h"
+#include "engine/receptance/shaft_report.h"
+#include "engine/receptance/spindle_plots.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 
@@ -14,40 +16,6 @@ namespace {
 
 const Text hz = LT_TEXT("Engine", "Hz");
 constexpr double millionth = 1e6;
-
-report::Table frequenciesTable(const std::vector<double>& frequencies_hz)
-{
-    report::Table table;
-    table.title = LT_TEXT("Engine", "Natural frequencies, undamped");
-    table.columns = {LT_TEXT("Engine", "mode"), LT_TEXT("Engine", "frequency (Hz)")};
-    table.decimals = {0, 2};
-    for (std::size_t i = 0; i < frequencies_hz.size(); ++i)
-        table.rows.push_back({static_cast<std::int64_t>(i + 1), frequencies_hz[i]});
-    return table;
-}
-
-/// One entry of the chuck face's receptance over frequency, magnitude.
-report::Plot entryPlot(const SpindleTable& table, const std::vector<Complex>& values, Text title, Text unit)
-{
-    report::Plot plot;
-    plot.title = title;
-    plot.x = {LT_TEXT("Engine", "Frequency"), hz};
-    plot.y = {LT_TEXT("Engine", "Magnitude"), unit, report::Axis::Scale::Logarithmic};
-    report::Curve curve{{}, table.frequency_hz, {}};
-    for (const Complex& value : values) curve.y.push_back(std::abs(value));
-    plot.curves = {std::move(curve)};
-    return plot;
-}
-
-report::Plot conditionPlot(const SpindleIdentification& result)
-{
-    report::Plot plot;
-    plot.title = LT_TEXT("Engine", "Condition of each line");
-    plot.x = {LT_TEXT("Engine", "Frequency"), hz};
-    plot.y = {LT_TEXT("Engine", "Condition"), {}, report::Axis::Scale::Logarithmic};
-    plot.curves = {{{}, result.frequency_hz, result.condition}};
-    return plot;
-}
 
 }  // namespace
 
@@ -85,10 +53,10 @@ report::Answer answer(const SpindleIdentification& result, const Language& langu
     answer.value = result.residual_rms_percent;
     answer.unit = LT_TEXT("Engine", "%");
     answer.decimals = 2;
-    answer.values = {
-        {"responses", static_cast<std::int64_t>(result.frfs)},
-        {"lines", static_cast<std::int64_t>(result.frequency_hz.size())},
-        {"held_out", result.hold_out_rms_percent ? Value(fixed(*result.hold_out_rms_percent, 2, language)) : Value()}};
+    answer.values = {{"responses", static_cast<std::int64_t>(result.frfs)},
+                     {"lines", static_cast<std::int64_t>(result.frequency_hz.size())}};
+    if (result.hold_out_rms_percent)
+        answer.values.emplace_back("held_out", fixed(*result.hold_out_rms_percent, 2, language));
     answer.sentence =
         result.hold_out_rms_percent
             ? LT_TEXT("Engine", "Of the rod held out {held_out} % · responses: {responses} · lines: {lines}")
@@ -137,15 +105,9 @@ report::Document spindleReport(const SpindleIdentification& result, const Langua
     document.title = LT_TEXT("Engine", "Receptance of a spindle");
     document.verification = {&receptanceVerification()};
     document.sections.push_back(spindleSummary(result, language));
-    if (const auto* table = std::get_if<SpindleTable>(&result.spindle.source))
-        document.sections.push_back(
-            {LT_TEXT("Engine", "Receptance of the chuck face"),
-             {entryPlot(*table, table->H_mm_N, LT_TEXT("Engine", "H: deflection per force"), LT_TEXT("Engine", "mm/N")),
-              entryPlot(*table, table->L_mm_Nmm, LT_TEXT("Engine", "L: deflection per moment"),
-                        LT_TEXT("Engine", "mm/(N·mm)")),
-              entryPlot(*table, table->P_rad_Nmm, LT_TEXT("Engine", "P: rotation per moment"),
-                        LT_TEXT("Engine", "rad/(N·mm)")),
-              conditionPlot(result)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Receptance of the chuck face"),
+         {spindleMagnitudePlot(result.spindle), spindlePhasePlot(result.spindle), conditionPlot(result)}});
     document.sections.push_back(
         {LT_TEXT("Engine", "Method and parameters"),
          {report::Paragraph{LT_TEXT("Engine",

@@ -150,7 +150,7 @@ VerifyKind verifyCoupledRod()
     parameters.step_hz = 0.25;
     const Shaft rod = shaftOf({{250, 40}});
     const Frf frf =
-        receptanceOf(rod, *rod.material, parameters, SpindleReceptance{SpindleSprings{15000, 1.974e8, 0.06}});
+        receptanceOf(rod, *rod.material, parameters, {SpindleReceptance{SpindleSprings{15000, 1.974e8, 0.06}}, {}});
     std::size_t peak = 0, least = 0;
     for (std::size_t i = 1; i < frf.value.size(); ++i) {
         if (std::abs(frf.value[i]) > std::abs(frf.value[peak])) peak = i;
@@ -184,7 +184,7 @@ VerifyKind verifyInverseCoupling(const Progress& progress)
                 parameters.step_hz = 20;
                 measurements.frfs.push_back(
                     {measurements.rods.size() - 1, a, b,
-                     receptanceOf(rod, *rod.material, parameters, SpindleReceptance{truth}, progress.quiet())});
+                     receptanceOf(rod, *rod.material, parameters, {SpindleReceptance{truth}, {}}, progress.quiet())});
             }
     }
     const SpindleIdentification found = identifySpindle(measurements, {}, progress.quiet());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "engine/beam/beam_codes.h"
+#include "engine/beam/segment_contour.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr std::size_t mostBores = 2;
 constexpr int piecesOfBore = 50;
+constexpr int conesOfArc = 50;
 
 /// Keys of rows that others read (tolerances, what was measured) are no mistakes.
 void forgetKeysOfOthers(Notes& notes, std::size_t from)
@@ -133,6 +136,36 @@ Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progre
     const std::size_t first = content.find_first_not_of(" \t\r\n");
     if (first != std::string_view::npos && content[first] == '{') return readShaft(std::string(text.view()), notes);
     return readStock(text.view());
+}
+
+std::string shaftText(const Shaft& shaft)
+{
+    Json root = io::objectOf(infos<Shaft>(), lathelier::toValues(shaft));
+    root["schema"] = "lathelier-shaft";
+    root["schema_version"] = 1;
+    return root.dump(2) + "\n";
+}
+
+std::string stockText(const Shaft& shaft)
+{
+    std::string text;
+    const auto line = [&text](std::initializer_list<double> numbers) {
+        for (const double number : numbers)
+            text.append(text.empty() || text.back() == '\n' ? "" : " ").append(Json(number).dump());
+        text += '\n';
+    };
+    for (const ShaftSegment& segment : shaft.segments) {
+        const beam::SegmentContour contour(segment);
+        const int pieces = segment.arc_radius_mm && segment.length_mm > 0 ? conesOfArc : 1;
+        const double bore_mm = segment.bore_diameter_mm / 2;
+        const double step_mm = segment.length_mm / pieces;
+        for (int i = 0; i < pieces; ++i) {
+            const bool first = i == 0, last = i + 1 == pieces;
+            line({first ? segment.start_diameter_mm / 2 : contour.radiusAt_mm(i * step_mm), bore_mm,
+                  last ? segment.end_diameter_mm / 2 : contour.radiusAt_mm((i + 1) * step_mm), bore_mm, step_mm});
+        }
+    }
+    return text;
 }
 
 }  // namespace lathelier::receptance

@@ -30,4 +30,11 @@ Shaft readStock(std::string_view text);
 /// Either kind, told apart by its content, in any encoding. Errors of the above; fileEmpty.
 Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progress = {});
 
+/// The text of a file that readShaft() reads to the same bits.
+std::string shaftText(const Shaft& shaft);
+
+/// A stock file: name, material and roles are not in it, an arc is cut into 50 cones. Radii are those that readStock()
+/// doubles.
+std::string stockText(const Shaft& shaft);
+
 }  // namespace lathelier::receptance

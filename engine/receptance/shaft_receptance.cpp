@@ -33,24 +33,6 @@ ReceptanceMatrix onSpindle(beam::BeamReceptance& shaft, const ReceptanceMatrix& 
     return coupled({g[1], g[2], g[8], g[7]}, spindle);
 }
 
-beam::BeamParameters beamParameters(const ReceptanceParameters& parameters)
-{
-    beam::BeamParameters result;
-    result.shear = parameters.shear;
-    result.method = parameters.method;
-    result.step_correction = parameters.step_correction;
-    return result;
-}
-
-std::vector<double> naturalFrequencies(const Shaft& shaft, const Material& material,
-                                       const ReceptanceParameters& parameters, const SpindleSprings* springs,
-                                       double length_mm, const Progress& progress)
-{
-    beam::BeamParameters on = beamParameters(parameters);
-    if (springs) on.supports.push_back({length_mm, springs->radial_N_mm, springs->tilt_N_mm_rad, 0});
-    return beam::naturalFrequencies(beam::beamModel(shaft, material, on, {}), parameters.to_hz, progress);
-}
-
 /// Refuses frequencies the spindle does not reach before anything is computed.
 void checkReach(const SpindleReceptance& spindle, const std::vector<double>& frequency_hz)
 {
@@ -59,6 +41,20 @@ void checkReach(const SpindleReceptance& spindle, const std::vector<double>& fre
 }
 
 }  // namespace
+
+beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
+                                      double length_mm, bool springs)
+{
+    beam::BeamParameters result;
+    result.shear = parameters.shear;
+    result.method = parameters.method;
+    result.step_correction = parameters.step_correction;
+    result.supports = holding.supports;
+    const SpindleSprings* const spindle = springs && holding.spindle ? holding.spindle->springs() : nullptr;
+    if (spindle)
+        result.supports.push_back({length_mm, spindle->radial_N_mm, spindle->tilt_N_mm_rad, spindle->loss_factor});
+    return result;
+}
 
 std::vector<double> linesOf(const ReceptanceParameters& parameters)
 {
@@ -93,14 +89,16 @@ Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes)
 }
 
 Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
-                 const std::optional<SpindleReceptance>& spindle, const Progress& progress)
+                 const ShaftHolding& holding, const Progress& progress)
 {
+    const std::optional<SpindleReceptance>& spindle = holding.spindle;
     Frf frf;
     frf.name = shaft.name;
     frf.frequency_hz = linesOf(parameters);
     if (spindle) checkReach(*spindle, frf.frequency_hz);
     const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, shaft.length_mm()};
-    const beam::BeamReceptance prepared(beam::beamModel(shaft, material, beamParameters(parameters), places_z_mm));
+    const beam::BeamReceptance prepared(
+        beam::beamModel(shaft, material, beamParametersOf(parameters, holding, shaft.length_mm(), false), places_z_mm));
     const std::vector<double>& frequency_hz = frf.frequency_hz;
     std::vector<Complex>& value = frf.value;
     value.resize(frequency_hz.size());
@@ -123,16 +121,23 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
 ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
                                       const std::optional<SpindleReceptance>& spindle, const Progress& progress)
 {
+    return heldShaftReceptance(shaft, parameters, {spindle, {}}, progress);
+}
+
+ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
+                                          const ShaftHolding& holding, const Progress& progress)
+{
+    const std::optional<SpindleReceptance>& spindle = holding.spindle;
     ShaftReceptanceResult result;
     result.parameters = parameters;
     result.length_mm = shaft.length_mm();
     const Material material = materialOf(shaft, result.used, result.notes);
-    result.frf = receptanceOf(shaft, material, parameters, spindle, progress);
+    result.frf = receptanceOf(shaft, material, parameters, holding, progress);
     progress.report(0.7);
-    const SpindleSprings* springs = spindle ? spindle->springs() : nullptr;
-    if (!spindle || springs)
-        result.natural_frequencies_hz =
-            naturalFrequencies(shaft, material, parameters, springs, result.length_mm, progress.part(0.7, 1));
+    if (!spindle || spindle->springs())
+        result.natural_frequencies_hz = beam::naturalFrequencies(
+            beam::beamModel(shaft, material, beamParametersOf(parameters, holding, result.length_mm, true), {}),
+            parameters.to_hz, progress.part(0.7, 1));
     else
         result.notes.push_back({notes::spindleHasNoModes, {}});
     progress.report(1);

@@ -44,9 +44,19 @@ struct ShaftReceptanceResult {
 /// The lines that the parameters ask for. Error valueNotUnderstood for more than a million, or a range reversed.
 std::vector<double> linesOf(const ReceptanceParameters& parameters);
 
+/// What holds a shaft.
+struct ShaftHolding {
+    std::optional<SpindleReceptance> spindle;  ///< at the chuck face, z = length; none: nothing
+    std::vector<beam::Support> supports;       ///< besides: tailstock, steady rests, a rigid chuck
+};
+
+/// How the beam is modelled; `springs`: the spindle, where it is springs, becomes one of its supports.
+beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
+                                      double length_mm, bool springs);
+
 /// The receptance alone, without natural frequencies; errors as shaftReceptance(). Throws Cancelled.
 Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
-                 const std::optional<SpindleReceptance>& spindle = {}, const Progress& progress = {});
+                 const ShaftHolding& holding = {}, const Progress& progress = {});
 
 /// Without a spindle the shaft is free; with one it is joined to its chuck face at z = length.
 /// Errors: placeOutsideShaft (wrong usage), valueNotUnderstood, valueOutOfRange, frequencyOutsideSpindle,
@@ -54,6 +64,10 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
 ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters = {},
                                       const std::optional<SpindleReceptance>& spindle = {},
                                       const Progress& progress = {});
+
+/// The same with further supports.
+ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
+                                          const ShaftHolding& holding, const Progress& progress = {});
 
 /// The material of a shaft, or steel; with its values written down, and the note materialAssumed.
 Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes);

@@ -38,10 +38,10 @@ std::optional<Interval> axisRange(const CompareResult& result)
     return Interval{map.z_start_mm, map.z_start_mm + map.z_step_mm * map.z_count};
 }
 
-/// "+0.05": a limit by its value.
-std::string signedNumber(double value, const Language& language)
+/// "+0.05": a limit by its value, in the unit that is shown.
+std::string signedNumber(double value_mm, const Language& language)
 {
-    return (value < 0 ? "−" : "+") + text(Value(std::abs(value)), language);
+    return (value_mm < 0 ? "−" : "+") + text(shownValue(std::abs(value_mm), millimetre, language), language);
 }
 
 /// Zones with their names and their own limits, and what is left out.
@@ -169,7 +169,12 @@ double magnification(const CompareResult& result)
     if (!(high >= low) || !(typical_mm > 0)) return 1;
     // Large enough to be seen beside the radii, small enough not to hide the shape.
     const double room_mm = 0.35 * std::max(high - low, 0.1 * high);
-    const double most = room_mm / typical_mm;
+    double most = room_mm / typical_mm;
+    // A face moves along the axis: not further than a tenth of the part.
+    const double length_mm = meridian.z_mm.back() - meridian.z_mm.front();
+    if (result.windows)
+        for (const SurfaceRow& face : result.windows->faces)
+            if (face.mean_mm != 0) most = std::min(most, 0.1 * length_mm / std::abs(face.mean_mm));
     if (most < 1) return 1;
     const double power = std::pow(10.0, std::floor(std::log10(most)));
     for (const double factor : {5.0, 2.0})

@@ -115,11 +115,11 @@ report::Table freeMotionsTable(const CompareResult& result)
 
 report::Table transformTable(const CompareResult& result)
 {
-    report::Table table{
-        LT_TEXT("Engine", "From the copy's coordinates to the original's"),
-        {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"), LT_TEXT("Engine", "shift (mm)")},
-        {},
-        {9, 9, 9, 6}};
+    report::Table table{LT_TEXT("Engine", "From the copy's coordinates to the original's"),
+                        {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"),
+                         report::Labelled{LT_TEXT("Engine", "shift"), LT_TEXT("Engine", "mm")}},
+                        {},
+                        {9, 9, 9, 6}};
     const Eigen::Matrix4d matrix = result.alignment.reference_T_copy.matrix();
     for (int row = 0; row < 3; ++row)
         table.rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
@@ -181,32 +181,38 @@ namespace {
 Text patternOf(const Finding& finding)
 {
     switch (finding.kind) {
-        case Finding::Kind::Step: return LT_TEXT("Engine", "Step {value} ± {uncertainty} mm · z {from}-{to} mm");
-        case Finding::Kind::Taper: return LT_TEXT("Engine", "Taper {value} ± {uncertainty} mm · z {from}-{to} mm");
+        case Finding::Kind::Step:
+            if (finding.z_start_mm == finding.z_end_mm)
+                return LT_TEXT("Engine", "Face {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1} mm");
+            return LT_TEXT("Engine", "Step {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm");
+        case Finding::Kind::Taper:
+            return LT_TEXT("Engine", "Taper {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm");
         case Finding::Kind::Barrel:
-            return finding.value_mm < 0 ? LT_TEXT("Engine", "Saddle {value} ± {uncertainty} mm · z {from}-{to} mm")
-                                        : LT_TEXT("Engine", "Barrel {value} ± {uncertainty} mm · z {from}-{to} mm");
+            return finding.value_mm < 0
+                       ? LT_TEXT("Engine", "Saddle {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm")
+                       : LT_TEXT("Engine", "Barrel {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm");
         case Finding::Kind::Bump:
-            return finding.z_start_mm ? LT_TEXT("Engine", "Bump {value} ± {uncertainty} mm · z {from}-{to} mm")
-                                      : LT_TEXT("Engine", "Bump {value} ± {uncertainty} mm at X {x} Y {y} Z {z}");
-        case Finding::Kind::Missing: return LT_TEXT("Engine", "No data of the copy · z {from}-{to} mm");
+            return finding.z_start_mm
+                       ? LT_TEXT("Engine", "Bump {value_mm:+3} ± {uncertainty_mm:3} mm · z {from_mm:1}-{to_mm:1} mm")
+                       : LT_TEXT("Engine",
+                                 "Bump {value_mm:+3} ± {uncertainty_mm:3} mm at X {x_mm:1} Y {y_mm:1} Z {z_mm:1}");
+        case Finding::Kind::Missing: return LT_TEXT("Engine", "No data of the copy · z {from_mm:1}-{to_mm:1} mm");
     }
     return {};
 }
 
-report::Finding findingOf(const Finding& finding, const Language& language)
+report::Finding findingOf(const Finding& finding)
 {
     report::Finding said;
     said.pattern = patternOf(finding);
-    const std::string plus = finding.value_mm > 0 ? "+" : "";
-    said.values = {{"value", plus + fixed(finding.value_mm, 3, language)},
-                   {"uncertainty", fixed(finding.uncertainty_mm, 3, language)},
-                   {"x", fixed(finding.point_mm.x(), 1, language)},
-                   {"y", fixed(finding.point_mm.y(), 1, language)},
-                   {"z", fixed(finding.point_mm.z(), 1, language)}};
+    said.values = {{"value_mm", finding.value_mm},
+                   {"uncertainty_mm", finding.uncertainty_mm},
+                   {"x_mm", finding.point_mm.x()},
+                   {"y_mm", finding.point_mm.y()},
+                   {"z_mm", finding.point_mm.z()}};
     if (finding.z_start_mm && finding.z_end_mm) {
-        said.values.emplace_back("from", fixed(*finding.z_start_mm, 1, language));
-        said.values.emplace_back("to", fixed(*finding.z_end_mm, 1, language));
+        said.values.emplace_back("from_mm", *finding.z_start_mm);
+        said.values.emplace_back("to_mm", *finding.z_end_mm);
         said.place.z_mm = Interval{*finding.z_start_mm, *finding.z_end_mm};
     }
     said.verdict = finding.verdict;
@@ -245,7 +251,9 @@ report::Answer answer(const CompareResult& result, const Language& language)
         answer.expanded_uncertainty = worst.uncertainty_mm;
         answer.is_signed = result.has_sign;
         answer.decimals = 3;
-        if (worst.z_mm) answer.subject = "z\u00A0" + fixed(*worst.z_mm, 1, language) + "\u00A0mm";
+        if (worst.z_mm)
+            answer.subject =
+                fill(text(LT_TEXT("Engine", "z\u00A0{z_mm:1}\u00A0mm"), language), {{"z_mm", *worst.z_mm}}, language);
         if (worst.z_mm && worst.angle_deg) answer.subject += ", " + fixed(*worst.angle_deg, 0, language) + "°";
         addLimits(result, answer);
     } else {
@@ -253,25 +261,24 @@ report::Answer answer(const CompareResult& result, const Language& language)
         answer.value = s.rmse_mm;
         answer.decimals = 4;
     }
-    const std::string plus = s.mean_mm > 0 ? "+" : "";
-    answer.values = {{"mean", plus + fixed(s.mean_mm, 4, language)},
-                     {"rms", fixed(s.rmse_mm, 4, language)},
-                     {"scatter", fixed(result.scatter_mm, 4, language)},
+    answer.values = {{"mean_mm", s.mean_mm},
+                     {"rms_mm", s.rmse_mm},
+                     {"scatter_mm", result.scatter_mm},
                      {"method", methodName(result.method_used)}};
     if (!result.has_sign)
         answer.sentence = LT_TEXT("Engine", "{method}");
     else if (by_surface)
-        answer.sentence =
-            LT_TEXT("Engine", "RMS {rms} mm · mean {mean} mm · noise of the scans {scatter} mm · {method}");
+        answer.sentence = LT_TEXT(
+            "Engine", "RMS {rms_mm:4} mm · mean {mean_mm:+4} mm · noise of the scans {scatter_mm:4} mm · {method}");
     else if (result.within_tolerance_percent && result.parameters.tolerance_mm) {
         answer.sentence =
-            LT_TEXT("Engine", "mean {mean} mm · {method} · {share} % of the points within ±{tolerance} mm");
+            LT_TEXT("Engine", "mean {mean_mm:+4} mm · {method} · {share} % of the points within ±{tolerance_mm} mm");
         answer.values.emplace_back("share", fixed(*result.within_tolerance_percent, 1, language));
-        answer.values.emplace_back("tolerance", *result.parameters.tolerance_mm);
+        answer.values.emplace_back("tolerance_mm", *result.parameters.tolerance_mm);
     } else
-        answer.sentence = LT_TEXT("Engine", "mean {mean} mm · {method}");
+        answer.sentence = LT_TEXT("Engine", "mean {mean_mm:+4} mm · {method}");
     for (const Finding& finding : result.findings)
-        if (answer.findings.size() < 3) answer.findings.push_back(findingOf(finding, language));
+        if (answer.findings.size() < 3) answer.findings.push_back(findingOf(finding));
     return answer;
 }
 

@@ -19,9 +19,13 @@ CopySummary summaryOf(std::string name, const CompareResult& result)
 report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language)
 {
     report::Table table{LT_TEXT("Engine", "Copies of the same original"),
-                        {LT_TEXT("Engine", "copy"), LT_TEXT("Engine", "verdict"), LT_TEXT("Engine", "worst (mm)"),
-                         LT_TEXT("Engine", "U (mm)"), LT_TEXT("Engine", "z (mm)"), LT_TEXT("Engine", "mean (mm)"),
-                         LT_TEXT("Engine", "RMS (mm)"), LT_TEXT("Engine", "noise (mm)")},
+                        {LT_TEXT("Engine", "copy"), LT_TEXT("Engine", "verdict"),
+                         report::Labelled{LT_TEXT("Engine", "worst"), LT_TEXT("Engine", "mm")},
+                         report::Labelled{LT_TEXT("Engine", "U"), LT_TEXT("Engine", "mm")},
+                         report::Labelled{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "mm")},
+                         report::Labelled{LT_TEXT("Engine", "mean"), LT_TEXT("Engine", "mm")},
+                         report::Labelled{LT_TEXT("Engine", "RMS"), LT_TEXT("Engine", "mm")},
+                         report::Labelled{LT_TEXT("Engine", "noise"), LT_TEXT("Engine", "mm")}},
                         {},
                         {0, 0, 4, 4, 1, 4, 4, 4}};
     const auto number = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
@@ -73,7 +77,7 @@ report::Plot copiesTrend(const std::vector<CopySummary>& copies, const ComparePa
     if (parameters.tolerance_mm)
         for (const double sign : {-1.0, 1.0}) {
             std::string words = sign < 0 ? "−" : "+";
-            words += text(Value(*parameters.tolerance_mm), language);
+            words += text(shownValue(*parameters.tolerance_mm, millimetre, language), language);
             plot.limits.push_back(
                 {report::Limit::Direction::Horizontal, sign * *parameters.tolerance_mm, std::move(words)});
         }

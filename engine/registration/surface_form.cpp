@@ -31,10 +31,12 @@ double radiusAt_mm(const Meridian& meridian, double z_mm)
 class SmallestWindows {
 public:
     /// result.windows has to be there, with windows in it.
-    SmallestWindows(const CompareResult& result, const Progress& progress)
+    /// `with_faces`: those of faces across the axis too.
+    SmallestWindows(const CompareResult& result, bool with_faces, const Progress& progress)
         : all_(*result.windows),
           meridian_(result.meridian ? &*result.meridian : nullptr),
-          index_(placesOf(all_), progress)
+          numbers_(numbersOf(all_, with_faces)),
+          index_(placesOf(all_, numbers_), progress)
     {
     }
 
@@ -46,16 +48,28 @@ public:
         for (std::size_t i = 0; i < places_mm.size(); ++i) {
             windows[i] = kNoWindow;
             if (found[i].place == Neighbours::Found::none) continue;
-            const std::uint32_t window = 2 * index_.input(found[i].place);
+            const std::uint32_t window = numbers_[index_.input(found[i].place)];
             if (isNear(all_.windows[window], places_mm[i], std::sqrt(found[i].squared_mm2))) windows[i] = window;
         }
     }
 
 private:
-    static std::vector<Eigen::Vector3d> placesOf(const SurfaceWindows& all)
+    static std::vector<std::uint32_t> numbersOf(const SurfaceWindows& all, bool with_faces)
+    {
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) {
+            const std::int32_t stretch = all.windows[i].stretch;
+            if (with_faces || stretch < 0 || !all.stretches[static_cast<std::size_t>(stretch)].isFace())
+                numbers.push_back(i);
+        }
+        return numbers;
+    }
+
+    static std::vector<Eigen::Vector3d> placesOf(const SurfaceWindows& all, const std::vector<std::uint32_t>& numbers)
     {
         std::vector<Eigen::Vector3d> places;
-        forEachSmallest(all, [&](const SurfaceWindow& w) { places.emplace_back(w.place_mm.cast<double>()); });
+        places.reserve(numbers.size());
+        for (const std::uint32_t i : numbers) places.emplace_back(all.windows[i].place_mm.cast<double>());
         return places;
     }
 
@@ -65,8 +79,12 @@ private:
             return distance_mm <= kOutside_mm + static_cast<double>(window.size_mm);
         const Eigen::Vector3d along = *all_.axis_T_reference * place_mm;
         const MeridianStretch& stretch = all_.stretches[static_cast<std::size_t>(window.stretch)];
+        const double radius = along.head<2>().norm();
+        if (stretch.isFace())
+            return std::abs(along.z() - stretch.start_mm) <= kOutside_mm && radius >= stretch.inner_mm - kOutside_mm &&
+                   radius <= stretch.outer_mm + kOutside_mm;
         const double beyond = std::max(stretch.start_mm - along.z(), along.z() - stretch.end_mm);
-        const double off_mm = std::abs(along.head<2>().norm() - surfaceRadius_mm(stretch, along.z()));
+        const double off_mm = std::abs(radius - surfaceRadius_mm(stretch, along.z()));
         return beyond <= kOutside_mm && off_mm <= kOutside_mm &&
                static_cast<double>(window.z_start_mm) - along.z() <=
                    kOutside_mm + static_cast<double>(window.size_mm) &&
@@ -84,7 +102,8 @@ private:
     }
 
     const SurfaceWindows& all_;
-    const Meridian* meridian_;  ///< null: none
+    const Meridian* meridian_;            ///< null: none
+    std::vector<std::uint32_t> numbers_;  ///< of the windows in the index
     Neighbours index_;
 };
 
@@ -100,7 +119,7 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
     const SurfaceWindows& all = *result.windows;
     std::vector<std::uint32_t> windows(copy.points_mm.size(), kNoWindow);
     if (!hasSmallest(all)) return windows;
-    const SmallestWindows smallest(result, progress);
+    const SmallestWindows smallest(result, true, progress);
     const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
     parallelFor(windows.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places;
@@ -130,7 +149,8 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
     std::vector<std::uint32_t> windows(static_cast<std::size_t>(map.z_count) * angles, kNoWindow);
     if (!result.windows || !hasSmallest(*result.windows) || !result.meridian || !result.axis_T_reference)
         return windows;
-    const SmallestWindows smallest(result, progress);
+    // The map is unrolled from the sides: no face has a place on it.
+    const SmallestWindows smallest(result, false, progress);
     const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
     parallelFor(static_cast<std::size_t>(map.z_count), 8, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places(angles);

@@ -9,19 +9,20 @@ namespace {
 
 std::string numberText(double value, const Answer& answer, const Language& language)
 {
-    const std::string digits = fixed(value, answer.decimals, language);
+    const std::string digits = shownNumber(value, answer.unit, answer.decimals, language);
     return answer.is_signed && value > 0 ? "+" + digits : digits;
 }
 
 std::string unitText(const Answer& answer, const Language& language)
 {
-    return answer.unit.empty() ? std::string() : fmt::format(" {}", text(answer.unit, language));
+    return answer.unit.empty() ? std::string()
+                               : fmt::format(" {}", text(shownUnit(answer.unit, language).unit, language));
 }
 
 /// A limit has the digits that it was given with.
-std::string limitNumber(double value, const Language& language)
+std::string limitNumber(double value, const Answer& answer, const Language& language)
 {
-    return text(Value(value), language);
+    return text(shownValue(value, answer.unit, language), language);
 }
 
 }  // namespace
@@ -31,7 +32,9 @@ std::string valueText(const Answer& answer, const Language& language)
     if (!answer.value) return {};
     std::string result = numberText(*answer.value, answer, language);
     if (answer.expanded_uncertainty)
-        if (const std::string digits = fixed(*answer.expanded_uncertainty, answer.decimals, language); !digits.empty())
+        if (const std::string digits =
+                shownNumber(*answer.expanded_uncertainty, answer.unit, answer.decimals, language);
+            !digits.empty())
             result += " ± " + digits;
     return keptTogether(result + unitText(answer, language));
 }
@@ -52,15 +55,17 @@ std::string limitText(const Answer& answer, const Language& language)
     };
     if (answer.lower_limit && answer.upper_limit) {
         const double lower = *answer.lower_limit, upper = *answer.upper_limit;
-        if (lower == -upper) return say(LT_TEXT("Engine", "limit ±{limit}"), {{"limit", limitNumber(upper, language)}});
+        if (lower == -upper)
+            return say(LT_TEXT("Engine", "limit ±{limit}"), {{"limit", limitNumber(upper, answer, language)}});
         return say(LT_TEXT("Engine", "limits {lower} … {upper}"),
-                   {{"lower", limitNumber(lower, language)},
-                    {"upper", fmt::format("{}{}", upper > 0 ? "+" : "", limitNumber(upper, language))}});
+                   {{"lower", limitNumber(lower, answer, language)},
+                    {"upper", fmt::format("{}{}", upper > 0 ? "+" : "", limitNumber(upper, answer, language))}});
     }
     if (answer.upper_limit)
-        return say(LT_TEXT("Engine", "limit {limit}"), {{"limit", limitNumber(*answer.upper_limit, language)}});
+        return say(LT_TEXT("Engine", "limit {limit}"), {{"limit", limitNumber(*answer.upper_limit, answer, language)}});
     if (answer.lower_limit)
-        return say(LT_TEXT("Engine", "at least {limit}"), {{"limit", limitNumber(*answer.lower_limit, language)}});
+        return say(LT_TEXT("Engine", "at least {limit}"),
+                   {{"limit", limitNumber(*answer.lower_limit, answer, language)}});
     return text(LT_TEXT("Engine", "no limit given"), language);
 }
 
@@ -75,9 +80,9 @@ std::string assumedText(const Answer& answer, const Language& language)
     std::string list;
     for (const UsedValue& value : answer.used) {
         if (value.origin != ValueOrigin::Assumed) continue;
-        list +=
-            fmt::format("{}{} {}", list.empty() ? "" : ", ", text(value.label, language), text(value.value, language));
-        if (!value.unit.empty()) list += fmt::format(" {}", text(value.unit, language));
+        list += fmt::format("{}{} {}", list.empty() ? "" : ", ", text(value.label, language),
+                            text(shownValue(value.value, value.unit, language), language));
+        if (!value.unit.empty()) list += fmt::format(" {}", text(shownUnit(value.unit, language).unit, language));
     }
     if (list.empty()) return {};
     return keptTogether(fill(text(LT_TEXT("Engine", "assumed: {values}"), language), {{"values", list}}, language));

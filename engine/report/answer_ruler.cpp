@@ -49,7 +49,7 @@ std::string rulerSvg(const Answer& answer, const Language& language)
     svg.rect(x(ruler->within_from), middle - 5, x(ruler->within_to) - x(ruler->within_from), 10, "#bfe3d0");
     const auto limit = [&](double place, double value) {
         svg.line(x(place), middle - 10, x(place), middle + 10, "#1f2933", 2);
-        svg.text(x(place), 42, Svg::Anchor::Middle, 12, text(Value(value), language));
+        svg.text(x(place), 42, Svg::Anchor::Middle, 12, text(shownValue(value, answer.unit, language), language));
     };
     if (ruler->is_lower_limited) limit(ruler->within_from, *answer.lower_limit);
     if (ruler->is_upper_limited) limit(ruler->within_to, *answer.upper_limit);

@@ -12,7 +12,8 @@ namespace lathelier::report {
 /// The heading of a column of numbers.
 struct Labelled {
     Text label;
-    Text unit;  ///< in brackets behind it; empty: none
+    Text unit;              ///< in brackets behind it; empty: none
+    std::string name = {};  ///< in place of the label, when it is the same in every language
     friend bool operator==(const Labelled&, const Labelled&) = default;
 };
 

@@ -22,14 +22,14 @@ std::string grouped(std::int64_t number)
 
 }  // namespace
 
-std::string cellText(const Value& value, int decimals, const Language& language)
+std::string cellText(const Value& value, Text unit, int decimals, const Language& language)
 {
     if (std::holds_alternative<std::monostate>(value)) return "–";
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return grouped(*whole);
     if (const auto* number = std::get_if<double>(&value))
-        return std::isfinite(*number) ? fixed(*number, decimals, language) : "–";
+        return std::isfinite(*number) ? shownNumber(*number, unit, decimals, language) : "–";
     if (const auto* ranges = std::get_if<std::vector<Interval>>(&value); ranges && ranges->empty()) return "–";
-    return text(value, language);
+    return text(shownValue(value, unit, language), language);
 }
 
 std::string csvCell(const Value& value)
@@ -51,7 +51,7 @@ bool isNumeric(const Value& value)
 
 std::string keptTogether(std::string line)
 {
-    for (const std::string unit : {" mm", " µm", " %", " UPR"})
+    for (const std::string unit : {" mm", " µm", " in", " µin", " %", " UPR"})
         for (std::size_t at = line.find(unit); at != std::string::npos; at = line.find(unit, at + 1))
             line.replace(at, 1, "\u00A0");
     return line;

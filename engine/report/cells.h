@@ -8,8 +8,9 @@
 
 namespace lathelier::report {
 
-/// Numbers with `decimals`, whole numbers in groups of three (narrow no-break space), "–" for what does not exist.
-std::string cellText(const Value& value, int decimals, const Language& language);
+/// Numbers in the unit that `unit` is shown in, with `decimals` of the engine's unit, whole numbers in groups of three
+/// (narrow no-break space), "–" for what does not exist.
+std::string cellText(const Value& value, Text unit, int decimals, const Language& language);
 
 /// A cell of CSV: decimal point, full precision, empty for what does not exist; quoted where a comma or quote asks it.
 std::string csvCell(const Value& value);

@@ -73,7 +73,7 @@ bool isDrawable(double value)
 std::string axisLabel(const Axis& axis, const Language& language)
 {
     const std::string title = captionText(axis.title, language);
-    return axis.unit.empty() ? title : title + " (" + text(axis.unit, language) + ")";
+    return axis.unit.empty() ? title : title + " (" + text(shownUnit(axis.unit, language).unit, language) + ")";
 }
 
 std::vector<double> placesOf(const Curve& curve)

@@ -47,8 +47,9 @@ std::string pathsAsCsv(const Plot& plot, const Language& language)
 
 }  // namespace
 
-std::string toCsv(const Plot& plot, const Language& language)
+std::string toCsv(const Plot& plot, const Language& of_screen)
 {
+    const Language language = inEngineUnits(of_screen);
     if (std::any_of(plot.curves.begin(), plot.curves.end(), [](const Curve& c) { return !c.along.empty(); }))
         return pathsAsCsv(plot, language);
     const auto labelled = [&](const std::string& name, const Text& unit) {
@@ -84,8 +85,9 @@ std::string toCsv(const Plot& plot, const Language& language)
     return out;
 }
 
-std::string toCsv(const ColourMap& map, const Language& language)
+std::string toCsv(const ColourMap& map, const Language& of_screen)
 {
+    const Language language = inEngineUnits(of_screen);
     std::string out = quoted(axisLabel(map.x, language)) + ',' + quoted(axisLabel(map.y, language)) + ',' +
                       quoted(axisLabel(map.value, language)) + '\n';
     const double dx = (map.x_to - map.x_from) / map.columns;

@@ -41,6 +41,12 @@ struct Table {
     std::vector<int> decimals;             ///< of the numbers, by column; 3 where not given
 
     int decimalsOf(std::size_t column) const { return column < decimals.size() ? decimals[column] : 3; }
+    /// Of the numbers of a column, as its heading says; empty: none.
+    Text unitOf(std::size_t column) const
+    {
+        const Labelled* heading = column < columns.size() ? std::get_if<Labelled>(&columns[column]) : nullptr;
+        return heading ? heading->unit : Text{};
+    }
 };
 
 /// A sentence of explanation: a pattern with named values, as in errors and notes.

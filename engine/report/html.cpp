@@ -61,8 +61,8 @@ public:
         std::string rows;
         for (const Quantity& row : table.rows)
             rows += "<tr><th scope=\"row\">" + caption(row.name) + "</th><td class=\"number\">" +
-                    cell(row.value, row.decimals) + "</td><td class=\"unit\">" + escaped(text(row.unit, language_)) +
-                    "</td></tr>\n";
+                    cell(row.value, row.unit, row.decimals) + "</td><td class=\"unit\">" +
+                    escaped(text(shownUnit(row.unit, language_).unit, language_)) + "</td></tr>\n";
         return "<table class=\"quantities\"><caption>" + caption(table.title) + "</caption>\n" + rows + "</table>\n";
     }
 
@@ -140,7 +140,7 @@ public:
         std::string rows;
         for (const InputFile& file : files)
             rows += "<tr><td class=\"path\">" + escaped(file.path) + "</td><td class=\"number\">" +
-                    cell(file.bytes, 0) + "</td><td class=\"digest\">" + escaped(file.sha256) + "</td></tr>\n";
+                    cell(file.bytes, {}, 0) + "</td><td class=\"digest\">" + escaped(file.sha256) + "</td></tr>\n";
         return "<section>\n" + element("h2", phrase(LT_TEXT("Engine", "Input files"))) +
                "<table class=\"rows inputs\"><thead><tr><th>" + phrase(LT_TEXT("Engine", "File")) +
                "</th><th class=\"number\">" + phrase(LT_TEXT("Engine", "Bytes")) +
@@ -153,7 +153,8 @@ public:
         if (rows.empty()) return {};
         std::string result;
         for (const Quantity& row : rows)
-            result += "<div><dt>" + caption(row.name) + "</dt><dd>" + cell(row.value, row.decimals) + "</dd></div>\n";
+            result += "<div><dt>" + caption(row.name) + "</dt><dd>" + cell(row.value, row.unit, row.decimals) +
+                      "</dd></div>\n";
         result += "<div class=\"signature\"><dt>" + phrase(LT_TEXT("Engine", "Date, signature")) +
                   "</dt><dd>&nbsp;</dd></div>\n";
         return "<dl class=\"title-block\">\n" + result + "</dl>\n";
@@ -163,14 +164,17 @@ public:
     std::string caption(const Caption& words) const { return escaped(captionText(words, language_)); }
 
 private:
-    std::string cell(const Value& value, int decimals) const { return escaped(cellText(value, decimals, language_)); }
+    std::string cell(const Value& value, Text unit, int decimals) const
+    {
+        return escaped(cellText(value, unit, decimals, language_));
+    }
 
     std::string row(const Table& table, const std::vector<Value>& values) const
     {
         std::string result;
         for (std::size_t i = 0; i < values.size(); ++i)
-            result += (isNumeric(values[i]) ? "<td class=\"number\">" : "<td>") + cell(values[i], table.decimalsOf(i)) +
-                      "</td>";
+            result += (isNumeric(values[i]) ? "<td class=\"number\">" : "<td>") +
+                      cell(values[i], table.unitOf(i), table.decimalsOf(i)) + "</td>";
         return "<tr>" + result + "</tr>\n";
     }
 

@@ -98,7 +98,7 @@ void drawScale(Svg& svg, const PlotFrame& frame, const ColourMap& map, const std
     svg.rect(left, frame.top, width, frame.bottom - frame.top, "none", "#7b8794");
     PlotFrame scale = frame;
     scale.y = {-map.limit, map.limit};
-    const Ticks ticks = niceTicks(-map.limit, map.limit, 6);
+    const Ticks ticks = axisTicks(Axis::Scale::Linear, scale.y, 6, shownUnit(map.value.unit, language).factor);
     for (const double value : ticks.values) {
         svg.line(left + width, scale.toY(value), left + width + 4, scale.toY(value), "#7b8794");
         std::string label = tickLabel(value, ticks, language);
@@ -118,6 +118,8 @@ std::string toSvg(const ColourMap& map, const Language& language)
     frame.bottom = mapHeight - bottomRoom;
     frame.x = isDrawable(map) ? Interval{map.x_from, map.x_to} : Interval{0, 1};
     frame.y = isDrawable(map) ? Interval{map.y_from, map.y_to} : Interval{0, 1};
+    frame.x_factor = shownUnit(map.x.unit, language).factor;
+    frame.y_factor = shownUnit(map.y.unit, language).factor;
     if (isDrawable(map)) {
         svg.png(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, encodePng(imageOf(map)));
         drawScale(svg, frame, map, axisLabel(map.value, language), language);

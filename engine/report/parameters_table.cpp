@@ -4,12 +4,20 @@ namespace lathelier::report {
 
 namespace {
 
+/// A number as it was typed, in the unit that is shown.
+Value asTyped(const Value& value, Text unit, const Language& language)
+{
+    if (!std::holds_alternative<double>(value)) return value;
+    return text(shownValue(value, unit, language), language);
+}
+
 /// "30 (from the file)", "50 (assumed)".
 std::string usedText(const UsedValue& value, const Language& language)
 {
     const Text pattern = value.origin == ValueOrigin::File ? LT_TEXT("Engine", "{value} (from the file)")
                                                            : LT_TEXT("Engine", "{value} (assumed)");
-    return fill(text(pattern, language), {{"value", text(value.value, language)}}, language);
+    return fill(text(pattern, language), {{"value", text(shownValue(value.value, value.unit, language), language)}},
+                language);
 }
 
 }  // namespace
@@ -28,8 +36,7 @@ QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values&
             }
         for (const UsedValue& one : used)
             if (one.key == info.key && one.origin != ValueOrigin::Given) value = usedText(one, language);
-        if (std::holds_alternative<double>(value)) value = text(value, language);  // as it was typed
-        table.rows.push_back({info.label, value, info.unit});
+        table.rows.push_back({info.label, asTyped(value, info.unit, language), info.unit});
     }
     return table;
 }

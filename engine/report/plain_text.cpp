@@ -25,13 +25,13 @@ std::string tableText(const QuantityTable& table, const Language& language)
     std::size_t value = 0;
     for (const Quantity& row : table.rows) {
         name = std::max(name, countCharacters(captionText(row.name, language)));
-        value = std::max(value, countCharacters(cellText(row.value, row.decimals, language)));
+        value = std::max(value, countCharacters(cellText(row.value, row.unit, row.decimals, language)));
     }
     std::string result = captionText(table.title, language) + "\n";
     for (const Quantity& row : table.rows) {
         std::string line = "  " + padded(captionText(row.name, language), name, false) + "  " +
-                           padded(cellText(row.value, row.decimals, language), value, isNumeric(row.value)) + " " +
-                           text(row.unit, language);
+                           padded(cellText(row.value, row.unit, row.decimals, language), value, isNumeric(row.value)) +
+                           " " + text(shownUnit(row.unit, language).unit, language);
         line.erase(line.find_last_not_of(' ') + 1);
         result += line + "\n";
     }
@@ -44,7 +44,8 @@ std::string tableText(const Table& table, const Language& language)
     for (const Caption& column : table.columns) lines[0].push_back(captionText(column, language));
     for (const std::vector<Value>& row : table.rows) {
         std::vector<std::string>& line = lines.emplace_back();
-        for (std::size_t i = 0; i < row.size(); ++i) line.push_back(cellText(row[i], table.decimalsOf(i), language));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line.push_back(cellText(row[i], table.unitOf(i), table.decimalsOf(i), language));
     }
     std::vector<std::size_t> widths(table.columns.size());
     for (const auto& line : lines)

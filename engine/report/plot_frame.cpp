@@ -17,7 +17,7 @@ void drawFrame(Svg& svg, const PlotFrame& frame, const FrameWords& words, const 
     if (!words.remark.empty())
         svg.text(frame.left + boldFactor * textWidth(words.title, titleSize) + titleSize, 20, Svg::Anchor::Start,
                  textSize, words.remark);
-    const Ticks xTicks = axisTicks(frame.x_scale, frame.x, 10);
+    const Ticks xTicks = axisTicks(frame.x_scale, frame.x, 10, frame.x_factor);
     for (const double value : xTicks.values) {
         const double x = frame.toX(value);
         if (grid) svg.line(x, frame.top, x, frame.bottom, gridColour);
@@ -27,7 +27,7 @@ void drawFrame(Svg& svg, const PlotFrame& frame, const FrameWords& words, const 
     for (const double value : xTicks.minor)
         svg.line(frame.toX(value), frame.bottom, frame.toX(value), frame.bottom + 3, frameColour);
     const int rows = std::max(3, static_cast<int>((frame.bottom - frame.top) / 40));
-    const Ticks yTicks = axisTicks(frame.y_scale, frame.y, rows);
+    const Ticks yTicks = axisTicks(frame.y_scale, frame.y, rows, frame.y_factor);
     for (const double value : yTicks.values) {
         const double y = frame.toY(value);
         if (grid) svg.line(frame.left, y, frame.right, y, gridColour);

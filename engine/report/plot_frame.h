@@ -28,6 +28,8 @@ struct PlotFrame {
     Interval y;                                 ///< values at bottom and top edge
     Axis::Scale x_scale = Axis::Scale::Linear;  ///< of x
     Axis::Scale y_scale = Axis::Scale::Linear;  ///< of y
+    double x_factor = 1;                        ///< numbers at the x axis = values × factor
+    double y_factor = 1;                        ///< the same of y
 
     double toX(double value) const { return left + share(x_scale, x, value) * (right - left); }
     double toY(double value) const { return bottom - share(y_scale, y, value) * (bottom - top); }

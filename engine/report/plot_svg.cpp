@@ -23,7 +23,7 @@ std::string limitColour()
     return hex(colourOf(ColourRole::Limit));
 }
 
-PlotFrame frameOf(const Plot& plot)
+PlotFrame frameOf(const Plot& plot, const Language& language)
 {
     PlotFrame frame;
     frame.bottom = plotHeight - bottomRoom;
@@ -31,6 +31,8 @@ PlotFrame frameOf(const Plot& plot)
     frame.y = shownY(plot);
     frame.x_scale = plot.x.scale;
     frame.y_scale = plot.y.scale;
+    frame.x_factor = shownUnit(plot.x.unit, language).factor;
+    frame.y_factor = shownUnit(plot.y.unit, language).factor;
     if (!plot.equal_scales) return frame;
     // The axis with room to spare shows more.
     const auto widen = [](Interval& range, double length) {
@@ -165,7 +167,7 @@ std::string toSvg(const Plot& plot, const Language& language)
     const FrameWords titles{words(plot.title), words(plot.remark), axisLabel(plot.x, language),
                             axisLabel(plot.y, language)};
     Svg svg(sheetWidth, plotHeight, titles.title);
-    const PlotFrame frame = frameOf(plot);
+    const PlotFrame frame = frameOf(plot, language);
     for (std::size_t i = 0; i < plot.regions.size(); ++i) {
         const std::string data = regionPath(frame, plot.regions[i]);
         if (!data.empty()) svg.path(data, "none", 0, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);

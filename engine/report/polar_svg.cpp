@@ -220,8 +220,9 @@ void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks&
     for (const double value : values) {
         const double radius = polar.radius(value);
         if (radius <= corePx + 6 || radius >= rimPx - 8) continue;
-        words.push_back(fmt::format("{}{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language),
-                                    value == 0 ? " µm" : ""));
+        std::string number = fmt::format("{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language));
+        if (value == 0) number.append(1, ' ').append(text(shownUnit(micrometre, language).unit, language));
+        words.push_back(std::move(number));
         labels.push_back({radius, textWidth(words.back(), 11) + 4, 14});
     }
     placeRingLabels(labels, drawnPlaces(polar, plot), rimPx);
@@ -304,13 +305,13 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
                         outer);
     legend.space();
     if (divisions.values.size() > 1)
-        legend.words(phrase(LT_TEXT("Engine", "1 division = {step} µm"),
-                            {{"step", divisions.values[1] - divisions.values[0]}}, language));
+        legend.words(phrase(LT_TEXT("Engine", "1 division = {step_um} µm"),
+                            {{"step_um", divisions.values[1] - divisions.values[0]}}, language));
     if (plot.base_radius_mm > 0) {
         legend.words(
             phrase(LT_TEXT("Engine", "Deviations magnified {times} times"), {{"times", magnification}}, language));
-        legend.words(phrase(LT_TEXT("Engine", "Base circle: radius {radius} mm"),
-                            {{"radius", fixed(plot.base_radius_mm, 4, language)}}, language));
+        legend.words(phrase(LT_TEXT("Engine", "Base circle: radius {radius_mm:4} mm"),
+                            {{"radius_mm", plot.base_radius_mm}}, language));
     }
 }
 
@@ -343,7 +344,8 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     const double scale = pxPerUm(plot, magnification);
     const double base = basePx(plot);
     const Polar polar(base, scale);
-    const Ticks divisions = niceTicks((corePx - base) / scale, (rimPx - base) / scale, 8);
+    const Ticks divisions = axisTicks(Axis::Scale::Linear, {(corePx - base) / scale, (rimPx - base) / scale}, 8,
+                                      shownUnit(micrometre, language).factor);
     Svg svg(sheetWidth, sheetHeight, title);
     svg.text(20, 24, Svg::Anchor::Start, titleSize, title, true);
     drawGrid(svg, polar, divisions, language);

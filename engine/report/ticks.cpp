@@ -60,8 +60,15 @@ Ticks logTicks(double from, double to, int wanted)
     return ticks;
 }
 
-Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted)
+Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted, double factor)
 {
+    if (factor != 1) {
+        Ticks ticks = axisTicks(scale, {range.from * factor, range.to * factor}, wanted);
+        for (std::vector<double>* places : {&ticks.values, &ticks.minor})
+            for (double& place : *places) place /= factor;
+        ticks.factor = factor;
+        return ticks;
+    }
     if (scale == Axis::Scale::Whole && range.to - range.from < wanted) {
         Ticks ticks = niceTicks(range.from, range.to, std::max(1, static_cast<int>(range.to - range.from)));
         ticks.minor.clear();
@@ -73,9 +80,10 @@ Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted)
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language)
 {
-    if (std::abs(value) >= longestFixed || ticks.decimals < 0 || ticks.decimals > mostDecimals)
-        return text(Value(value), language);
-    return fixed(value, ticks.decimals, language);
+    const double number = value * ticks.factor;
+    if (std::abs(number) >= longestFixed || ticks.decimals < 0 || ticks.decimals > mostDecimals)
+        return text(Value(number), language);
+    return fixed(number, ticks.decimals, language);
 }
 
 }  // namespace lathelier::report

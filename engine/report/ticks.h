@@ -13,6 +13,7 @@ struct Ticks {
     std::vector<double> values;  ///< ascending
     std::vector<double> minor;   ///< between them, without numbers
     int decimals = 0;            ///< enough to tell neighbours apart; -1: each as short as it can be written
+    double factor = 1;           ///< number at a tick = its place × factor
 };
 
 /// Ticks at multiples of 1, 2 or 5 × 10^n inside [from, to], about `wanted` of them. from < to, both finite, wanted
@@ -23,8 +24,9 @@ Ticks niceTicks(double from, double to, int wanted);
 /// between; over less than half a decade as niceTicks(). 0 < from < to.
 Ticks logTicks(double from, double to, int wanted);
 
-/// As the scale asks; those of a Whole one are at least 1 apart.
-Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted);
+/// As the scale asks; those of a Whole one are at least 1 apart. With a `factor` (ShownUnit) the numbers are readable
+/// after they are multiplied by it.
+Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted, double factor = 1);
 
 std::string tickLabel(double value, const Ticks& ticks, const Language& language);
 

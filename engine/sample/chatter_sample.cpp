@@ -119,6 +119,17 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                         {"uncertainty_frequency_percent", 0.5},
                         {"uncertainty_coefficient_percent", 5.0}};
     content.panels["lobes"] = std::move(panel);
+    SamplePanel shaft_panel;
+    shaft_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
+    shaft_panel.parameters = {{"to_hz", 3000.0}};
+    content.panels["shaft"] = std::move(shaft_panel);
+    SamplePanel spindle_panel;
+    spindle_panel.inputs = {{"measurements", "tap_tests.json"}};
+    spindle_panel.parameters = {{"smooth", true}, {"hold_out", std::int64_t{3}}, {"limit_percent", 5.0}};
+    content.panels["spindle"] = std::move(spindle_panel);
+    SamplePanel response_panel;
+    response_panel.inputs = {{"frf", "tip_response.uff"}, {"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
+    content.panels["frf"] = std::move(response_panel);
     progress.report(1);
     return content;
 }

@@ -5,7 +5,8 @@
 
 namespace lathelier::sample {
 
-/// shaft.json, spindle.json, tip_response.uff, tap_tests.json, tap_tests.uff; the panel lobes opens the response.
+/// shaft.json, spindle.json, tip_response.uff, tap_tests.json, tap_tests.uff; the panels lobes and frf open the
+/// response, shaft the shaft on its spindle, spindle the tap tests.
 const SamplePart& chatterSample();
 
 }  // namespace lathelier::sample

@@ -52,6 +52,8 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
 {
     const auto p = static_cast<std::size_t>(probe);
     ProbeStatistics result;
+    std::int64_t asked = 0;  // number of values that `student` is for: mostly that of the point before
+    double student = nan;
     for (std::size_t i = 0; i < signals.points; ++i) {
         double sum = 0;
         std::int64_t count = 0;
@@ -74,8 +76,9 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
         result.std_um.push_back(deviation);
         result.min_um.push_back(count > 0 ? extent.low : nan);
         result.max_um.push_back(count > 0 ? extent.high : nan);
-        result.confidence_um.push_back(studentQuantile(0.975, count - 1) * deviation /
-                                       std::sqrt(static_cast<double>(count)));
+        if (count != asked) student = studentQuantile(0.975, count - 1);
+        asked = count;
+        result.confidence_um.push_back(student * deviation / std::sqrt(static_cast<double>(count)));
     }
     return result;
 }

@@ -195,10 +195,11 @@ TrajectorySection evaluate(const io::AveragedSection& averages, int revolutions,
         ProbeStatistics& statistics = section.probes[index(probe)];
         statistics.mean_um = *means[index(probe)];
         statistics.std_um = *deviations[index(probe)];
-        if (revolutions > 1)
-            for (const double deviation : statistics.std_um)
-                statistics.confidence_um.push_back(studentQuantile(0.975, revolutions - 1) * deviation /
-                                                   std::sqrt(static_cast<double>(revolutions)));
+        if (revolutions > 1) {
+            const double coverage =
+                studentQuantile(0.975, revolutions - 1) / std::sqrt(static_cast<double>(revolutions));
+            for (const double deviation : statistics.std_um) statistics.confidence_um.push_back(coverage * deviation);
+        }
         section.error_motion[index(probe)] = errorMotionOfMean(statistics.mean_um, section.angle_deg);
     }
     section.spindle = section.error_motion[index(Probe::X3)];

@@ -63,12 +63,12 @@ report::Plot longitudinalPlot(const LongitudinalSection& section, const Language
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return section.z_mm[a] < section.z_mm[b]; });
     const auto named = [&](Text pattern, double value_um) {
-        return fill(text(pattern, language), {{"value", fixed(value_um, 1, language)}}, language);
+        return fill(text(pattern, language), {{"value_um", value_um}}, language);
     };
-    report::Curve parabola{named(section.barrel_um >= 0 ? LT_TEXT("Engine", "barrel {value} µm on radius")
-                                                        : LT_TEXT("Engine", "saddle {value} µm on radius"),
+    report::Curve parabola{named(section.barrel_um >= 0 ? LT_TEXT("Engine", "barrel {value_um:1} µm on radius")
+                                                        : LT_TEXT("Engine", "saddle {value_um:1} µm on radius"),
                                  std::abs(section.barrel_um))};
-    report::Curve line{named(LT_TEXT("Engine", "taper {value} µm on diameter"), section.taper_diameter_um)};
+    report::Curve line{named(LT_TEXT("Engine", "taper {value_um:1} µm on diameter"), section.taper_diameter_um)};
     line.style = report::Curve::Style::Dashed;
     line.spoken = false;
     report::Curve measured{LT_TEXT("Engine", "sections")};

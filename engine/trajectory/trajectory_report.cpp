@@ -54,9 +54,10 @@ report::Table errorMotionTable(const TrajectorySection& section)
     report::Table table =
         report::listTable<ErrorMotion>(LT_TEXT("Engine", "Error motion (ISO 230-7), without mean and eccentricity"),
                                        motions, {"synchronous_um", "asynchronous_um", "total_um"});
-    table.columns = {LT_TEXT("Engine", "signal"), LT_TEXT("Engine", "synchronous (µm)"),
-                     LT_TEXT("Engine", "asynchronous (µm)"), LT_TEXT("Engine", "total (µm)"),
-                     LT_TEXT("Engine", "drift (µm/rev)")};
+    table.columns = {
+        LT_TEXT("Engine", "signal"), report::Labelled{LT_TEXT("Engine", "synchronous"), LT_TEXT("Engine", "µm")},
+        report::Labelled{LT_TEXT("Engine", "asynchronous"), LT_TEXT("Engine", "µm")},
+        report::Labelled{LT_TEXT("Engine", "total"), LT_TEXT("Engine", "µm")}, LT_TEXT("Engine", "drift (µm/rev)")};
     table.decimals = {0, 2, 2, 2, 4};
     for (std::size_t probe = 0; probe < table.rows.size(); ++probe) {
         std::vector<Value>& row = table.rows[probe];
@@ -99,16 +100,16 @@ report::Section motionSection(const TrajectorySection& worst, double workpiece_d
         }
         section.blocks.push_back(report::Paragraph{
             LT_TEXT("Engine",
-                    "The images of single revolutions have RONt(LSCI) from {least} to {most} µm; their mean "
+                    "The images of single revolutions have RONt(LSCI) from {least_um:2} to {most_um:2} µm; their mean "
                     "hides what differs from turn to turn."),
-            {{"least", fixed(least, 2, language)}, {"most", fixed(most, 2, language)}}});
+            {{"least_um", least}, {"most_um", most}}});
     }
     return section;
 }
 
 }  // namespace
 
-report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section, const Language& language)
+report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section)
 {
     report::Answer answer;
     answer.used = result.used;
@@ -116,11 +117,12 @@ report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySect
     answer.value = section.spindle.total_um;
     answer.unit = LT_TEXT("Engine", "µm");
     answer.decimals = 1;
-    answer.sentence = LT_TEXT("Engine",
-                              "Repeats with every turn {synchronous} µm, differs from turn to turn {asynchronous} µm · "
-                              "{turns} turns · probe X3");
-    answer.values = {{"synchronous", fixed(section.spindle.synchronous_um, 1, language)},
-                     {"asynchronous", fixed(section.spindle.asynchronous_um, 1, language)},
+    answer.sentence =
+        LT_TEXT("Engine",
+                "Repeats with every turn {synchronous_um:1} µm, differs from turn to turn {asynchronous_um:1} µm · "
+                "{turns} turns · probe X3");
+    answer.values = {{"synchronous_um", section.spindle.synchronous_um},
+                     {"asynchronous_um", section.spindle.asynchronous_um},
                      {"turns", std::int64_t{section.revolutions_used}}};
     return answer;
 }
@@ -153,14 +155,13 @@ report::Answer answer(const TrajectoryResult& result, const Language& language)
     if (!result.longitudinal) return answer;
     const double taper_um = result.longitudinal->taper_diameter_um;
     const double barrel_um = result.longitudinal->barrel_um;
-    const std::string plus = taper_um > 0 ? "+" : "";
-    answer.findings.push_back({LT_TEXT("Engine", "Taper {taper} µm on diameter, over the measured length"),
-                               {{"taper", plus + fixed(taper_um, 1, language)}},
+    answer.findings.push_back({LT_TEXT("Engine", "Taper {taper_um:+1} µm on diameter, over the measured length"),
+                               {{"taper_um", taper_um}},
                                {},
                                {}});
-    answer.findings.push_back({barrel_um < 0 ? LT_TEXT("Engine", "Saddle {size} µm on radius")
-                                             : LT_TEXT("Engine", "Barrel {size} µm on radius"),
-                               {{"size", fixed(std::abs(barrel_um), 1, language)}},
+    answer.findings.push_back({barrel_um < 0 ? LT_TEXT("Engine", "Saddle {size_um:1} µm on radius")
+                                             : LT_TEXT("Engine", "Barrel {size_um:1} µm on radius"),
+                               {{"size_um", std::abs(barrel_um)}},
                                {},
                                {}});
     return answer;
@@ -199,7 +200,8 @@ report::Table sectionsTable(const TrajectoryResult& result)
         report::listTable<TrajectorySection>(LT_TEXT("Engine", "All sections against the tolerance"), result.sections,
                                              {"section", "z_mm", "RONt_um", "judged", "diameter_mm", "centre_x_um",
                                               "centre_y_um", "run_out_um", "two_point.range_um", "revolutions_used"});
-    table.columns[2] = "RONt(" + std::string(name(result.parameters.form.circle)) + ") (µm)";
+    table.columns[2] =
+        report::Labelled{{}, micrometre, "RONt(" + std::string(name(result.parameters.form.circle)) + ")"};
     return table;
 }
 

@@ -12,8 +12,7 @@ namespace lathelier::trajectory {
 report::Answer answer(const TrajectoryResult& result, const Language& language = {});
 
 /// The motion of the workpiece's axis in one section of `result`, as probe X3 sees it (ISO 230-7).
-report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section,
-                            const Language& language = {});
+report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section);
 
 /// Answer, longitudinal figures, verdict and notes: what the command line prints.
 report::Section trajectorySummary(const TrajectoryResult& result, const Language& language = {});

@@ -11,6 +11,7 @@
 #include "app/gui/arguments.h"
 #include "app/gui/command_palette.h"
 #include "app/gui/main_window.h"
+#include "app/gui/settings_dialog.h"
 #include "tests/app/window_fixture.h"
 
 namespace lathelier {
@@ -165,6 +166,22 @@ private slots:
         window_->applySettings({"en", {}, 150});
         QTRY_COMPARE(window_->action("save")->text().remove('&'), QString("Save"));
         QCOMPARE(screenNumber(1.5, 2), QString("1.50"));
+    }
+
+    void unitsFollowTheSettings()
+    {
+        Settings wanted{"en", {}, 150};
+        wanted.units = {ScreenUnits::Length::Inch, ScreenUnits::Form::Microinch};
+        window_->applySettings(wanted);
+        const bool kept = readSettings().units == wanted.units;
+        const QString said = screenQuantity(0.0508, millimetre, 3, true), form = screenQuantity(2.54, micrometre, 2);
+        SettingsDialog dialog(wanted);
+        const bool shown = dialog.settings().units == wanted.units;
+        window_->applySettings({"en", {}, 150});
+        QVERIFY(kept && shown);
+        QCOMPARE(said, QString("+0.00200 in"));
+        QCOMPARE(form, QString("100.0 µin"));
+        QCOMPARE(screenQuantity(0.0508, millimetre, 3), QString("0.051 mm"));
     }
 
     void nothingOfTheOldLanguageStays()

@@ -10,7 +10,7 @@
 #include "engine/form/cylinder/cylindricity.h"
 #include "tests/peers/circle_peers.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// R = 25 mm, 50 µm off centre, lobes of some µm and noise of 0.8 µm.
@@ -104,6 +104,6 @@ BENCHMARK(turnedProfile)->ArgsProduct({{200, 3600, 36000, 1000000}, {0, 1}})->Un
 BENCHMARK(lobedProfile)->ArgsProduct({{200, 3600, 36000, 1000000}, {0, 1}})->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form
 
 BENCHMARK_MAIN();

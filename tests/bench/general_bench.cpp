@@ -13,6 +13,7 @@
 namespace {
 
 using namespace lathelier;
+using namespace lathelier::registration;
 
 constexpr std::size_t points = 732000;
 constexpr double sigma_mm = 0.05;

@@ -7,7 +7,7 @@
 #include "engine/registration/statistics.h"
 #include "engine/sample/sample.h"
 
-namespace lathelier {
+namespace lathelier::registration {
 namespace {
 
 struct Scans {
@@ -117,6 +117,6 @@ BENCHMARK(wholeComparisonOfTenMillion)
     ->Iterations(1);
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::registration
 
 BENCHMARK_MAIN();

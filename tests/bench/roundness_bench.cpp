@@ -8,7 +8,7 @@
 #include "engine/form/roundness/superimpose.h"
 #include "tests/engine/form/noise_kinds.h"
 
-namespace lathelier {
+namespace lathelier::form {
 namespace {
 
 /// A turned part beside the origin: lobes, roughness, eccentricity of 50 µm.
@@ -82,7 +82,8 @@ BENCHMARK(filterBesideKeyway)->Arg(3600)->Arg(36000)->Unit(benchmark::kMilliseco
 void harmonics(benchmark::State& state)
 {
     const form::PreparedProfile profile = prepareProfile(turned(state.range(0)), {}, form::OutlierRule::None);
-    for (auto _ : state) benchmark::DoNotOptimize(harmonicsAt(profile.sampling.angle_rad, profile.distance_mm, 500));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(signal::harmonicsAt(profile.sampling.angle_rad, profile.distance_mm, 500));
 }
 BENCHMARK(harmonics)->Arg(200)->Arg(3600)->Arg(36000)->Unit(benchmark::kMillisecond);
 
@@ -94,6 +95,6 @@ void superimposed(benchmark::State& state)
 BENCHMARK(superimposed)->Arg(200)->Arg(3600)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::form
 
 BENCHMARK_MAIN();

@@ -7,7 +7,7 @@
 #include "engine/trajectory/section_signals.h"
 #include "engine/trajectory/trajectory.h"
 
-namespace lathelier {
+namespace lathelier::trajectory {
 namespace {
 
 template <class Record>
@@ -77,6 +77,6 @@ BENCHMARK(resamplingOfTheRawRecord)->Unit(benchmark::kMillisecond)->UseRealTime(
 BENCHMARK(longitudinalOf20Sections)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace lathelier
+}  // namespace lathelier::trajectory
 
 BENCHMARK_MAIN();

@@ -246,6 +246,28 @@ std::vector<Case> cases()
                                        guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
+    // Faces across the axis: the same shaft, one that is 0.12 mm longer, and one whose shoulder is 0.12 mm further.
+    for (const double sigma : {0.02, 0.05, 0.1})
+        for (const double density : {2.0, 12.0})
+            for (const int kind : {0, 1, 2}) {
+                const char* what = kind == 0 ? "same" : kind == 1 ? "longer" : "shoulder moved";
+                std::snprintf(name, sizeof name, "faces, %s, sigma %.2f, %.0f/mm2, +-%s", what, sigma, density,
+                              kind == 0 ? "0.03" : "0.08");
+                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                                   FacedShaft copy;
+                                   if (kind == 1) copy.length_mm += 0.12;
+                                   if (kind == 2) copy.shoulder_mm += 0.12;
+                                   const ShaftScans scans = facedShafts(seed, sigma, density, copy);
+                                   CompareResult result = compare(scans.reference, scans.copy);
+                                   judgeBoth(result, kind == 0 ? 0.03 : 0.08, simple, guarded);
+                                   for (const Finding& f : result.findings)
+                                       if (f.kind == Finding::Kind::Step && kind > 0)
+                                           simple.state(std::abs(f.value_mm), f.uncertainty_mm, 0.12);
+                                   simple.wrong += kind == 0 && !result.findings.empty();
+                                   if (result.worst && kind == 0)
+                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                               }});
+            }
     for (const int sides : {24, 36, 72, 400}) {
         std::snprintf(name, sizeof name, "shaft to mesh of %d sides, sigma 0.05, 100k points, +-0.03", sides);
         all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {

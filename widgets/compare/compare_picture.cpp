@@ -26,13 +26,34 @@ std::optional<std::size_t> cellOf(const registration::UnrolledMap& map, double z
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.angle_count) + static_cast<std::size_t>(column);
 }
 
+/// `windows`: of each point.
+std::shared_ptr<const std::vector<std::int8_t>> alongAxis(const registration::CompareResult& result,
+                                                          const std::vector<std::uint32_t>& windows)
+{
+    const registration::SurfaceWindows& all = *result.windows;
+    if (all.faces.empty() || !all.axis_T_reference || !result.alignment.reference_axis) return nullptr;
+    const Eigen::Vector3d z = all.axis_T_reference->linear().row(2);
+    const int sense = z.dot(result.alignment.reference_axis->direction) < 0 ? -1 : 1;
+    auto along = std::make_shared<std::vector<std::int8_t>>(windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        if (windows[i] == registration::kNoWindow) continue;
+        const std::int32_t stretch = all.windows[windows[i]].stretch;
+        if (stretch >= 0)
+            (*along)[i] = static_cast<std::int8_t>(sense * all.stretches[static_cast<std::size_t>(stretch)].facing);
+    }
+    return along;
+}
+
 void addLocalMeans(ComparePicture& picture, const Progress& progress)
 {
     const registration::CompareResult& result = *picture.result;
-    if (result.windows)
-        picture.local_mean_mm = std::make_shared<const std::vector<float>>(registration::meansOf(
-            *result.windows, registration::windowsOfPoints(picture.copyScan(), result, progress.part(0, 0.9)),
-            registration::sureOfColours_mm(result)));
+    if (result.windows) {
+        const std::vector<std::uint32_t> windows =
+            registration::windowsOfPoints(picture.copyScan(), result, progress.part(0, 0.9));
+        picture.local_mean_mm = std::make_shared<const std::vector<float>>(
+            registration::meansOf(*result.windows, windows, registration::sureOfColours_mm(result)));
+        picture.along_axis = alongAxis(result, windows);
+    }
     if (result.unrolled)
         picture.map_mean_mm =
             std::make_shared<const std::vector<float>>(registration::localMeansOfMap(result, progress.part(0.9, 1)));
@@ -76,6 +97,7 @@ ComparePicture LastComparison::find(const project::PanelState& state, ScanStore&
         judge(again, parameters, progress.part(0.4, 1));
         picture.result = std::make_shared<const registration::CompareResult>(std::move(again));
         picture.local_mean_mm = last.local_mean_mm;
+        picture.along_axis = last.along_axis;
         picture.map_mean_mm = last.map_mean_mm;
     } else {
         picture.result = std::make_shared<const registration::CompareResult>(
@@ -146,7 +168,7 @@ std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareR
     };
     std::vector<Corner> meridian;
     for (const registration::MeridianStretch& stretch : result.windows->stretches) {
-        if (stretch.is_bore) continue;
+        if (stretch.is_bore || stretch.isFace()) continue;
         const double half = stretch.slope * (stretch.end_mm - stretch.start_mm) / 2;
         meridian.push_back({stretch.start_mm, stretch.radius_mm - half});
         meridian.push_back({stretch.end_mm, stretch.radius_mm + half});

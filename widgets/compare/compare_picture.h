@@ -18,6 +18,9 @@ struct ComparePicture {
     std::shared_ptr<const registration::CompareResult> result;  ///< never null in a picture that find() gave
     /// For each point of the copy the mean of its surroundings; NaN where the data carry none (surface_form.h).
     std::shared_ptr<const std::vector<float>> local_mean_mm;
+    /// For each point of the copy: 1 or -1 on a face across the axis that faces along it or against it, else 0; null
+    /// where there are no faces.
+    std::shared_ptr<const std::vector<std::int8_t>> along_axis;
     std::shared_ptr<const std::vector<float>> map_mean_mm;  ///< the same for the unrolled map; null where there is none
     std::vector<InputFile> inputs;                          ///< of the reference, then of the copy
     Notes notes;                                            ///< of both files and of the comparison

@@ -8,6 +8,7 @@
 
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
+#include "widgets/compare/place_words.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
 #include "widgets/plot/colour_legend.h"
@@ -286,6 +287,7 @@ void CompareViews::showSurface()
         copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
     p.coloured = copy.values;
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
+    copy.along_axis = p.picture->along_axis;
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
     // Beside an error that is drawn larger than it is, the right shape.
@@ -337,7 +339,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
         p.zones->markZ({});
         return;
     }
-    p.scene->setMarker(place->reference_mm, describe(*place));
+    p.scene->setMarker(place->reference_mm, allWords(*place));
     const bool onMap = place->z_mm && place->angle_deg;
     p.map->setMarker(onMap ? std::optional(QPointF(*place->z_mm, *place->angle_deg)) : std::nullopt);
     p.along->setMarker(place->z_mm);
@@ -351,32 +353,7 @@ void CompareViews::tag(const ComparePlace& place)
 {
     const Parts& p = *parts_;
     const bool means = p.smooth->isChecked() && place.local_mean_mm;
-    const std::optional<double> value_mm = means ? place.local_mean_mm : place.deviation_mm;
-    QString where =
-        place.z_mm && place.angle_deg
-            ? QString("z %1 mm  ·  %2°").arg(screenNumber(*place.z_mm, 1), screenNumber(*place.angle_deg, 0))
-            : QString("%1 · %2 · %3 mm")
-                  .arg(screenNumber(place.reference_mm.x(), 1), screenNumber(place.reference_mm.y(), 1),
-                       screenNumber(place.reference_mm.z(), 1));
-    p.scene->setTag(value_mm ? (*value_mm > 0 ? "+" : "") + screenNumber(*value_mm, 3) + " mm" : tr("left out"), where);
-}
-
-QString CompareViews::describe(const ComparePlace& place) const
-{
-    const auto signedLength = [](double value) { return (value > 0 ? "+" : "") + screenNumber(value, 3) + " mm"; };
-    QStringList lines;
-    lines << QString("X %1   Y %2   Z %3 mm")
-                 .arg(screenNumber(place.reference_mm.x(), 3), screenNumber(place.reference_mm.y(), 3),
-                      screenNumber(place.reference_mm.z(), 3));
-    if (place.z_mm && place.angle_deg)
-        lines << tr("along the axis %1 mm, angle %2°")
-                     .arg(screenNumber(*place.z_mm, 2), screenNumber(*place.angle_deg, 1));
-    if (place.deviation_mm)
-        lines << tr("deviation %1").arg(signedLength(*place.deviation_mm));
-    else if (place.point || place.surface)
-        lines << tr("this point was left out");
-    if (place.local_mean_mm) lines << tr("mean around it %1").arg(signedLength(*place.local_mean_mm));
-    return lines.join('\n');
+    p.scene->setTag(valueWords(means ? place.local_mean_mm : place.deviation_mm), placeWords(place));
 }
 
 std::vector<report::Picture> CompareViews::pictures()

@@ -66,7 +66,6 @@ private:
     void arrange();
     void recolour(std::optional<double> tolerance_mm);
     void tag(const ComparePlace& place);
-    QString describe(const ComparePlace& place) const;
 
     std::unique_ptr<Parts> parts_;
 };

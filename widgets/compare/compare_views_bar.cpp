@@ -151,7 +151,7 @@ void CompareViews::retranslate()
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
     p.synthetic->setVisible(p.picture && p.picture->synthetic);
-    p.scene->setScaleTitle(tr("Deviation (mm)"));
+    p.scene->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")});
     if (!p.picture) return;
     arrange();
     showCharts();

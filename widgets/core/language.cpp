@@ -1,12 +1,12 @@
 #include "widgets/core/language.h"
 
-#include "engine/core/visible.h"
-
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <atomic>
 
 #include "engine/core/visible.h"
 
@@ -18,6 +18,26 @@ QLocale plainLocale()
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale;
+}
+
+std::atomic<ScreenUnits> chosenUnits{ScreenUnits{}};  // reports are made in workers
+
+constexpr double mmPerInch = 25.4;
+
+ShownUnit lengthUnit()
+{
+    if (screenUnits().length == ScreenUnits::Length::Inch) return {LT_TEXT("Engine", "in"), 1 / mmPerInch, 2};
+    return {};
+}
+
+ShownUnit formUnit()
+{
+    switch (screenUnits().form) {
+        case ScreenUnits::Form::Millimetre: return {LT_TEXT("Engine", "mm"), 1e-3, 3};
+        case ScreenUnits::Form::Microinch: return {LT_TEXT("Engine", "µin"), 1e3 / mmPerInch, -1};
+        case ScreenUnits::Form::Micrometre: break;
+    }
+    return {};
 }
 
 QString qtTranslations()
@@ -35,7 +55,8 @@ Language screenLanguage()
 {
     return {[](const char* english) { return QCoreApplication::translate("Engine", english).toStdString(); },
             [](double value) { return plainLocale().toString(value, 'g', 6).toStdString(); },
-            [](double value, int decimals) { return plainLocale().toString(value, 'f', decimals).toStdString(); }};
+            [](double value, int decimals) { return plainLocale().toString(value, 'f', decimals).toStdString(); },
+            lengthUnit(), formUnit()};
 }
 
 QString screenText(Text english)
@@ -62,6 +83,40 @@ QString screenText(const Note& note)
 QString screenNumber(double value, int decimals)
 {
     return QString::fromStdString(fixed(value, decimals, screenLanguage()));
+}
+
+QString screenQuantity(double value, Text unit, int decimals, bool plus)
+{
+    const QString sign = plus && value > 0 ? QStringLiteral("+") : QString();
+    return sign + screenNumber(value, unit, decimals) + ' ' + screenUnit(unit);
+}
+
+QString screenNumber(double value, Text unit, int decimals)
+{
+    return QString::fromStdString(shownNumber(value, unit, decimals, screenLanguage()));
+}
+
+QString screenUnit(Text unit)
+{
+    return screenText(shownUnit(unit, screenLanguage()).unit);
+}
+
+double screenFactor(Text unit)
+{
+    return shownUnit(unit, screenLanguage()).factor;
+}
+
+ScreenUnits screenUnits()
+{
+    return chosenUnits.load();
+}
+
+void setScreenUnits(const ScreenUnits& units)
+{
+    if (units == screenUnits()) return;
+    chosenUnits = units;
+    QEvent changed(QEvent::LanguageChange);
+    if (QCoreApplication::instance()) QCoreApplication::sendEvent(QCoreApplication::instance(), &changed);
 }
 
 Languages::Languages(QObject* parent) : QObject(parent) {}

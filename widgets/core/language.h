@@ -13,6 +13,18 @@ class QTranslator;
 
 namespace lathelier {
 
+/// Units in which the window shows lengths, fields included. Files and the command line keep the engine's.
+struct ScreenUnits {
+    enum class Length { Millimetre, Inch } length = Length::Millimetre;             ///< of what the engine gives in mm
+    enum class Form { Micrometre, Millimetre, Microinch } form = Form::Micrometre;  ///< of what it gives in µm
+    friend bool operator==(const ScreenUnits&, const ScreenUnits&) = default;
+};
+
+ScreenUnits screenUnits();
+
+/// Everything that shows a length follows: all widgets get QEvent::LanguageChange.
+void setScreenUnits(const ScreenUnits& units);
+
 /// The engine's texts in the language of the screen (context "Engine"), numbers by QLocale().
 Language screenLanguage();
 
@@ -26,6 +38,19 @@ QString screenFileName(const QString& path);
 
 /// `value` with `decimals` places in the user's locale, without group separators; empty when it does not exist.
 QString screenNumber(double value, int decimals);
+
+/// `value`, which the engine gives in `unit` with so many decimals, as it is shown: "+0.050 mm". `plus`: the sign of a
+/// positive value is written too.
+QString screenQuantity(double value, Text unit, int decimals, bool plus = false);
+
+/// The same without the unit.
+QString screenNumber(double value, Text unit, int decimals);
+
+/// The unit in which `unit` is shown.
+QString screenUnit(Text unit);
+
+/// Shown value / value in the engine's `unit`.
+double screenFactor(Text unit);
 
 /// Installs translators. Changing the language sends QEvent::LanguageChange to every widget.
 class Languages : public QObject {

@@ -1,5 +1,6 @@
 #include "widgets/core/resources.h"
 
+#include <QFile>
 #include <QResource>
 #include <QtGlobal>
 
@@ -15,6 +16,12 @@ namespace lathelier {
 void useResources()
 {
     registerResources();
+}
+
+std::string resourceText(const char* path)
+{
+    QFile file(QString::fromLatin1(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 
 }  // namespace lathelier

@@ -116,7 +116,7 @@ void CylindricityPanel::showResult(const std::shared_ptr<const CylindricityPictu
 
 report::Answer CylindricityPanel::answer(const CylindricityPicture& picture) const
 {
-    return form::answer(*picture.result, screenLanguage());
+    return form::answer(*picture.result);
 }
 
 Notes CylindricityPanel::notes(const CylindricityPicture& picture) const

@@ -83,8 +83,9 @@ CylindricityViews::CylindricityViews(QWidget* parent)
         const auto vertex = static_cast<std::size_t>(point);
         const Eigen::Vector2d place = placeAbout(*picture_->surface, picture_->scan().points_mm[vertex]);
         const double deviation_um = 1000 * static_cast<double>(picture_->surface->deviation_mm[vertex]);
-        scene_->setTag((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm",
-                       QString("z %1 mm  ·  %2°").arg(screenNumber(place.x(), 1), screenNumber(place.y(), 0)));
+        scene_->setTag(
+            screenQuantity(deviation_um, micrometre, 2, true),
+            QString("z %1  ·  %2°").arg(screenQuantity(place.x(), millimetre, 1), screenNumber(place.y(), 0)));
     });
     connect(map_, &plot::PlotCanvas::clicked, this, &CylindricityViews::markPlace);
     for (plot::ChartView* chart : {radius_, axis_})
@@ -183,9 +184,8 @@ void CylindricityViews::showPlace()
     const double z_mm = place_->x(), angle_deg = place_->y();
     const double deviation_um = map_->data().at(z_mm, angle_deg);
     QStringList lines;
-    if (std::isfinite(deviation_um))
-        lines << tr("deviation %1").arg((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm");
-    lines << tr("along the axis %1 mm, angle %2°").arg(screenNumber(z_mm, 2), screenNumber(angle_deg, 1));
+    if (std::isfinite(deviation_um)) lines << tr("deviation %1").arg(screenQuantity(deviation_um, micrometre, 2, true));
+    lines << tr("along the axis %1, angle %2°").arg(screenQuantity(z_mm, millimetre, 2), screenNumber(angle_deg, 1));
     scene_->setMarker(placeOnCylinder(*picture_->surface, z_mm, angle_deg), lines.join('\n'));
     map_->setMarker(place_);
     for (plot::ChartView* chart : {radius_, axis_}) chart->setMarker(z_mm);
@@ -203,7 +203,7 @@ void CylindricityViews::retranslate()
     section_->setToolTip(tr("Cuts the marked section out of the points and opens it in the panel Roundness"));
     synthetic_->setText(tr("Synthetic data"));
     synthetic_->setToolTip(tr("These points were computed, not measured."));
-    scene_->setScaleTitle(tr("Deviation (mm)"));
+    scene_->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")});
     if (!picture_) return;
     showPart();
     showCharts();

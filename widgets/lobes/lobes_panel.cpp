@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/frf_item.h"
 #include "engine/io/file.h"
 #include "engine/report/chart_csv.h"
 #include "engine/report/result_json.h"
@@ -24,6 +25,7 @@ InputRole responseRole()
     role.label = LT_TEXT("Engine", "Frequency response");
     role.hint = LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT.");
     role.kinds = {&io::frfFiles()};
+    role.item_kind = frfItem;
     role.required = false;
     role.takes_next = true;
     return role;
@@ -75,6 +77,7 @@ PanelFacts lobesPanelFacts()
     facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {frfRole};
+    facts.item_inputs = {{frfItem, frfRole}};
     facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
     facts.missing = [](const project::PanelState& state) {
         std::vector<Text> labels;
@@ -124,7 +127,8 @@ LobesPanel::Compute LobesPanel::compute(const project::PanelState& state) const
 Worker::Job LobesPanel::makeReadingJob(const project::PanelState& state) const
 {
     return [state, store = session().stores().of<FrfStore>()](const Progress& progress) -> std::shared_ptr<const void> {
-        for (const auto& [role, source] : state.inputs) store->load(source, progress);
+        for (const auto& [role, source] : state.inputs)
+            if (source.item.empty()) store->load(source, progress);
         return nullptr;
     };
 }

@@ -6,6 +6,7 @@
 
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
+#include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/core/task/memo.h"
 
@@ -37,13 +38,23 @@ void recommend(LobesPicture& picture)
     }
 }
 
-}  // namespace
-
-io::FrfFile FrfStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
+void takeFile(LobesPicture& picture, const project::Source& source, Stores& stores, const Progress& progress,
+              std::string& basis)
 {
-    return io::readFrf(source.path, inputs.open(source.path, progress), fromValues<io::ImportOptions>(source.import),
-                       fromValues<io::FrfOptions>(source.import), progress);
+    const auto loaded = stores.of<FrfStore>()->load(source, progress);
+    picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
+    picture.inputs = {loaded->inputs.front()};
+    basis = loaded->digest() + toJson(source.import).dump();
+    picture.notes = loaded->file.notes;
+    const Notes checked = receptance::checkResponse(loaded->file.frfs.front(), source.path);
+    picture.notes.insert(picture.notes.end(), checked.begin(), checked.end());
+    if (const std::size_t count = loaded->file.frfs.size(); count > 1)
+        picture.notes.push_back(
+            {notes::severalResponses, {{"path", source.path}, {"count", static_cast<std::int64_t>(count)}}});
+    picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
 }
+
+}  // namespace
 
 LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
@@ -51,17 +62,13 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
     picture.question = fromValues<LobesQuestion>(state.parameters);
     const LobesQuestion& question = picture.question;
     std::string basis;  // tells responses apart
-    if (const auto source = state.inputs.find(frfRole); source != state.inputs.end()) {
-        const auto loaded =
-            stores.of<FrfStore>()->load(source->second, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
-        picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
-        picture.inputs = {loaded->inputs.front()};
-        basis = loaded->digest() + toJson(source->second.import).dump();
-        picture.notes = loaded->file.notes;
-        if (const std::size_t count = loaded->file.frfs.size(); count > 1)
-            picture.notes.push_back({notes::severalResponses,
-                                     {{"path", source->second.path}, {"count", static_cast<std::int64_t>(count)}}});
-        picture.synthetic = source->second.synthetic || contains(loaded->file.notes, notes::syntheticData);
+    if (const auto item = chatter_common::takeResponseItem(state)) {
+        picture.frf = std::make_shared<const Frf>(item->value);
+        picture.inputs = {item->input};
+        picture.synthetic = item->synthetic;
+        basis = item->input.sha256;
+    } else if (const project::Source* source = chatter_common::sourceOf(state, frfRole)) {
+        takeFile(picture, *source, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
     } else {
         const double highest =
             question.lobes.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : question.lobes.speed_rpm.front().to;
@@ -106,12 +113,10 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
         const double speed = picture.speed->recommended_rpm;
         const double limit = pointOfWork(lobes, speed, 0).limit_mm;
         report::Finding finding;
-        finding.pattern = std::isfinite(limit)
-                              ? LT_TEXT("Engine", "Recommended: {speed} 1/min, stable up to {limit} {unit}")
-                              : LT_TEXT("Engine", "Recommended: {speed} 1/min");
-        finding.values = {{"speed", fixed(speed, 0, language)},
-                          {"limit", fixed(limit, 3, language)},
-                          {"unit", relative ? Value(std::string("×")) : Value(LT_TEXT("Engine", "mm"))}};
+        finding.pattern = !std::isfinite(limit) ? LT_TEXT("Engine", "Recommended: {speed:0} 1/min")
+                          : relative ? LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit:3} ×")
+                                     : LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm");
+        finding.values = {{"speed", speed}, {"limit", limit}, {"limit_mm", limit}};
         finding.offer = {{"operating_speed_rpm", std::round(speed)}};
         answer.findings.push_back(std::move(finding));
     } else if (picture.no_speed) {
@@ -120,8 +125,8 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
             {LT_TEXT("Engine", "No speed is recommended: {reason}"), {{"reason", reason ? *reason : Value()}}, {}, {}});
     }
     if (lobes.minimum_depth_mm && !relative)
-        answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth} mm"),
-                                   {{"depth", fixed(*lobes.minimum_depth_mm, 3, language)}},
+        answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth_mm:3} mm"),
+                                   {{"depth_mm", *lobes.minimum_depth_mm}},
                                    {},
                                    {}});
     return answer;

@@ -4,25 +4,18 @@
 #include <memory>
 #include <optional>
 
-#include "engine/io/frf/frf_reader.h"
 #include "engine/report/document.h"
 #include "engine/stability/stability_plots.h"
-#include "widgets/core/files/file_cache.h"
+#include "widgets/chatter_common/frf_files.h"
+#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/lobes/lobes_question.h"
 
 namespace lathelier::lobes_panel {
 
-/// Files of frequency responses that were read. Source::import are ImportOptions and FrfOptions; errors as readFrf().
-class FrfStore : public FileCache<io::FrfFile> {
-public:
-    FrfStore() : FileCache(20) {}
+using chatter_common::FrfStore;
 
-protected:
-    io::FrfFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
-};
-
-inline constexpr const char* frfRole = "frf";
+using chatter_common::frfRole;
 
 struct LobesPicture {
     std::shared_ptr<const Frf> frf;                      ///< receptance of the point that is cut

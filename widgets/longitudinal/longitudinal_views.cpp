@@ -55,8 +55,9 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
         const auto deviation_um = static_cast<double>((*stack_.deviation_um)[vertex]);
         const double z_mm = picture_->trajectory->sections[stack_.sectionOf(vertex)].z_mm;
         const QString turned = screenNumber(stack_.angle_deg(vertex), 0) + "°";
-        scene_->setTag((deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2) + " µm",
-                       std::isfinite(z_mm) ? QString("z %1 mm  ·  %2").arg(screenNumber(z_mm, 1), turned) : turned);
+        scene_->setTag(
+            screenQuantity(deviation_um, micrometre, 2, true),
+            std::isfinite(z_mm) ? QString("z %1  ·  %2").arg(screenQuantity(z_mm, millimetre, 1), turned) : turned);
     });
     connect(scene_, &scene::SceneView::surfacePicked, this, [this](int, const scene::PickedPlace& on) {
         Eigen::Index corner = 0;
@@ -162,11 +163,10 @@ void LongitudinalViews::markPlace()
     if (!angle_.angle_deg()) return scene_->setMarker({});
     const std::size_t vertex = stack_.vertexAt(index, *angle_.angle_deg());
     const double deviation_um = (*stack_.deviation_um)[vertex];
-    scene_->setMarker(
-        stack_.scan->points_mm[vertex],
-        tr("section %1, angle %2°\ndeviation %3 µm")
-            .arg(section.section)
-            .arg(screenNumber(*angle_.angle_deg(), 1), (deviation_um > 0 ? "+" : "") + screenNumber(deviation_um, 2)));
+    scene_->setMarker(stack_.scan->points_mm[vertex], tr("section %1, angle %2°\ndeviation %3")
+                                                          .arg(section.section)
+                                                          .arg(screenNumber(*angle_.angle_deg(), 1),
+                                                               screenQuantity(deviation_um, micrometre, 2, true)));
 }
 
 Values LongitudinalViews::view() const
@@ -216,7 +216,7 @@ void LongitudinalViews::retranslate()
     heroes_->setTitle("stack", tr("Form"));
     heroes_->setTitle("profile", tr("Along the axis"));
     heroes_->setTitle("sections", tr("Sections"));
-    scene_->setScaleTitle(tr("Deviation (µm)"));
+    scene_->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "µm")});
     if (!picture_) return;
     const auto picture = std::move(picture_);
     picture_.reset();

@@ -43,16 +43,17 @@ std::size_t samplesOf(const report::Curve& curve)
     return std::min(curve.x.size(), curve.y.size());
 }
 
-QString withUnit(const QString& number, const Text& unit)
+/// A number in the unit of its axis, with the digits that this axis can show.
+QString onAxis(const QCPAxis& axis, double value, Text unit, const QLocale& locale)
 {
-    return unit.empty() ? number : number + ' ' + screenText(unit);
+    const bool logarithmic = axis.scaleType() == QCPAxis::stLogarithmic;
+    return logarithmic ? locale.toString(value * screenFactor(unit), 'g', 4)
+                       : readable(value * screenFactor(unit), axis.range().size() * screenFactor(unit), locale);
 }
 
-/// A number with the digits that this axis can show.
-QString onAxis(const QCPAxis& axis, double value, const QLocale& locale)
+QString withUnit(const QString& number, Text unit)
 {
-    return axis.scaleType() == QCPAxis::stLogarithmic ? locale.toString(value, 'g', 4)
-                                                      : readable(value, axis.range().size(), locale);
+    return unit.empty() ? number : number + ' ' + screenUnit(unit);
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ void ChartView::setData(report::Plot data)
     }
     if (!c.lines->chosen) c.holds = c.hasMoved = false;
     build();
-    setScales(c.data.x.scale, c.data.y.scale);
+    setAxes(c.data.x, c.data.y);
     setTitles(chartText(c.data.title), chartText(c.data.remark), chartText(c.data.x), chartText(c.data.y));
     setMarker(c.marked);
     refresh(same);
@@ -200,12 +201,19 @@ void ChartView::keepScalesEqual()
 {
     if (content_->levelling || !content_->data.equal_scales) return;
     content_->levelling = true;
+    const QRectF before = visibleRange();
     if (!isViewChosen()) fitRanges();
     const double perX = plot().xAxis->range().size() / std::max(1, plot().axisRect()->width());
     const double perY = plot().yAxis->range().size() / std::max(1, plot().axisRect()->height());
     if (perX > 1.0001 * perY) plot().yAxis->setScaleRatio(plot().xAxis, 1);
     if (perY > 1.0001 * perX) plot().xAxis->setScaleRatio(plot().yAxis, 1);
     content_->levelling = false;
+    // The ticks of this drawing are those of the range before; a change of margins alone is not drawn again.
+    constexpr double seen = 0.02;
+    const QRectF after = visibleRange();
+    if (std::abs(after.width() - before.width()) > seen * before.width() ||
+        std::abs(after.height() - before.height()) > seen * before.height())
+        redraw();
 }
 
 QString ChartView::readoutAt(double x, double y) const
@@ -213,8 +221,8 @@ QString ChartView::readoutAt(double x, double y) const
     const Content& c = *content_;
     const report::Plot& data = c.data;
     if (c.hasPaths()) return pathReadout(x, y);
-    const auto onX = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
-    const auto onY = [&](double value) { return onAxis(*plot().yAxis, value, locale()); };
+    const auto onX = [&](double value) { return onAxis(*plot().xAxis, value, data.x.unit, locale()); };
+    const auto onY = [&](double value) { return onAxis(*plot().yAxis, value, data.y.unit, locale()); };
     bool counts = false;  // an x that only takes whole numbers is spoken as one
     for (std::size_t k = 0; k < data.curves.size() && !counts; ++k) {
         const std::vector<double>& places = c.places[k];
@@ -238,7 +246,7 @@ QString ChartView::readoutAt(double x, double y) const
         const QString name = report::captionText(curve.name).empty() ? spokenTitle(data.y) : chartText(curve.name);
         any = true;
         if (i < curve.said.size())
-            parts << name + ' ' + withUnit(readable(curve.said[i], 0.1, locale()), curve.said_unit);
+            parts << name + ' ' + readable(curve.said[i], 0.1, curve.said_unit, locale());
         else if (curve.style == report::Curve::Style::Band)
             parts << name + ' ' + onY(curve.y_low[i]) + "…" + withUnit(onY(curve.y[i]), data.y.unit);
         else
@@ -270,9 +278,9 @@ PointerTag::Words ChartView::tagAt(const QPointF& pointer, double x, double) con
         if (away >= least) continue;
         least = away;
         const bool is_said = i < curve.said.size();
-        words.value = is_said ? withUnit(readable(curve.said[i], 0.1, locale()), curve.said_unit)
-                              : withUnit(onAxis(*plot().yAxis, curve.y[i], locale()), data.y.unit);
-        words.place = withUnit(onAxis(*plot().xAxis, places[i], locale()), data.x.unit);
+        words.value = is_said ? readable(curve.said[i], 0.1, curve.said_unit, locale())
+                              : withUnit(onAxis(*plot().yAxis, curve.y[i], data.y.unit, locale()), data.y.unit);
+        words.place = withUnit(onAxis(*plot().xAxis, places[i], data.x.unit, locale()), data.x.unit);
         const QString name = chartText(curve.name);
         if (!name.isEmpty()) words.place += "  ·  " + name;
         if (i < curve.words.size() && !curve.words[i].empty()) words.place = screenText(curve.words[i]);
@@ -296,13 +304,13 @@ QString ChartView::pathReadout(double x, double y) const
         }
     if (!nearest) return {};
     const double px = nearest->x[sample], py = nearest->y[sample];
-    const auto number = [&](double value) { return onAxis(*plot().xAxis, value, locale()); };
+    const auto number = [&](double value) { return onAxis(*plot().xAxis, value, data.x.unit, locale()); };
     QStringList parts;
     if (!report::captionText(nearest->name).empty()) parts << chartText(nearest->name);
     if (sample < nearest->along.size())
         parts << readable(nearest->along[sample], 100, locale()) + screenText(data.along.unit);
     parts << "X " + number(px) << "Y " + number(py);
-    parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), screenText(data.x.unit));
+    parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), screenUnit(data.x.unit));
     return parts.join(" · ");
 }
 

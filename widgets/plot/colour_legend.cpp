@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "widgets/core/icons.h"
+#include "widgets/core/language.h"
+#include "widgets/plot/plot_style.h"
 
 namespace lathelier::plot {
 namespace {
@@ -37,12 +39,13 @@ std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
     return ticks;
 }
 
-QString signedNumber(const Tick& tick, double limit, const QLocale& locale)
+/// `limit` and the tick in the engine's unit, the number in the unit that is shown.
+QString signedNumber(const Tick& tick, double limit, Text unit, const QLocale& locale)
 {
     // A tolerance was given: it is shown as it was.
-    const double value = tick.value;
-    const int digits =
-        static_cast<int>(std::clamp(2 - std::floor(std::log10(limit) + 1e-9), 0.0, 6.0)) + 2 * tick.tolerance;
+    const double value = tick.value * screenFactor(unit);
+    const double least_digit = std::floor(std::log10(limit * screenFactor(unit)) + 1e-9);
+    const int digits = static_cast<int>(std::clamp(2 - least_digit, 0.0, 7.0)) + 2 * tick.tolerance;
     QString text = locale.toString(std::abs(value), 'f', digits);
     // No trailing zeros: 0.100 reads as 0.1.
     if (digits > 0) {
@@ -131,7 +134,7 @@ void paintColourLegend(QPainter& painter, const QRectF& room, const Legend& lege
         face.setBold(tick.tolerance);
         painter.setFont(face);
         painter.drawText(QRectF(bar.right() + 0.45 * line, y - line / 2, room.right() - bar.right(), line),
-                         Qt::AlignLeft | Qt::AlignVCenter, signedNumber(tick, limit, locale));
+                         Qt::AlignLeft | Qt::AlignVCenter, signedNumber(tick, limit, legend.unit, locale));
     }
     painter.restore();
 }
@@ -144,8 +147,8 @@ int colourLegendWidth(const Legend& legend, const QFont& font, const QLocale& lo
     const QFontMetricsF metrics(bold);
     double widest = 0;
     for (const Tick& tick : ticksOf(colours, 0))
-        widest = std::max(
-            widest, metrics.horizontalAdvance(signedNumber(tick, std::max(colours.limit, -colours.least()), locale)));
+        widest = std::max(widest, metrics.horizontalAdvance(signedNumber(
+                                      tick, std::max(colours.limit, -colours.least()), legend.unit, locale)));
     const double line = QFontMetricsF(font).height();
     return static_cast<int>(std::ceil(std::max(countsWidth(legend.counts, line) + 1.8 * line + widest,
                                                QFontMetricsF(font).horizontalAdvance(legend.title) + 2)));
@@ -186,10 +189,11 @@ void LimitEdit::showSides()
 {
     const bool apart = apart_->isChecked();
     upper_->setPrefix(apart ? QStringLiteral("+ ") : QStringLiteral("± "));
-    upper_->setToolTip(apart ? tr("Upper end of the colour scale in mm")
-                             : tr("The colour scale runs from minus to plus this many mm."));
-    upper_->setAccessibleName(tr("Limit of the colour scale in mm"));
-    lower_->setToolTip(tr("How far below 0 the colour scale goes, in mm"));
+    const QString unit = screenUnit(unit_);
+    upper_->setToolTip(apart ? tr("Upper end of the colour scale in %1").arg(unit)
+                             : tr("The colour scale runs from minus to plus this many %1.").arg(unit));
+    upper_->setAccessibleName(tr("Limit of the colour scale in %1").arg(unit));
+    lower_->setToolTip(tr("How far below 0 the colour scale goes, in %1").arg(unit));
     lower_->setAccessibleName(lower_->toolTip());
     apart_->setText(tr("Each side of the scale by itself"));
     lower_->setVisible(apart);
@@ -198,15 +202,29 @@ void LimitEdit::showSides()
 
 void LimitEdit::announce()
 {
-    emit edited(upper_->value(), apart_->isChecked() ? lower_->value() : 0);
+    const double factor = screenFactor(unit_);
+    emit edited(upper_->value() / factor, apart_->isChecked() ? lower_->value() / factor : 0);
+}
+
+void LimitEdit::setUnit(Text unit)
+{
+    unit_ = unit;
+    {
+        const QSignalBlocker quiet[]{QSignalBlocker(upper_), QSignalBlocker(lower_)};
+        const double factor = screenFactor(unit_);
+        for (QDoubleSpinBox* box : {upper_, lower_}) box->setRange(factor < 1 ? 1e-5 : 1e-4, factor > 1 ? 1e5 : 1e3);
+    }
+    setColours(shown_);
 }
 
 void LimitEdit::setColours(const report::DeviationColours& colours)
 {
     const QSignalBlocker quiet[]{QSignalBlocker(upper_), QSignalBlocker(lower_), QSignalBlocker(apart_)};
-    const auto show = [](QDoubleSpinBox* box, double limit) {
-        box->setDecimals(limit < 0.01 ? 5 : limit < 0.1 ? 4 : 3);
-        box->setValue(limit);
+    shown_ = colours;
+    const auto show = [factor = screenFactor(unit_)](QDoubleSpinBox* box, double limit) {
+        const double shown = limit * factor;
+        box->setDecimals(shown < 0.01 ? 5 : shown < 0.1 ? 4 : 3);
+        box->setValue(shown);
     };
     apart_->setChecked(colours.lower.has_value());
     show(upper_, colours.limit);
@@ -223,9 +241,11 @@ ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent), edit_(new LimitEd
     connect(edit_, &LimitEdit::edited, this, &ColourLegend::limitEdited);
 }
 
-void ColourLegend::setTitle(const QString& title)
+void ColourLegend::setAxis(const report::Axis& axis)
 {
-    legend_.title = title;
+    legend_.title = chartText(axis);
+    legend_.unit = axis.unit;
+    edit_->setUnit(axis.unit);
     updateGeometry();
     update();
 }

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "engine/report/colours.h"
+#include "engine/report/chart.h"
 
 class QAction;
 class QDoubleSpinBox;
@@ -27,6 +27,7 @@ struct Legend {
     report::DeviationColours colours;
     ScaleCounts counts;
     QString title;
+    Text unit;  ///< of the values, by the engine; empty: none
 };
 
 /// Paints title, bar, numbers, the marks of the tolerance and the counts into `room`.
@@ -42,6 +43,7 @@ class LimitEdit : public QWidget {
 
 public:
     explicit LimitEdit(QWidget* parent = nullptr);
+    void setUnit(Text unit);  ///< of the limits, by the engine
     void setColours(const report::DeviationColours& colours);
 
 signals:
@@ -52,6 +54,8 @@ private:
     void showSides();
     void announce();
 
+    Text unit_;                       ///< of the limits, by the engine
+    report::DeviationColours shown_;  ///< with the limits
     QDoubleSpinBox* upper_;
     QDoubleSpinBox* lower_;
     QAction* apart_;
@@ -63,7 +67,7 @@ class ColourLegend : public QWidget {
 
 public:
     explicit ColourLegend(QWidget* parent = nullptr);
-    void setTitle(const QString& title);
+    void setAxis(const report::Axis& axis);  ///< title and unit of the values
     void setColours(const report::DeviationColours& colours);
     void setCounts(ScaleCounts counts);
     QSize sizeHint() const override;

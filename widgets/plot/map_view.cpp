@@ -130,7 +130,10 @@ void MapView::setData(report::ColourMap data)
     content_->data = std::move(data);
     const report::ColourMap& d = content_->data;
     setTitles(chartText(d.title), {}, chartText(d.x), chartText(d.y));
+    setAxes(d.x, d.y);
     content_->legend->shown.title = chartText(d.value);
+    content_->legend->shown.unit = d.value.unit;
+    content_->edit->setUnit(d.value.unit);
     recolour();
     refresh(same);
     placeEdit();
@@ -199,7 +202,7 @@ QString MapView::readoutAt(double x, double y) const
 {
     const report::ColourMap& d = content_->data;
     const auto axis = [&](const report::Axis& a, double value, double span) {
-        return spokenTitle(a) + ' ' + readable(value, span, locale()) + ' ' + screenText(a.unit);
+        return spokenTitle(a) + ' ' + readable(value, span, a.unit, locale());
     };
     const double value = d.at(x, y);
     return axis(d.x, x, visibleRange().width()) + "  ·  " + axis(d.y, y, visibleRange().height()) + "  ·  " +
@@ -210,13 +213,10 @@ PointerTag::Words MapView::tagAt(const QPointF&, double x, double y) const
 {
     const report::ColourMap& d = content_->data;
     const double value = d.at(x, y);
-    const auto number = [&](double v, double span, const Text& unit) {
-        const QString said = screenText(unit);
-        return readable(v, span, locale()) + (said == QStringLiteral("°") ? QString() : QStringLiteral(" ")) + said;
-    };
     if (std::isnan(value)) return {};
-    return {(value > 0 ? "+" : "") + number(value, 0.1, d.value.unit),
-            number(x, visibleRange().width(), d.x.unit) + "  ·  " + number(y, visibleRange().height(), d.y.unit)};
+    return {(value > 0 ? "+" : "") + readable(value, 0.1, d.value.unit, locale()),
+            readable(x, visibleRange().width(), d.x.unit, locale()) + "  ·  " +
+                readable(y, visibleRange().height(), d.y.unit, locale())};
 }
 
 void MapView::fitRanges()

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/report/ticks.h"
+#include "widgets/core/language.h"
 #include "widgets/plot/plot_parts.h"
 
 namespace lathelier::plot {
@@ -14,14 +15,14 @@ constexpr int lowestWithLegend = 10;  // lines of type
 /// The ticks and numbers of the report.
 class ChartTicker : public QCPAxisTicker {
 public:
-    explicit ChartTicker(report::Axis::Scale scale) : scale_(scale) {}
+    ChartTicker(report::Axis::Scale scale, double factor) : scale_(scale), factor_(factor) {}
 
     void generate(const QCPRange& range, const QLocale& locale, QChar, int, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override
     {
         // Steps of 1, 2, 5 leave up to 2.5 times fewer ticks than asked for: so many that they lie about the count.
         const report::Ticks found =
-            report::axisTicks(scale_, {range.lower, range.upper}, tickCount() + (tickCount() + 1) / 2);
+            report::axisTicks(scale_, {range.lower, range.upper}, tickCount() + (tickCount() + 1) / 2, factor_);
         ticks = {found.values.begin(), found.values.end()};
         if (subTicks) *subTicks = {found.minor.begin(), found.minor.end()};
         if (!labels) return;
@@ -35,6 +36,7 @@ public:
 
 private:
     report::Axis::Scale scale_;
+    double factor_;  ///< number at a tick = its place × factor
 };
 
 }  // namespace
@@ -84,7 +86,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     parts_->stretch->setLayer("overlay");
     parts_->stretch->setVisible(false);
     parts_->stretch->setSelectable(false);
-    setScales(report::Axis::Scale::Linear, report::Axis::Scale::Linear);
+    setAxes({}, {});
     connect(plot_, &QCustomPlot::mousePress, this, &PlotCanvas::mousePressed);
     connect(plot_, &QCustomPlot::mouseMove, this, &PlotCanvas::mouseMoved);
     connect(plot_, &QCustomPlot::mouseRelease, this, &PlotCanvas::mouseReleased);
@@ -102,16 +104,18 @@ void PlotCanvas::setTitles(const QString& title, const QString& remark, const QS
     setAccessibleName(title);
 }
 
-void PlotCanvas::setScales(report::Axis::Scale x, report::Axis::Scale y)
+void PlotCanvas::setAxes(const report::Axis& x, const report::Axis& y)
 {
-    const auto set = [](QCPAxis* axis, QCPAxis* opposite, report::Axis::Scale scale) {
-        const auto ticker = QSharedPointer<ChartTicker>::create(scale);
+    const auto set = [](QCPAxis* axis, QCPAxis* opposite, const report::Axis& asked) {
+        const auto ticker = QSharedPointer<ChartTicker>::create(asked.scale, screenFactor(asked.unit));
+        const report::Axis::Scale scale = asked.scale;
         ticker->setTickCount(axis->ticker()->tickCount());
         for (QCPAxis* side : {axis, opposite}) {  // one ticker, so that both sides have the same ticks
             side->setScaleType(scale == report::Axis::Scale::Logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
             side->setTicker(ticker);
         }
     };
+    parts_->x_factor = screenFactor(x.unit);
     set(plot_->xAxis, plot_->xAxis2, x);
     set(plot_->yAxis, plot_->yAxis2, y);
 }

@@ -47,7 +47,7 @@ protected:
     QCustomPlot& plot() const { return *plot_; }
     const PlotStyle& style() const { return style_; }
     void setTitles(const QString& title, const QString& remark, const QString& x, const QString& y);
-    void setScales(report::Axis::Scale x, report::Axis::Scale y);
+    void setAxes(const report::Axis& x, const report::Axis& y);  ///< scales, and units of the numbers
     void setReadout(const QString& text);
     void showLegend(bool shown);
     void leaveRoomInTitle(int pixels);  ///< at its right end

@@ -52,7 +52,9 @@ void PlotCanvas::mouseMoved(QMouseEvent* event)
         parts_->stretch->topLeft->setCoords(*parts_->drawnFrom, plot_->yAxis->range().upper);
         parts_->stretch->bottomRight->setCoords(x, plot_->yAxis->range().lower);
         parts_->stretch->setVisible(true);
-        const auto number = [&](double v) { return readable(v, visibleRange().width(), locale()); };
+        const auto number = [&](double v) {
+            return readable(v * parts_->x_factor, visibleRange().width() * parts_->x_factor, locale());
+        };
         tag_->say({number(std::min(*parts_->drawnFrom, x)) + " … " + number(std::max(*parts_->drawnFrom, x)), {}},
                   event->pos());
         return drawOverlay();

@@ -15,6 +15,7 @@ struct PlotCanvas::Parts {
     QCPItemStraightLine* horizontal;  ///< through the pointer
     QCPItemRect* stretch;             ///< that is being drawn
     QString xTitle, yTitle;           ///< with units
+    double x_factor = 1;              ///< numbers at the x axis = values × factor
     QPoint pressedAt;                 ///< in px of the widget
     bool legendWanted = false;        ///< there is more than one curve with a name
     bool pressed = false;             ///< a button of the mouse is held

@@ -56,6 +56,14 @@ QPalette paperPalette()
     return palette;
 }
 
+QString readable(double value, double span, Text unit, const QLocale& locale)
+{
+    QString number = readable(value * screenFactor(unit), span * screenFactor(unit), locale);
+    if (unit.empty()) return number;
+    const QString said = screenUnit(unit);
+    return said == QStringLiteral("°") ? number + said : number + ' ' + said;
+}
+
 QString readable(double value, double span, const QLocale& locale)
 {
     if (!std::isfinite(value)) return QStringLiteral("–");

@@ -38,6 +38,9 @@ QString spokenTitle(const report::Axis& axis);
 /// A palette for paper: dark on white, whatever the desktop looks like.
 QPalette paperPalette();
 
+/// The same with a unit: `value` and `span` in that of the engine, the text in that which is shown.
+QString readable(double value, double span, Text unit, const QLocale& locale);
+
 /// "-0.0042": fixed digits that fit `span`, in the user's locale, with a true minus sign.
 QString readable(double value, double span, const QLocale& locale);
 

@@ -188,9 +188,9 @@ double steppedMagnification(double magnification, int steps)
     return std::clamp(magnification, 1.0, 1e9);
 }
 
-double division_um(const PolarScale& scale, double smallest_px)
+double division_um(const PolarScale& scale, double smallest_px, double factor)
 {
-    return rounded(smallest_px / scale.pixelsPerUm(), true);
+    return rounded(smallest_px / scale.pixelsPerUm() * factor, true) / factor;
 }
 
 QString toCsv(const report::PolarPlot& plot)

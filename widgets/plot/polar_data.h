@@ -75,8 +75,8 @@ double fittingMagnification(const PolarPicture& picture);
 /// The next larger or smaller one of 1, 2, 5 × 10^n.
 double steppedMagnification(double magnification, int steps);
 
-/// 1, 2 or 5 × 10^n µm, so that divisions lie at least `smallest_px` apart.
-double division_um(const PolarScale& scale, double smallest_px);
+/// In µm; 1, 2 or 5 × 10^n of the unit that is shown (µm × factor), so that divisions lie at least `smallest_px` apart.
+double division_um(const PolarScale& scale, double smallest_px, double factor = 1);
 
 /// One line for each sample: trace, angle, deviation; then the reference circles degree by degree and the contacts, all
 /// as deviations from the base circle. Decimal point in every locale.

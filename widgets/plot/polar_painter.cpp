@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/core/language.h"
+
 namespace lathelier::plot {
 
 namespace {
@@ -19,11 +21,11 @@ constexpr double leastShareOfDisc = 0.72;
 constexpr double smallestWithNames = 16;
 constexpr double ringOpacity = 0.16;
 
-QString signedDivision(double value_um, const QLocale& locale)
+QString signedDivision(double value, const QLocale& locale)
 {
-    if (value_um == 0) return QStringLiteral("0");
-    QString text = locale.toString(std::abs(value_um), 'g', 6);
-    return (value_um > 0 ? QStringLiteral("+") : QStringLiteral("−")) + text;
+    if (value == 0) return QStringLiteral("0");
+    QString text = locale.toString(std::abs(value), 'g', 6);
+    return (value > 0 ? QStringLiteral("+") : QStringLiteral("−")) + text;
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ PolarPainter::PolarPainter(const PolarPicture& picture, double magnification, co
       asked_(std::move(asked)),
       layout_(layOut(room)),
       scale_(sharePerUm(picture, magnification), picture, layout_.disc.center(), layout_.disc.width() / 2),
-      division_um_(division_um(scale_, 1.25 * QFontMetricsF(font).height()))
+      division_um_(division_um(scale_, 1.25 * QFontMetricsF(font).height(), screenFactor(micrometre)))
 {
 }
 
@@ -86,7 +88,9 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
 
 QString PolarPainter::remark() const
 {
-    QString division = PolarWords::tr("%1 µm/div").arg(locale_.toString(division_um_, 'g', 6));
+    QString division =
+        PolarWords::tr("%1 %2/div")
+            .arg(locale_.toString(division_um_ * screenFactor(micrometre), 'g', 6), screenUnit(micrometre));
     if (picture_.plot.base_radius_mm <= 0) return division;
     return PolarWords::tr("deviation × %1 · %2").arg(locale_.toString(magnification_, 'f', 0), division);
 }
@@ -211,7 +215,8 @@ void PolarPainter::paintScale(QPainter& painter) const
     const auto add = [&](int ring) {
         const double radius = scale_.base_px() + ring * step;
         if (radius > scale_.room_px() - 0.6 * metrics.height()) return;
-        texts << (ring == 0 ? QStringLiteral("0 µm") : signedDivision(ring * division_um_, locale_));
+        texts << (ring == 0 ? QStringLiteral("0 ") + screenUnit(micrometre)
+                            : signedDivision(ring * division_um_ * screenFactor(micrometre), locale_));
         labels.push_back({radius, metrics.horizontalAdvance(texts.back()) + 6, metrics.height()});
     };
     add(0);  // the first to get a place

@@ -95,7 +95,7 @@ QString PolarView::spoken(double angle_deg) const
         const auto sample = nearestSample(trace, angle_deg);
         if (!sample) continue;
         const double value_um = trace.deviation_um[*sample];
-        QString text = (value_um > 0 ? "+" : "") + screenNumber(value_um, 2) + " µm";
+        QString text = screenQuantity(value_um, micrometre, 2, true);
         text.replace('-', QChar(0x2212));
         const QString name = chartText(trace.name);
         parts << (name.isEmpty() ? text : name + " " + text);
@@ -222,7 +222,7 @@ void PolarView::mouseMoveEvent(QMouseEvent* event)
     PointerTag::Words words;
     if (sample) {
         const double value_um = first->deviation_um[*sample];
-        words.value = (value_um > 0 ? "+" : "") + screenNumber(value_um, 2) + " µm";
+        words.value = screenQuantity(value_um, micrometre, 2, true);
         words.value.replace('-', QChar(0x2212));
         words.place = screenNumber(first->angle_deg[*sample], 1) + "°";
     }

@@ -20,7 +20,8 @@ plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const s
 {
     report::PolarPlot plot = picture->plot;
     report::PolarPlot::Trace wave;
-    wave.name = std::to_string(harmonic.upr) + " UPR  " + screenNumber(harmonic.amplitude, 2).toStdString() + " µm";
+    const QString amplitude = screenQuantity(harmonic.amplitude, micrometre, 2);
+    wave.name = QString("%1 UPR  %2").arg(harmonic.upr).arg(amplitude).toStdString();
     wave.colour = 5;  // none of the circles has it
     // A wave runs about the least-squares circle, the first of them, whatever circle deviations count from.
     const auto ground_um = [&](double angle_deg) {

@@ -25,7 +25,7 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
 {
     report::Document document = form::roundnessReport({*picture.roundness()}, picture.inputs, language);
     trajectory_common::saySection(picture, document);
-    if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed, language));
+    if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed));
     document.synthetic = document.synthetic || picture.synthetic;
     document.results = {trajectory_common::roundnessJson(picture)};
     return document;

@@ -113,9 +113,9 @@ void RoundnessViews::setPicture(const std::shared_ptr<const trajectory_common::S
     if (newTrace && laid) laid_->setChecked(true);  // what was just asked for is what is shown
     if (!laid) form_->setChecked(true);
     if (laid)
-        difference_->setText(tr("largest difference %1 µm, mean %2 µm")
-                                 .arg(screenNumber(picture->superimposed->largest_difference_um, 2),
-                                      screenNumber(picture->superimposed->mean_difference_um, 2)));
+        difference_->setText(tr("largest difference %1, mean %2")
+                                 .arg(screenQuantity(picture->superimposed->largest_difference_um, micrometre, 2),
+                                      screenQuantity(picture->superimposed->mean_difference_um, micrometre, 2)));
     synthetic_->setVisible(picture->synthetic);
     spectrum_->setData(spectrumPlot(*picture->roundness(), screenLanguage()));
     showPolar();
@@ -149,8 +149,7 @@ void RoundnessViews::showTables()
     hints_->setTable(hintTable(result));
     report::Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
     if (picture_->superimposed)
-        document.sections.insert(document.sections.begin(),
-                                 superimposeSection(*picture_->superimposed, screenLanguage()));
+        document.sections.insert(document.sections.begin(), superimposeSection(*picture_->superimposed));
     numbers_->setQuantities(document);
 }
 

@@ -64,12 +64,14 @@ double shade(const Eigen::Vector3d& normal)
     return normal.dot(light);
 }
 
-/// Outward direction at a point in the scene: the scan's normal, else away from the axis, else none (zero).
+/// Outward direction at a point in the scene: the scan's normal, else along the axis or away from it, else none (zero).
 Eigen::Vector3d outward(const SceneObject& object, const std::optional<SceneAxis>& axis, std::size_t i)
 {
     const Scan& scan = *object.scan;
     if (scan.hasNormals()) return object.scene_T_scan.linear() * scan.normals[i].cast<double>();
     if (!axis) return Eigen::Vector3d::Zero();
+    if (object.along_axis && i < object.along_axis->size() && (*object.along_axis)[i] != 0)
+        return (*object.along_axis)[i] * axis->direction;
     const Eigen::Vector3d arm = object.scene_T_scan * scan.points_mm[i] - axis->point_mm;
     const Eigen::Vector3d radial = arm - arm.dot(axis->direction) * axis->direction;
     return radial.normalized();
@@ -128,7 +130,7 @@ void SceneActor::prepare(Layer& layer, double pointSize)
 bool SceneActor::sameGeometry(const SceneObject& other) const
 {
     return other.scan == object_.scan && other.scene_T_scan.matrix() == object_.scene_T_scan.matrix() &&
-           other.outward_mm == object_.outward_mm;
+           other.outward_mm == object_.outward_mm && other.along_axis == object_.along_axis;
 }
 
 void SceneActor::update(const SceneObject& object, const report::DeviationColours& colours,

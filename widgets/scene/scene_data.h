@@ -5,6 +5,7 @@
 #include <QColor>
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct SceneObject {
     /// by it, or taken away: points in excess stick out, hide their neighbours and make the part look larger than it
     /// is.
     std::shared_ptr<const std::vector<float>> outward_mm;
+    /// Of a cloud without normals: 1 or -1 where outward is along the long axis or against it, as on the faces of a
+    /// turned part; 0 or null: away from the axis.
+    std::shared_ptr<const std::vector<std::int8_t>> along_axis;
     bool visible = true;  ///< false: kept, but not drawn
 };
 

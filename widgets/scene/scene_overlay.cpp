@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/core/language.h"
+
 namespace lathelier::scene {
 
 SceneRuler::SceneRuler(QWidget* parent) : QWidget(parent)
@@ -24,11 +26,13 @@ void SceneRuler::setCamera(const SceneCamera& camera, int pictureHeight_px)
 {
     camera_ = camera;
     const double perPixel = 2 * camera.halfHeight_mm / std::max(1, pictureHeight_px);
-    const double longest = perPixel * 7 * fontMetrics().height();
+    const double factor = screenFactor(millimetre);
+    const double longest = perPixel * 7 * fontMetrics().height() * factor;
     const double decade = std::pow(10.0, std::floor(std::log10(longest)));
     length_mm_ = decade;
     for (const double step : {2.0, 5.0})
         if (step * decade <= longest) length_mm_ = step * decade;
+    length_mm_ /= factor;
     length_px_ = length_mm_ / perPixel;
     update();
 }
@@ -70,7 +74,8 @@ void SceneRuler::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF(x, level - line / 3), QPointF(x, level + line / 3));
     painter.setFont(font());
     painter.drawText(QRectF(left, level - 1.5 * line, std::max(length_px_, 5 * line), 1.2 * line),
-                     Qt::AlignLeft | Qt::AlignVCenter, locale().toString(length_mm_, 'g', 6) + " mm");
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     locale().toString(length_mm_ * screenFactor(millimetre), 'g', 6) + ' ' + screenUnit(millimetre));
 }
 
 SceneLabel::SceneLabel(QWidget* parent) : QLabel(parent)

@@ -255,9 +255,9 @@ void SceneView::setTag(const QString& value, const QString& place)
     if (canDraw()) parts_->tag->say({value, place}, parts_->pointedAt);
 }
 
-void SceneView::setScaleTitle(const QString& title)
+void SceneView::setScale(const report::Axis& axis)
 {
-    if (canDraw()) parts_->legend->setTitle(title);
+    if (canDraw()) parts_->legend->setAxis(axis);
 }
 
 void SceneView::setViewpoint(SceneViewpoint viewpoint)

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/report/colours.h"
+#include "engine/report/chart.h"
 #include "widgets/scene/scene_data.h"
 
 namespace lathelier::plot {
@@ -38,7 +38,7 @@ public:
     /// Recolours at once. The legend stands beside the picture while an object has values.
     void setColours(const report::DeviationColours& colours);
     void setCounts(plot::ScaleCounts counts);  ///< beside the scale
-    void setScaleTitle(const QString& title);
+    void setScale(const report::Axis& axis);   ///< title and unit of the colour scale
 
     void setViewpoint(SceneViewpoint viewpoint);
     void setParallel(bool parallel);

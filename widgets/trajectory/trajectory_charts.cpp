@@ -60,11 +60,12 @@ double placeOf(const trajectory::TrajectorySection& section, std::size_t index)
 
 QString motionText(const trajectory::ErrorMotion& motion)
 {
-    QStringList parts{TrajectoryCharts::tr("synchronous %1").arg(screenNumber(motion.synchronous_um, 2))};
+    const auto number = [](double value_um) { return screenNumber(value_um, micrometre, 2); };
+    QStringList parts{TrajectoryCharts::tr("synchronous %1").arg(number(motion.synchronous_um))};
     if (std::isfinite(motion.asynchronous_um))
-        parts << TrajectoryCharts::tr("asynchronous %1").arg(screenNumber(motion.asynchronous_um, 2));
-    if (std::isfinite(motion.total_um)) parts << TrajectoryCharts::tr("total %1").arg(screenNumber(motion.total_um, 2));
-    return parts.join(QStringLiteral(" · ")) + QStringLiteral("\u00A0µm");
+        parts << TrajectoryCharts::tr("asynchronous %1").arg(number(motion.asynchronous_um));
+    if (std::isfinite(motion.total_um)) parts << TrajectoryCharts::tr("total %1").arg(number(motion.total_um));
+    return parts.join(QStringLiteral(" · ")) + QStringLiteral("\u00A0") + screenUnit(micrometre);
 }
 
 double stackMagnification(const trajectory::TrajectoryResult& result)

@@ -45,8 +45,7 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
     document.verification = {&form::formVerification()};
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
-    report::Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"),
-                           {trajectory::motionAnswer(result, section, language)}};
+    report::Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {trajectory::motionAnswer(result, section)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
     motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm, trajectory::Probe::X3, language));
@@ -102,7 +101,7 @@ void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::
 report::Answer TrajectoryPanel::answer(const trajectory_common::SpindlePicture& picture) const
 {
     const trajectory::TrajectorySection* chosen = picture.chosenSection();
-    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen, screenLanguage()) : report::Answer();
+    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen) : report::Answer();
 }
 
 report::Document TrajectoryPanel::document(const trajectory_common::SpindlePicture& picture) const

@@ -76,7 +76,7 @@ void SectionBar::fill()
     if (!result_) return;
     for (const trajectory::TrajectorySection& section : result_->sections) {
         QString text = tr("Section %1 of %2").arg(section.section).arg(result_->sections.size());
-        if (std::isfinite(section.z_mm)) text += tr(" · z %1 mm").arg(screenNumber(section.z_mm, 1));
+        if (std::isfinite(section.z_mm)) text += tr(" · z %1").arg(screenQuantity(section.z_mm, millimetre, 1));
         box_->addItem(text);
     }
     box_->setCurrentIndex(static_cast<int>(index_));

@@ -55,7 +55,7 @@ report::Table axesTable(const CylindricityResult& result)
 
 }  // namespace
 
-report::Answer answer(const CylindricityResult& result, const Language& language)
+report::Answer answer(const CylindricityResult& result)
 {
     report::Answer answer;
     answer.quantity = "CYLt(MZCY)";
@@ -65,16 +65,15 @@ report::Answer answer(const CylindricityResult& result, const Language& language
     answer.decimals = 2;
     answer.upper_limit = result.parameters.tolerance_um;
     answer.verdict = result.verdict;
-    answer.sentence = LT_TEXT("Engine", "CYLt(LSCY) {value} µm · {points} points");
-    answer.values = {{"value", fixed(result.LSCY.CYLt_um, 2, language)},
-                     {"points", static_cast<std::int64_t>(result.points)}};
+    answer.sentence = LT_TEXT("Engine", "CYLt(LSCY) {value_um:2} µm · {points} points");
+    answer.values = {{"value_um", result.LSCY.CYLt_um}, {"points", static_cast<std::int64_t>(result.points)}};
     return answer;
 }
 
-report::Section cylindricitySummary(const CylindricityResult& result, const Language& language)
+report::Section cylindricitySummary(const CylindricityResult& result)
 {
     report::Section section{LT_TEXT("Engine", "Result"),
-                            {answer(result, language), deviationsTable(result), verdictTable(result)}};
+                            {answer(result), deviationsTable(result), verdictTable(result)}};
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }
@@ -87,7 +86,7 @@ report::Document cylindricityReport(const CylindricityResult& result, const Cyli
     document.verification = {&formVerification()};
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
-    document.sections.push_back(cylindricitySummary(result, language));
+    document.sections.push_back(cylindricitySummary(result));
     if (surface)
         document.sections.push_back(
             {LT_TEXT("Engine", "Surface"),

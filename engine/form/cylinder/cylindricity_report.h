@@ -9,10 +9,10 @@
 namespace lathelier::form {
 
 /// "CYLt(MZCY) 12.1 µm · within 20 µm ✓": the same on the command line, in the panel and in the report.
-report::Answer answer(const CylindricityResult& result, const Language& language = {});
+report::Answer answer(const CylindricityResult& result);
 
 /// Answer, deviations, verdict and notes: what the command line prints.
-report::Section cylindricitySummary(const CylindricityResult& result, const Language& language = {});
+report::Section cylindricitySummary(const CylindricityResult& result);
 
 /// Answer, deviations, verdict, notes; the pictures of the surface, where it is given (null: none); method, axes and
 /// parameters.

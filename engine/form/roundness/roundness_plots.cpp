@@ -101,8 +101,8 @@ void addToleranceRing(const RoundnessResult& result, report::PolarPlot& plot, co
     const std::optional<double>& tolerance_um = result.parameters.tolerance_um;
     if (!tolerance_um || *tolerance_um > mostZones * base.RONt_um) return;
     const double middle_um = um_per_mm * ((base.inner_radius_mm + base.outer_radius_mm) / 2 - base.radius_mm);
-    const std::string words =
-        fill(text(LT_TEXT("Engine", "tolerance {tolerance} µm"), language), {{"tolerance", *tolerance_um}}, language);
+    const std::string words = fill(text(LT_TEXT("Engine", "tolerance {tolerance_um} µm"), language),
+                                   {{"tolerance_um", *tolerance_um}}, language);
     for (const int side : {1, -1}) {
         plot.circles.push_back({side > 0 ? words : std::string(), 0, 0, middle_um + side * *tolerance_um / 2,
                                 report::ColourRole::Limit, true});
@@ -148,8 +148,9 @@ report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Langua
     // The same whichever circle is chosen: only its uncertainty is known, and the four are there to be compared.
     const int decimals = result.circles.MZCI.RONt_um < 1 ? 3 : 2;
     const auto label = [&](ReferenceCircle circle) {
-        return std::string(name(circle)) + "  RONt " + fixed(result.circles.of(circle).RONt_um, decimals, language) +
-               " µm";
+        return std::string(name(circle)) + "  RONt " +
+               shownNumber(result.circles.of(circle).RONt_um, micrometre, decimals, language) + " " +
+               text(shownUnit(micrometre, language).unit, language);
     };
     for (const ReferenceCircle which : leastSquaresFirst) {
         const FittedCircle& circle = result.circles.of(which);
@@ -184,7 +185,7 @@ report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Langua
         std::string words = fixed(turned, 0, language);
         words += "°  ";
         words += mark.deviation_um < 0 ? "−" : "+";
-        words += fixed(std::abs(mark.deviation_um), decimals, language);
+        words += shownNumber(std::abs(mark.deviation_um), micrometre, decimals, language);
         mark.name = std::move(words);
         plot.contacts.push_back(std::move(mark));
     }
@@ -196,7 +197,7 @@ report::Plot spectrumPlot(const RoundnessResult& result, const Language& languag
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Harmonics of the unfiltered profile");
     plot.x = {LT_TEXT("Engine", "Undulations per revolution"), LT_TEXT("Engine", "UPR")};
-    plot.y = {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "µm")};
+    plot.y = {LT_TEXT("Engine", "Amplitude"), micrometre};
     report::Curve bars;
     bars.style = report::Curve::Style::Bars;
     double largest = 0;
@@ -232,9 +233,11 @@ report::Plot spectrumPlot(const RoundnessResult& result, const Language& languag
 report::Table methodTable(const RoundnessResult& result, const Language& language)
 {
     report::Table table{LT_TEXT("Engine", "RONt by method: how much of the value is the method?"),
-                        {LT_TEXT("Engine", "filter"), LT_TEXT("Engine", "outliers"), LT_TEXT("Engine", "LSCI (µm)"),
-                         LT_TEXT("Engine", "MZCI (µm)"), LT_TEXT("Engine", "MICI (µm)"), LT_TEXT("Engine", "MCCI (µm)"),
-                         LT_TEXT("Engine", "remark")},
+                        {LT_TEXT("Engine", "filter"), LT_TEXT("Engine", "outliers"),
+                         report::Labelled{LT_TEXT("Engine", "LSCI"), micrometre},
+                         report::Labelled{LT_TEXT("Engine", "MZCI"), micrometre},
+                         report::Labelled{LT_TEXT("Engine", "MICI"), micrometre},
+                         report::Labelled{LT_TEXT("Engine", "MCCI"), micrometre}, LT_TEXT("Engine", "remark")},
                         {},
                         {0, 0, 3, 3, 3, 3, 0}};
     const signal::TransmissionBand asked = bandOf(result.parameters);
@@ -255,8 +258,9 @@ report::Table harmonicsTable(const RoundnessResult& result)
 {
     constexpr std::size_t most = 10;
     report::Table table{LT_TEXT("Engine", "Strongest harmonics"),
-                        {LT_TEXT("Engine", "UPR"), LT_TEXT("Engine", "amplitude (µm)"), LT_TEXT("Engine", "phase (°)"),
-                         LT_TEXT("Engine", "share of the form (%)"), LT_TEXT("Engine", "what it usually is")},
+                        {LT_TEXT("Engine", "UPR"), report::Labelled{LT_TEXT("Engine", "amplitude"), micrometre},
+                         LT_TEXT("Engine", "phase (°)"), LT_TEXT("Engine", "share of the form (%)"),
+                         LT_TEXT("Engine", "what it usually is")},
                         {},
                         {0, 3, 1, 1, 0}};
     std::vector<signal::Harmonic> strongest;

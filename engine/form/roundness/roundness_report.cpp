@@ -177,7 +177,7 @@ MethodsSay methodsOf(const RoundnessResult& result)
 Text sentenceOf(const RoundnessResult& result, const MethodsSay& methods)
 {
     if (methods.count == 0) return LT_TEXT("Engine", "{filter}");
-    if (!result.verdict) return LT_TEXT("Engine", "{filter} · other methods say {least} to {most} µm");
+    if (!result.verdict) return LT_TEXT("Engine", "{filter} · other methods say {least_um:1} to {most_um:1} µm");
     if (*result.verdict == Verdict::Undecided)
         return LT_TEXT("Engine",
                        "{filter} · the limit lies within the uncertainty; {within} of {count} methods keep it");
@@ -197,7 +197,7 @@ double withoutOutliers_um(const RoundnessResult& result)
 }
 
 /// What the value would be with the usual filter, where none was chosen.
-void offerFilter(const RoundnessResult& result, report::Answer& answer, const Language& language)
+void offerFilter(const RoundnessResult& result, report::Answer& answer)
 {
     constexpr double usual_upr = 50;  // ISO 12181-2 leaves the choice; drawings without one mostly mean this
     if (!bandOf(result.parameters).isAll()) return;
@@ -209,12 +209,12 @@ void offerFilter(const RoundnessResult& result, report::Answer& answer, const La
     }
     const double filtered_um = best ? best->RONt_um[static_cast<std::size_t>(result.parameters.circle)] : std::nan("");
     if (!std::isfinite(filtered_um)) return;
-    answer.findings.push_back({LT_TEXT("Engine", "No filter was chosen: with 1-{upr} UPR {value} µm"),
-                               {{"upr", static_cast<std::int64_t>(std::lround(*best->band.high_upr))},
-                                {"value", fixed(filtered_um, answer.decimals, language)}},
-                               {},
-                               {},
-                               {{"cutoff_upr", *best->band.high_upr}}});
+    answer.findings.push_back(
+        {LT_TEXT("Engine", "No filter was chosen: with 1-{upr} UPR {value_um:2} µm"),
+         {{"upr", static_cast<std::int64_t>(std::lround(*best->band.high_upr))}, {"value_um", filtered_um}},
+         {},
+         {},
+         {{"cutoff_upr", *best->band.high_upr}}});
 }
 
 }  // namespace
@@ -235,30 +235,28 @@ report::Answer answer(const RoundnessResult& result, const Language& language)
     answer.values = {{"filter", filterName(bandOf(asked), language)},
                      {"count", methods.count},
                      {"within", methods.within},
-                     {"least", fixed(methods.least_um, 1, language)},
-                     {"most", fixed(methods.most_um, 1, language)}};
+                     {"least_um", methods.least_um},
+                     {"most_um", methods.most_um}};
     for (const Note& note : result.notes) {
         if (note.code != notes::spikesCounted) continue;
         const double without_um = withoutOutliers_um(result);
         if (!std::isfinite(without_um)) continue;
-        answer.findings.push_back(
-            {LT_TEXT("Engine", "Points that stand out: {count}; without them {value} µm"),
-             {{"count", *find(note.values, "count")}, {"value", fixed(without_um, answer.decimals, language)}},
-             {},
-             {},
-             {{"outliers", std::string("hampel")}}});
+        answer.findings.push_back({LT_TEXT("Engine", "Points that stand out: {count}; without them {value_um:2} µm"),
+                                   {{"count", *find(note.values, "count")}, {"value_um", without_um}},
+                                   {},
+                                   {},
+                                   {{"outliers", std::string("hampel")}}});
     }
-    offerFilter(result, answer, language);
+    offerFilter(result, answer);
     for (const RoundnessHint& hint : result.hints) {
         if (hint.upr <= 1 || answer.findings.size() >= 3) continue;
         report::Place place;
         place.upr = hint.upr;
-        answer.findings.push_back({LT_TEXT("Engine", "{upr} UPR, {amplitude} µm: {meaning}."),
-                                   {{"upr", std::int64_t{hint.upr}},
-                                    {"amplitude", fixed(hint.amplitude_um, 2, language)},
-                                    {"meaning", hint.meaning}},
-                                   {},
-                                   place});
+        answer.findings.push_back(
+            {LT_TEXT("Engine", "{upr} UPR, {amplitude_um:2} µm: {meaning}."),
+             {{"upr", std::int64_t{hint.upr}}, {"amplitude_um", hint.amplitude_um}, {"meaning", hint.meaning}},
+             {},
+             place});
     }
     return answer;
 }
@@ -268,10 +266,9 @@ report::Section roundnessSummary(const RoundnessResult& result, const Language& 
     report::Section section{LT_TEXT("Engine", "Result"),
                             {answer(result, language), circlesTable(result), verdictTable(result), sizesTable(result)}};
     for (const RoundnessHint& hint : result.hints)
-        section.blocks.push_back(report::Paragraph{LT_TEXT("Engine", "{upr} UPR, {amplitude} µm: {meaning}."),
-                                                   {{"upr", std::int64_t{hint.upr}},
-                                                    {"amplitude", fixed(hint.amplitude_um, 2, language)},
-                                                    {"meaning", hint.meaning}}});
+        section.blocks.push_back(report::Paragraph{
+            LT_TEXT("Engine", "{upr} UPR, {amplitude_um:2} µm: {meaning}."),
+            {{"upr", std::int64_t{hint.upr}}, {"amplitude_um", hint.amplitude_um}, {"meaning", hint.meaning}}});
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

@@ -6,7 +6,7 @@
 
 namespace lathelier::form {
 
-report::Section superimposeSection(const SuperimposeResult& result, const Language& language)
+report::Section superimposeSection(const SuperimposeResult& result)
 {
     const report::QuantityTable figures =
         report::quantityTable(LT_TEXT("Engine", "The second profile laid on the first"), result,
@@ -26,8 +26,8 @@ report::Section superimposeSection(const SuperimposeResult& result, const Langua
     answer.value = result.largest_difference_um;
     answer.unit = um;
     answer.decimals = 2;
-    answer.sentence = LT_TEXT("Engine", "mean {mean} µm");
-    answer.values = {{"mean", fixed(result.mean_difference_um, 2, language)}};
+    answer.sentence = LT_TEXT("Engine", "mean {mean_um:2} µm");
+    answer.values = {{"mean_um", result.mean_difference_um}};
     report::Section section{LT_TEXT("Engine", "Superimposed profiles"), {answer, figures, plot}};
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;

@@ -7,6 +7,6 @@
 namespace lathelier::form {
 
 /// Two profiles laid on one another: figures, both as deviations around the first's circle, and their difference.
-report::Section superimposeSection(const SuperimposeResult& result, const Language& language = {});
+report::Section superimposeSection(const SuperimposeResult& result);
 
 }  // namespace lathelier::form

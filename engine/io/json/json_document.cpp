@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/item_numbers.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t mostItems = 10000;
 constexpr std::size_t mostMembers = 1000;
 
 }  // namespace
@@ -91,7 +91,7 @@ void JsonCursor::items(std::size_t most, const std::function<void(const JsonCurs
 
 Value JsonCursor::value() const
 {
-    if (json_->is_array() && json_->size() > mostItems) reject(LT_TEXT("Engine", "a shorter list"));
+    if (json_->is_array() && json_->size() > mostItemNumbers) reject(LT_TEXT("Engine", "a shorter list"));
     if (json_->is_number_integer()) return integer();
     Value result = valueFromJson(*json_);
     if (!json_->is_null() && std::holds_alternative<std::monostate>(result))

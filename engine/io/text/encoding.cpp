@@ -84,12 +84,17 @@ std::string plainUtf8(std::string_view bytes, const Progress& progress)
 /// Windows-1252, which is what "Latin-1" files are in practice: 0x80…0x9F are printable there.
 std::string fromLatin1(std::string_view bytes, const Progress& progress)
 {
+    static const std::array<std::string, 256> written = [] {
+        std::array<std::string, 256> all;
+        for (char32_t c = 0; c < all.size(); ++c)
+            appendUtf8(all[c], plainCharacter(c >= 0x80 && c < 0xA0 ? windows1252[c - 0x80] : c));
+        return all;
+    }();
     std::string result;
     result.reserve(bytes.size() + bytes.size() / 16);
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         if ((i & checkMask) == 0) progress.check();
-        const unsigned char c = byteAt(bytes, i);
-        appendUtf8(result, plainCharacter(c >= 0x80 && c < 0xA0 ? windows1252[c - 0x80] : c));
+        result += written[byteAt(bytes, i)];
     }
     return result;
 }

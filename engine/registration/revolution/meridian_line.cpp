@@ -14,6 +14,11 @@ using Eigen::Vector2d;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+constexpr double kFaceReach_mm = 1;     // a face lies within this of where the profile's step is
+constexpr double kApart = 0.45;         // of the way to the next face
+constexpr double kLeastFace_mm = 1.5;   // lower ones have nothing between what the spot smears
+constexpr double kSameFace_mm = 0.001;  // the place that was sought
+
 /// An end face seen in the scan: where it is and how far in it is known.
 struct EndFace {
     double z;
@@ -26,6 +31,9 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
                                    const Progress& progress)
 {
     using Found = std::vector<Vector2d>;
+    // The noise along the axis may be wider than the bins.
+    const double inside = std::max(1.5 * step, 4 * sigma);
+    const double outside = std::max(6 * step, 4 * sigma);
     Found found = parallelReduce(
         points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found{},
         [&](std::size_t begin, std::size_t end) {
@@ -33,7 +41,7 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
             for (std::size_t i = begin; i < end; ++i) {
                 const double z = axis_T_scan.linear().row(2).dot(points[i]) + axis_T_scan.translation().z();
                 const double beyond = (z - z_end) * sign;
-                if (beyond < -1.5 * step || beyond > 6 * step) continue;
+                if (beyond < -inside || beyond > outside) continue;
                 const double r = (axis_T_scan * points[i]).head<2>().norm();
                 if (r < radius - 8 * sigma) part.emplace_back(z, r);
             }
@@ -82,9 +90,25 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         return findEndFace(points, part.fit.axis_T_scan, profile_.middle_mm(bin) + sign * step / 2,
                            profile_.radius_mm[bin], part.fit.sigma_mm, step, sign, progress);
     };
-    if (const auto face = endFace(known.front(), -1)) {
-        line.emplace_back(face->z, face->inner_radius);
-        line.emplace_back(face->z, at(known.front(), face->z));
+    const auto first_face = endFace(known.front(), -1);
+    const auto last_face = endFace(known.back(), 1);
+    std::vector<FaceSought> sought;
+    const auto seek = [&](double z, double inner, double outer, int facing) {
+        if (outer - inner >= kLeastFace_mm) sought.push_back({z, inner, outer, kFaceReach_mm, facing});
+    };
+    if (first_face) seek(first_face->z, first_face->inner_radius, at(known.front(), first_face->z), -1);
+    for (const Shoulder& s : part.shoulders)
+        seek(s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing());
+    if (last_face) seek(last_face->z, last_face->inner_radius, at(known.back(), last_face->z), 1);
+    for (std::size_t f = 1; f < sought.size(); ++f) {
+        const double reach = kApart * (sought[f].z_mm - sought[f - 1].z_mm);
+        sought[f - 1].reach_mm = std::min(sought[f - 1].reach_mm, reach);
+        sought[f].reach_mm = std::min(sought[f].reach_mm, reach);
+    }
+    faces_ = measureFaces(points, part.fit.axis_T_scan, sought, pointDensity_per_mm2(profile_, points.size()), step,
+                          progress);
+    if (const auto& face = first_face) {
+        addFace(line, face->z, face->inner_radius, at(known.front(), face->z));
         z_first_ = face->z;
     } else {
         z_first_ = profile_.middle_mm(known.front()) - step / 2;
@@ -99,8 +123,7 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         const double z2 = profile_.middle_mm(known[k + 1]);
         while (shoulder != part.shoulders.end() && shoulder->z_mm < z1) ++shoulder;
         if (shoulder != part.shoulders.end() && shoulder->z_mm <= z2) {
-            line.emplace_back(shoulder->z_mm, at(known[k], shoulder->z_mm));
-            line.emplace_back(shoulder->z_mm, at(known[k + 1], shoulder->z_mm));
+            addFace(line, shoulder->z_mm, at(known[k], shoulder->z_mm), at(known[k + 1], shoulder->z_mm));
             corners.push_back(shoulder->z_mm);
         } else if (known[k + 1] - known[k] > 10) {
             line.emplace_back(z1 + step / 2, at(known[k], z1 + step / 2));
@@ -113,9 +136,8 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
             corners.push_back(z2);
         }
     }
-    if (const auto face = endFace(known.back(), 1)) {
-        line.emplace_back(face->z, at(known.back(), face->z));
-        line.emplace_back(face->z, face->inner_radius);
+    if (const auto& face = last_face) {
+        addFace(line, face->z, at(known.back(), face->z), face->inner_radius);
         z_last_ = face->z;
     } else {
         z_last_ = profile_.middle_mm(known.back()) + step / 2;
@@ -139,6 +161,24 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     bin_step_ = step;
     outside_ = indexOf(0, segments_.size());
     if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
+}
+
+/// The stroke across the axis, through the rings of the face where it is measured.
+void MeridianLine::addFace(std::vector<Vector2d>& line, double z, double from_radius, double to_radius) const
+{
+    const auto face = std::find_if(faces_.begin(), faces_.end(),
+                                   [&](const MeasuredFace& f) { return std::abs(f.sought_mm - z) < kSameFace_mm; });
+    if (face == faces_.end()) {
+        line.emplace_back(z, from_radius);
+        line.emplace_back(z, to_radius);
+        return;
+    }
+    line.emplace_back(face->zAt_mm(from_radius), from_radius);
+    if (from_radius < to_radius)
+        line.insert(line.end(), face->line.begin(), face->line.end());
+    else
+        line.insert(line.end(), face->line.rbegin(), face->line.rend());
+    line.emplace_back(face->zAt_mm(to_radius), to_radius);
 }
 
 MeridianLine::Index MeridianLine::indexOf(std::size_t from, std::size_t to) const

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/registration/revolution/measured_faces.h"
 #include "engine/registration/revolution/revolution.h"
 
 namespace lathelier::registration {
@@ -17,6 +18,10 @@ public:
     /// Distance of (z, r) from the line, + outside the material; NaN when it is further than `max_distance` or nearest
     /// to where the data end.
     double deviation_mm(double z, double r, double max_distance) const;
+
+    /// The faces that are measured, in order of z: there the line follows them, and is straight across the axis where
+    /// the scan shows no more than a step.
+    const std::vector<MeasuredFace>& faces() const { return faces_; }
 
     double zFirst_mm() const { return z_first_; }
     double zLast_mm() const { return z_last_; }
@@ -34,12 +39,14 @@ private:
     };
     void addPiece(const std::vector<Eigen::Vector2d>& line);
     void addBore(const RadiusProfile& bore);
+    void addFace(std::vector<Eigen::Vector2d>& line, double z, double from_radius, double to_radius) const;
     Index indexOf(std::size_t from, std::size_t to) const;
     double search(double z, double r, double reach) const;
 
     RadiusProfile profile_;
     std::vector<double> clearance_;  ///< for each profile bin: how far it is from anything but smooth side
     std::vector<Segment> segments_;
+    std::vector<MeasuredFace> faces_;
     Index outside_, bore_;
     double bin_start_ = 0, bin_step_ = 1;
     double z_first_ = 0, z_last_ = 0;

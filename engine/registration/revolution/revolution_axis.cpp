@@ -9,6 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
 #include "engine/registration/drawn_places.h"
+#include "engine/registration/revolution/face_bins.h"
 #include "engine/registration/revolution/meridian_bins.h"
 #include "engine/registration/revolution/meridian_share.h"
 #include "engine/registration/revolution/revolution_step.h"
@@ -202,6 +203,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.side_share = step.sums.side_weights / static_cast<double>(all.size());
     fit.covariance = covarianceOf(all, pose, bins, step, progress);
     fit.profile = profileOf(bins, step.sums.bins, 0);
+    forgetFaceBins(fit.profile, fit.sigma_mm);
     if (bins.wall_count > bins.side_count) fit.bore = profileOf(bins, step.sums.bins, bins.side_count);
     const std::vector<bool> rough = roughBins(sample, pose, bins);
     for (std::size_t i = 0; i < rough.size(); ++i)

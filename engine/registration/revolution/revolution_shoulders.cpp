@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/registration/revolution/measured_faces.h"
 #include "engine/registration/revolution/shoulder_rays.h"
 
 namespace lathelier::registration {
@@ -207,6 +208,33 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coars
     return shoulders;
 }
 
+/// Where the scan shows the face itself, that tells its place better than the rays beside it.
+void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vector3d>& points,
+                  const RevolutionFit& fit, const Progress& progress)
+{
+    constexpr double kReach_mm = 1;
+    constexpr double kApart = 0.45;  // of the way to the next shoulder
+    if (shoulders.empty() || fit.bend.isSeen()) return;
+    std::vector<FaceSought> sought;
+    for (const Shoulder& s : shoulders)
+        sought.push_back(
+            {s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), kReach_mm, s.facing()});
+    for (std::size_t k = 1; k < sought.size(); ++k) {
+        const double reach = kApart * (sought[k].z_mm - sought[k - 1].z_mm);
+        sought[k - 1].reach_mm = std::min(sought[k - 1].reach_mm, reach);
+        sought[k].reach_mm = std::min(sought[k].reach_mm, reach);
+    }
+    for (const MeasuredFace& face :
+         measureFaces(points, fit.axis_T_scan, sought, pointDensity_per_mm2(fit.profile, points.size()),
+                      fit.profile.step_mm, progress))
+        for (Shoulder& s : shoulders)
+            if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {
+                s.z_mm = face.z_mm;
+                s.sigma_mm = face.place_sigma_mm;
+                break;
+            }
+}
+
 }  // namespace
 
 ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
@@ -236,6 +264,8 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
             result.reference = settle(first, own1, progress);
             result.copy = settle(second, own2, progress);
         }
+        placeByFaces(result.reference, reference_points, reference, progress);
+        placeByFaces(result.copy, copy_points, copy, progress);
     }
     return result;
 }

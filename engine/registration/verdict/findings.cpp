@@ -33,6 +33,7 @@ struct Form {
 
     double at(double z) const
     {
+        if (end_mm <= start_mm) return value[0];  // a face
         const double x = 2 * (z - start_mm) / (end_mm - start_mm) - 1;
         return value[0] + value[1] * x + value[2] * (1 - x * x);
     }
@@ -51,7 +52,8 @@ void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings,
         return Eigen::Vector3d(1, wanted[1] ? x : 0, wanted[2] ? 1 - x * x : 0);
     };
     const auto varianceOf = [&](const SurfaceRow& ring) {
-        const double bins = std::max(1.0, (ring.z_end_mm - ring.z_start_mm) / stretch.reference_step_mm);
+        const double extent = stretch.isFace() ? stretch.extent_mm() : ring.z_end_mm - ring.z_start_mm;
+        const double bins = std::max(1.0, extent / stretch.reference_step_mm);
         return ring_alike * all.scatter_mm * all.scatter_mm / ring.points +
                stretch.reference_sigma_mm * stretch.reference_sigma_mm / bins + 1e-18;
     };
@@ -70,8 +72,10 @@ void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings,
     const double degrees = std::max(1.0, static_cast<double>(rings.size()) - 3);
     const double inflation = std::max(1.0, chi2 / degrees);  // what is left of the form counts as noise
     form.sigma = (inverse.diagonal() * inflation).cwiseSqrt();
-    const double fixed = meanSigma_mm(all, form.start_mm, form.end_mm, std::numeric_limits<double>::infinity(),
-                                      meanNormal(all, form.start_mm, form.end_mm));
+    const Eigen::Vector3d facing =
+        stretch.isFace() ? Eigen::Vector3d(stretch.facing * all.axis_T_reference->linear().row(2).transpose())
+                         : meanNormal(all, form.start_mm, form.end_mm);
+    const double fixed = meanSigma_mm(all, form.start_mm, form.end_mm, std::numeric_limits<double>::infinity(), facing);
     form.sigma[0] = std::hypot(form.sigma[0], fixed);
     for (std::size_t k = 1; k < 3; ++k)
         if (!wanted[k]) form.value[static_cast<int>(k)] = form.sigma[static_cast<int>(k)] = 0;
@@ -98,6 +102,8 @@ std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
     for (std::size_t s = 0; s < all.stretches.size(); ++s) {
         std::vector<const SurfaceRow*> rings;
         double most = 0;
+        for (const SurfaceRow& face : all.faces)
+            if (face.stretch == static_cast<std::int32_t>(s)) rings.push_back(&face);
         for (const SurfaceRow& ring : all.rows)
             if (ring.stretch == static_cast<std::int32_t>(s)) most = std::max(most, ring.points);
         for (const SurfaceRow& ring : all.rows)
@@ -189,7 +195,7 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         if (w.stretch >= 0) {
             const Form* form = by_stretch[static_cast<std::size_t>(w.stretch)];
             if (!form) continue;
-            if (static_cast<double>(w.size_mm) > kLocal * (form->end_mm - form->start_mm)) continue;
+            if (static_cast<double>(w.size_mm) > kLocal * all.stretches[form->stretch].extent_mm()) continue;
             usual = form->at((start + end) / 2);
         }
         const double rest = std::abs(judgedMean_mm(all, w) - usual) - (usual > 0 ? all.facets_mm : 0);
@@ -300,6 +306,7 @@ Eigen::Vector3d meanNormal(const SurfaceWindows& all, double z_start_mm, double 
     double points = 0;
     forEachSmallest(all, [&](const SurfaceWindow& w) {
         if (static_cast<double>(w.z_start_mm) < z_start_mm || static_cast<double>(w.z_end_mm) > z_end_mm) return;
+        if (w.stretch >= 0 && all.stretches[static_cast<std::size_t>(w.stretch)].isFace()) return;
         sum += static_cast<double>(w.points) * w.normal.cast<double>();
         points += static_cast<double>(w.points);
     });
@@ -315,7 +322,7 @@ double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_m
         double sigma = 0;
         double step = 1;
         for (const MeridianStretch& stretch : all.stretches)
-            if (stretch.start_mm < z_end_mm && stretch.end_mm > z_start_mm && !stretch.is_bore) {
+            if (stretch.start_mm < z_end_mm && stretch.end_mm > z_start_mm && !stretch.is_bore && !stretch.isFace()) {
                 sigma = std::max(sigma, stretch.reference_sigma_mm);
                 step = stretch.reference_step_mm;
             }

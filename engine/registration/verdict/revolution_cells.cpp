@@ -133,6 +133,23 @@ void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const Cell
         if (counted[i] && means.cells[points.cell[i]].points == 0) counted[i] = 0;
 }
 
+/// The mean of each face.
+std::vector<SurfaceRow> facesOf(const std::vector<Grid>& grids, const std::vector<SurfaceCell>& cells,
+                                const std::vector<MeridianStretch>& stretches)
+{
+    std::vector<SurfaceRow> faces;
+    for (std::size_t g = 0; g < grids.size(); ++g) {
+        if (!grids[g].is_face) continue;
+        SurfaceCell sum;
+        for (std::size_t k = grids[g].first; k < grids[g].first + grids[g].rows * grids[g].columns; ++k)
+            if (cells[k].points > 0) sum.add(cells[k]);
+        if (sum.points > 0)
+            faces.push_back(
+                {stretches[g].start_mm, stretches[g].end_mm, static_cast<std::int32_t>(g), sum.points, sum.mean_mm});
+    }
+    return faces;
+}
+
 /// Rings of about `height_mm` for the form along the axis.
 std::vector<SurfaceRow> ringsOf(const std::vector<Grid>& grids, const std::vector<SurfaceCell>& cells, double z_first,
                                 double height_mm)
@@ -140,6 +157,7 @@ std::vector<SurfaceRow> ringsOf(const std::vector<Grid>& grids, const std::vecto
     std::vector<SurfaceRow> rings;
     for (std::size_t g = 0; g < grids.size(); ++g) {
         const Grid& grid = grids[g];
+        if (grid.is_face) continue;
         const auto together = static_cast<std::size_t>(std::max(1.0, std::round(height_mm / grid.rowHeight_mm())));
         for (std::size_t row = 0; row < grid.rows; row += together) {
             const std::size_t end = std::min(grid.rows, row + together);
@@ -171,7 +189,13 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     all.axial_sigma_mm = u.axial_um / 2000;
     all.radial_sigma_mm = u.radial_um / 2000;
     all.tilt_sigma = u.axis_deg * kPi / 360;
-    Stretches stretches(reference, line);
+    // Without an axial shift that the geometry determines, a face is where the two scans happened to be put.
+    const Eigen::Vector3d axis = reference.fit.axis_T_scan.linear().row(2);
+    const bool is_shift_known = std::none_of(
+        result.alignment.free_motions.begin(), result.alignment.free_motions.end(), [&](const FreeMotion& motion) {
+            return motion.kind == FreeMotion::Kind::Translation && std::abs(motion.direction.dot(axis)) > 0.1;
+        });
+    Stretches stretches(reference, line, is_shift_known);
     all.stretches = stretches.list();
     all.z_mm.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
     if (all.stretches.empty()) return all;
@@ -180,6 +204,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     std::vector<Grid>& grids = stretches.grids();
     std::vector<std::atomic<bool>> has_points(layOut(grids, kCoarse_mm));
     std::vector<float> turns(points.size());
+    std::vector<float> along(points.size());  // z from the first data; on a face the radius
     std::vector<std::uint8_t> stretch_of(points.size(), kNoStretch);
     const auto used = parallelReduce(
         points.size(), kGrain, progress, std::size_t{0},
@@ -189,12 +214,15 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                 if (!result.used[i]) continue;
                 const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
                 all.z_mm[i] = static_cast<float>(p.z() - line.zFirst_mm());
-                const std::uint8_t found = stretches.find(p.z(), std::sqrt(p.x() * p.x() + p.y() * p.y()));
+                const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
+                const std::uint8_t found = stretches.find(p.z(), r);
                 if (found == kNoStretch) continue;
+                along[i] = stretches.isFace(found) ? static_cast<float>(r) : all.z_mm[i];
                 const double turn = quickTurn(p.y(), p.x());
                 turns[i] = static_cast<float>(turn < 0 ? turn + 1 : turn);
                 stretch_of[i] = found;
-                std::atomic<bool>& seen = has_points[cellOf(grids[found], p.z(), static_cast<double>(turns[i]))];
+                const double place = stretches.isFace(found) ? r : p.z();
+                std::atomic<bool>& seen = has_points[cellOf(grids[found], place, static_cast<double>(turns[i]))];
                 if (!seen.load(std::memory_order_relaxed)) seen.store(true, std::memory_order_relaxed);
                 ++count;
             }
@@ -202,19 +230,18 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         },
         std::plus<>());
     double area = 0;
-    for (const Grid& grid : grids) {
-        const double cell = grid.rowHeight_mm() * 2 * kPi * grid.radius_mm / static_cast<double>(grid.columns);
+    for (const Grid& grid : grids)
         for (std::size_t k = grid.first; k < grid.first + grid.rows * grid.columns; ++k)
-            area += has_points[k] ? cell : 0;
-    }
+            area += has_points[k] ? grid.cellArea_mm2() : 0;
     const double size = cellSize_mm(static_cast<double>(used), area);
     CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), kOutside), layOut(grids, size)};
     parallelFor(points.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            if (stretch_of[i] != kNoStretch)
-                sorted.cell[i] = static_cast<std::uint32_t>(cellOf(grids[stretch_of[i]],
-                                                                   static_cast<double>(all.z_mm[i]) + line.zFirst_mm(),
-                                                                   static_cast<double>(turns[i])));
+            if (const std::uint8_t found = stretch_of[i]; found != kNoStretch) {
+                const double first = stretches.isFace(found) ? 0 : line.zFirst_mm();
+                sorted.cell[i] = static_cast<std::uint32_t>(
+                    cellOf(grids[found], static_cast<double>(along[i]) + first, static_cast<double>(turns[i])));
+            }
     });
     CellMeans means = cellMeans(sorted, progress);
     std::vector<SurfaceCell>& cells = means.cells;
@@ -225,11 +252,22 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         const double sense = all.stretches[g].is_bore ? -1 : 1;
         for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
             SurfaceCell& cell = cells[grid.first + k];
+            cell.stretch = static_cast<std::int32_t>(g);
             const std::size_t row = k / grid.columns;
-            const double z = grid.start_mm + static_cast<double>(row) * grid.rowHeight_mm();
+            const double z = grid.rowStart_mm(row);
             const double angle =
                 2 * kPi * (static_cast<double>(k % grid.columns) + 0.5) / static_cast<double>(grid.columns);
             const Eigen::Vector3d radial(std::cos(angle), std::sin(angle), 0);
+            if (grid.is_face) {
+                const double r = (z + grid.rowStart_mm(row + 1)) / 2;
+                const Eigen::Vector3d normal = all.stretches[g].facing * Eigen::Vector3d::UnitZ();
+                const double at = all.stretches[g].start_mm;
+                cell.place_mm = reference.fit.axis_T_scan.inverse() *
+                                (r * radial + (at + line.zFirst_mm()) * Eigen::Vector3d::UnitZ());
+                cell.normal = reference.fit.axis_T_scan.linear().transpose() * normal;
+                cell.z_start_mm = cell.z_end_mm = static_cast<float>(at);
+                continue;
+            }
             const double middle = z + grid.rowHeight_mm() / 2;
             const double radius =
                 grid.radius_mm - std::abs(all.stretches[g].slope) *
@@ -239,7 +277,6 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                           (sense * (std::cos(lean) * radial - std::sin(lean) * Eigen::Vector3d::UnitZ()));
             cell.z_start_mm = static_cast<float>(z - line.zFirst_mm());
             cell.z_end_mm = static_cast<float>(z + grid.rowHeight_mm() - line.zFirst_mm());
-            cell.stretch = static_cast<std::int32_t>(g);
         }
     }
     leaveOutStrays(grids, means, sorted, all.counted);
@@ -248,6 +285,9 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         return std::any_of(result.parameters.exclude_z_mm.begin(), result.parameters.exclude_z_mm.end(),
                            [&](const Interval& out) { return ring.z_start_mm < out.to && ring.z_end_mm > out.from; });
     });
+    all.faces = facesOf(grids, cells, all.stretches);
+    for (std::size_t i = 0; i < all.counted.size(); ++i)
+        if (all.counted[i] && stretches.isFace(stretch_of[i])) all.counted[i] = 2;
 
     std::vector<CellLevel> levels;
     std::vector<Grid> level_grids = grids;

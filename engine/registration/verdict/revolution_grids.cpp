@@ -10,13 +10,34 @@ constexpr double kEdge_mm = 0.5;  // the scanner's spot smears what lies nearer 
 
 }  // namespace
 
-Stretches::Stretches(const TurnedPart& part, const MeridianLine& line) : part_(part), line_(line)
+Stretches::Stretches(const TurnedPart& part, const MeridianLine& line, bool with_faces) : part_(part), line_(line)
 {
     const RadiusProfile& profile = part.fit.profile;
     for (const SmoothRun& run : smoothRuns(part)) add(run, profile, false);
     if (part.fit.bore.size() == profile.size()) addBore(part.fit.bore);
     outside_ = tableOf(false);
     if (part.fit.bore.size() == profile.size()) bore_ = tableOf(true);
+    if (with_faces) addFaces();
+}
+
+void Stretches::addFaces()
+{
+    constexpr double kReach_mm = 2;  // a copy's face lies within this of the reference's
+    const std::vector<MeasuredFace>& faces = line_.faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const MeasuredFace& face = faces[f];
+        if (stretches_.size() >= kNoStretch || face.outer_mm - face.inner_mm < kEdge_mm) continue;
+        double reach = kReach_mm;
+        if (f > 0) reach = std::min(reach, (face.z_mm - faces[f - 1].z_mm) / 2);
+        if (f + 1 < faces.size()) reach = std::min(reach, (faces[f + 1].z_mm - face.z_mm) / 2);
+        const double middle = (face.inner_mm + face.outer_mm) / 2;
+        faces_.push_back({&face, static_cast<std::uint8_t>(stretches_.size()), reach, face.inner_mm - kEdge_mm,
+                          face.outer_mm + kEdge_mm});
+        grids_.push_back({face.inner_mm, face.outer_mm, middle, true});
+        const double z = std::clamp(face.z_mm - line_.zFirst_mm(), 0.0, line_.zLast_mm() - line_.zFirst_mm());
+        stretches_.push_back(
+            {z, z, false, middle, 0, face.sigma_mm, face.ring_mm, face.facing, face.inner_mm, face.outer_mm});
+    }
 }
 
 void Stretches::add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore)
@@ -65,7 +86,7 @@ std::vector<std::uint8_t> Stretches::tableOf(bool is_bore) const
     std::vector<std::uint8_t> table(profile.size() * kFine, kNoStretch);
     const double step = profile.step_mm / static_cast<double>(kFine);
     for (std::size_t s = 0; s < grids_.size(); ++s) {
-        if (stretches_[s].is_bore != is_bore) continue;
+        if (stretches_[s].is_bore != is_bore || stretches_[s].isFace()) continue;
         const auto at = [&](double z) {
             return static_cast<std::size_t>(
                 std::clamp((z - profile.z_start_mm) / step, 0.0, static_cast<double>(table.size() - 1)));

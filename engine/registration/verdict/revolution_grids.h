@@ -1,9 +1,12 @@
-// The grids of cells on the smooth stretches of a meridian: rows along the axis, columns around.
+// The grids of cells on the smooth stretches of a meridian and on its faces: rows along the axis (on a face along its
+// radius), columns around.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "engine/registration/revolution/meridian_line.h"
@@ -12,21 +15,34 @@
 
 namespace lathelier::registration {
 
-/// A stretch with its grid of cells: rows along the axis, columns around.
+/// A stretch with its grid of cells: rows along the axis, columns around. The rows of a face are rings of equal area.
 struct Grid {
-    double start_mm = 0;   ///< in z of the profile
-    double end_mm = 0;     ///< likewise
-    double radius_mm = 0;  ///< largest
+    double start_mm = 0;   ///< in z of the profile; of a face: inner radius
+    double end_mm = 0;     ///< likewise; outer radius
+    double radius_mm = 0;  ///< largest; of a face: in the middle
+    bool is_face = false;
     std::size_t rows = 1, columns = 1;
     std::size_t first = 0;  ///< number of its first cell
 
     double rowHeight_mm() const { return (end_mm - start_mm) / static_cast<double>(rows); }
+    /// Where a row begins: z, of a face the radius.
+    double rowStart_mm(std::size_t row) const
+    {
+        if (!is_face) return start_mm + static_cast<double>(row) * rowHeight_mm();
+        const double share = static_cast<double>(row) / static_cast<double>(rows);
+        return std::sqrt(start_mm * start_mm + share * (end_mm * end_mm - start_mm * start_mm));
+    }
+    double cellArea_mm2() const
+    {
+        return rowHeight_mm() * 2 * std::numbers::pi * radius_mm / static_cast<double>(columns);
+    }
 };
 
-/// The smooth stretches of a meridian between its edges, and which of them a point belongs to.
+/// The smooth stretches of a meridian between its edges, its faces, and which of them a point belongs to.
 class Stretches {
 public:
-    Stretches(const TurnedPart& part, const MeridianLine& line);
+    /// `with_faces`: false where the shift along the axis is not determined, so that a face says nothing.
+    Stretches(const TurnedPart& part, const MeridianLine& line, bool with_faces);
 
     const std::vector<MeridianStretch>& list() const { return stretches_; }
     std::vector<Grid>& grids() { return grids_; }
@@ -34,6 +50,7 @@ public:
     /// Number of the stretch for a point at (z, r), or kNoStretch.
     std::uint8_t find(double z, double r) const
     {
+        if (const std::uint8_t face = findFace(z, r); face != kNoStretch) return face;
         const RadiusProfile& profile = part_.fit.profile;
         const double place = (z - profile.z_start_mm) / profile.step_mm;
         if (!(place >= 0) || place >= static_cast<double>(profile.size())) return kNoStretch;
@@ -49,11 +66,34 @@ public:
         return z >= grid.start_mm && z < grid.end_mm ? found : kNoStretch;
     }
 
+    bool isFace(std::uint8_t stretch) const { return grids_[stretch].is_face; }
+
     static constexpr std::uint8_t kNoStretch = 255;
 
 private:
     static constexpr std::size_t kFine = 8;  ///< places of the table of stretches in one bin of the profile
 
+    /// The face whose surface is nearer than the sides beside it.
+    std::uint8_t findFace(double z, double r) const
+    {
+        for (const Face& face : faces_) {
+            const double along = std::abs(z - face.measured->z_mm);
+            if (along > face.reach_mm || r < face.measured->inner_mm || r >= face.measured->outer_mm) continue;
+            const double side = std::min(r - face.inner_mm, face.outer_mm - r);
+            if (std::abs(z - face.measured->zAt_mm(r)) < side) return face.stretch;
+        }
+        return kNoStretch;
+    }
+
+    struct Face {
+        const MeasuredFace* measured;
+        std::uint8_t stretch;
+        double reach_mm;  ///< points further along the axis belong to another
+        double inner_mm;  ///< radius where it meets what lies inside
+        double outer_mm;  ///< radius where it meets the side
+    };
+
+    void addFaces();
     void add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore);
     void addBore(const RadiusProfile& bore);
     std::vector<std::uint8_t> tableOf(bool is_bore) const;
@@ -63,16 +103,19 @@ private:
     std::vector<MeridianStretch> stretches_;
     std::vector<Grid> grids_;
     std::vector<std::uint8_t> outside_, bore_;
+    std::vector<Face> faces_;
 };
 
 /// Divides the grids into cells of about a size. Gives the number of cells.
 std::size_t layOut(std::vector<Grid>& grids, double size_mm);
 
-/// Number of the cell at a place along the axis and `turn` (0…1) around it.
-inline std::size_t cellOf(const Grid& grid, double z, double turn)
+/// Number of the cell at a place along the axis (of a face along the radius) and `turn` (0…1) around it.
+inline std::size_t cellOf(const Grid& grid, double along, double turn)
 {
-    const auto row =
-        static_cast<std::size_t>((z - grid.start_mm) / (grid.end_mm - grid.start_mm) * static_cast<double>(grid.rows));
+    const double share = grid.is_face ? (along * along - grid.start_mm * grid.start_mm) /
+                                            (grid.end_mm * grid.end_mm - grid.start_mm * grid.start_mm)
+                                      : (along - grid.start_mm) / (grid.end_mm - grid.start_mm);
+    const auto row = static_cast<std::size_t>(share * static_cast<double>(grid.rows));
     const auto column = static_cast<std::size_t>(turn * static_cast<double>(grid.columns));
     return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
 }

@@ -112,8 +112,9 @@ double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum)
     const Eigen::Vector3d axis = all.axis_T_reference->linear().row(2);
     const double along = sum.normal.dot(axis);
     const double across = (sum.normal - along * axis).norm();
+    const Eigen::Vector3d turn = lever.cross(sum.normal);
     double variance = std::pow(along * all.axial_sigma_mm, 2) + std::pow(across * all.radial_sigma_mm, 2) +
-                      std::pow(across * all.tilt_sigma * lever.dot(axis), 2);
+                      std::pow(all.tilt_sigma * (turn - turn.dot(axis) * axis).norm(), 2);
     if (sum.stretch >= 0) {
         const MeridianStretch& stretch = all.stretches[static_cast<std::size_t>(sum.stretch)];
         const double bins =

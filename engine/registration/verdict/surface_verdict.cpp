@@ -50,6 +50,7 @@ WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window, doubl
             const double radius =
                 stretch.radius_mm + stretch.slope * (*worst.z_mm - (stretch.start_mm + stretch.end_mm) / 2);
             const double from_axis = place.head<2>().norm();
+            if (stretch.isFace() && from_axis > stretch.inner_mm) return worst;
             place.head<2>() =
                 from_axis > 0 ? Eigen::Vector2d(place.head<2>() * (radius / from_axis)) : Eigen::Vector2d(radius, 0);
             place.z() = *worst.z_mm;
@@ -140,6 +141,7 @@ double judgedMean_mm(const SurfaceWindows& all, const SurfaceWindow& window)
 {
     const auto mean = static_cast<double>(window.mean_mm);
     if (!all.has_sign) return std::max(0.0, std::abs(mean) - all.facets_mm);
+    if (window.stretch >= 0 && all.stretches[static_cast<std::size_t>(window.stretch)].isFace()) return mean;
     // Facets lie inside the round surface: a round copy stands out from them, and in a bore it lies behind them.
     const bool is_bore = window.stretch >= 0 && all.stretches[static_cast<std::size_t>(window.stretch)].is_bore;
     if (is_bore) return mean < 0 ? std::min(0.0, mean + all.facets_mm) : mean;

@@ -29,22 +29,29 @@ struct SurfaceWindow {
     static constexpr std::uint32_t kNone = 0xffffffff;   ///< `wider` of the largest
 };
 
-/// A smooth piece of the reference's meridian between shoulders, kinks and gaps, without what the scanner's spot smears
-/// at its ends.
+/// A smooth piece of the reference's meridian between shoulders, kinks and gaps, or a face across the axis, without
+/// what the scanner's spot smears at its ends.
 struct MeridianStretch {
     double start_mm = 0;            ///< along the axis, from the reference's first data
-    double end_mm = 0;              ///< likewise
+    double end_mm = 0;              ///< likewise; of a face: the same
     bool is_bore = false;           ///< of the inside
     double radius_mm = 0;           ///< of the reference at the middle
-    double slope = 0;               ///< dR/dz
+    double slope = 0;               ///< dR/dz; of a face: 0
     double reference_sigma_mm = 0;  ///< standard uncertainty of the reference's radius in one of its bins
     double reference_step_mm = 1;   ///< width of such a bin along the axis
+    int facing = 0;                 ///< of a face: direction of its outward normal along z; else 0
+    double inner_mm = 0;            ///< of a face: radius where it begins
+    double outer_mm = 0;            ///< of a face: radius where it ends
+
+    bool isFace() const { return facing != 0; }
+    /// Along the axis, of a face along its radius.
+    double extent_mm() const { return isFace() ? outer_mm - inner_mm : end_mm - start_mm; }
 };
 
-/// Mean deviation of one ring of a stretch.
+/// Mean deviation of one ring of a stretch, or of a whole face.
 struct SurfaceRow {
     double z_start_mm = 0;     ///< along the axis, from the reference's first data
-    double z_end_mm = 0;       ///< likewise
+    double z_end_mm = 0;       ///< likewise; of a face: the same
     std::int32_t stretch = 0;  ///< of `stretches`
     double points = 0;         ///< number of points of the copy
     double mean_mm = 0;        ///< of their deviations; 0 without points
@@ -59,11 +66,12 @@ struct SurfaceWindows {
     double factor = 2;                             ///< allowance for the worst of all, in standard uncertainties
     double facets_mm = 0;                          ///< the reference's facets lie up to this inside its round surface
     bool has_sign = true;                          ///< false: the sign of a mean says nothing
-    std::vector<MeridianStretch> stretches;        ///< in order of z, those of the bore last; body of revolution only
-    std::vector<SurfaceRow> rows;                  ///< by stretch, in order of z; body of revolution only
-    std::vector<Interval> automatic_zones_mm;      ///< where no zones are given: along the axis from the first data
-    std::vector<float> z_mm;            ///< of each point of the copy; NaN where it is not used. Revolution only
-    std::vector<std::uint8_t> counted;  ///< 1 for points that are part of a window
+    std::vector<MeridianStretch> stretches;  ///< in order of z, the bore's behind, then faces; body of revolution only
+    std::vector<SurfaceRow> rows;            ///< by stretch, in order of z, without faces; body of revolution only
+    std::vector<SurfaceRow> faces;           ///< one for each face with points; body of revolution only
+    std::vector<Interval> automatic_zones_mm;  ///< where no zones are given: along the axis from the first data
+    std::vector<float> z_mm;                   ///< of each point of the copy; NaN where it is not used. Revolution only
+    std::vector<std::uint8_t> counted;         ///< 1 for points that are part of a window, 2 for those on a face
     std::optional<Eigen::Isometry3d> axis_T_reference;    ///< z from the reference's first data. Revolution only
     double axial_sigma_mm = 0;                            ///< of the registration, along the axis (or in any direction)
     double radial_sigma_mm = 0;                           ///< across the axis; 0 without one

@@ -75,7 +75,7 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
     const auto sumsOf = [&](std::size_t begin, std::size_t end) {
         ZoneSums sums{std::vector<std::array<double, 3>>(zones.size())};
         for (std::size_t i = begin; i < end; ++i) {
-            if (!all.counted[i]) continue;
+            if (all.counted[i] != 1) continue;  // faces lie across what a zone is the mean of
             const auto z = static_cast<double>(all.z_mm[i]);
             const auto after = std::upper_bound(zones.begin(), zones.end(), z,
                                                 [](double value, const Zone& zone) { return value < zone.z_start_mm; });

@@ -1,7 +1,11 @@
 #include "tests/app/cli/golden_frf.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
+#include "engine/receptance/modal/modal_model.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "tests/engine/io/frf_files.h"
 
@@ -56,6 +60,16 @@ std::string tapTests()
     return io::toUff(responses);
 }
 
+/// An accelerance under the headings of a receptance.
+std::string wrongLabel()
+{
+    std::vector<double> lines;
+    for (double f = 5; f <= 500; f += 1) lines.push_back(f);
+    Frf frf = receptance::synthesised({{{223, 0.03, 1e4}}, {}, {}}, lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) frf.value[i] *= -std::pow(2 * std::numbers::pi * lines[i], 2);
+    return io::toFrfCsv(frf);
+}
+
 }  // namespace
 
 void makeFrfs(const std::string& folder)
@@ -66,6 +80,7 @@ void makeFrfs(const std::string& folder)
     const io::MeasuredFrf mode = testing::modeFrf(FrfQuantity::Accelerance, 11);
     write("mode.uff", io::toUff(std::vector{mode}));
     write("mode.csv", io::toFrfCsv(mode.frf));
+    write("wrong_label.csv", wrongLabel());
     write("no_unit.csv", "frequency_hz,real,imag\n50,1e-4,-2e-5\n52,2e-4,-3e-5\n");
     write("vectors.mat", matFile());
     write("cut.mat", matFile().substr(0, 300));

@@ -6,8 +6,10 @@
 #include "../core/code_of_error.h"
 #include "engine/core/random.h"
 #include "engine/receptance/eirc/identify_spindle.h"
+#include "engine/receptance/eirc/spindle_check.h"
 #include "engine/receptance/eirc/spindle_line.h"
 #include "engine/receptance/receptance_codes.h"
+#include "engine/receptance/spindle_plots.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {
@@ -139,6 +141,33 @@ TEST(IdentifySpindle, Refusals)
     auto unknown = measured({threeRods[0]}, 0);
     unknown.frfs[1].point_a = 9;
     EXPECT_EQ(codeOfError([&] { identifySpindle(unknown); }), errors::measuredPairUnknown);
+}
+
+TEST(SpindleCheck, SaysWhatEachLineAndResponseLeave)
+{
+    const SpindleMeasurements measurements = measured(threeRods, 0.01);
+    IdentificationParameters parameters;
+    parameters.hold_out = 2;
+    const auto found = identifySpindle(measurements, parameters);
+    const SpindleCheck check = checkSpindle(measurements, found);
+    ASSERT_EQ(check.responses.size(), measurements.frfs.size());
+    ASSERT_EQ(check.residual_percent.size(), found.frequency_hz.size());
+    // The parts make the whole, of the rods used and of the one held out.
+    double used = 0, held = 0, lines = 0;
+    for (const CheckedResponse& response : check.responses) {
+        EXPECT_EQ(response.used, response.rod != 1);
+        (response.used ? used : held) += response.rms_percent * response.rms_percent;
+        EXPECT_EQ(response.predicted.value.size(), found.frequency_hz.size());
+    }
+    EXPECT_NEAR(std::sqrt(used / 12), found.residual_rms_percent, 1e-9);
+    EXPECT_NEAR(std::sqrt(held / 6), *found.hold_out_rms_percent, 1e-9);
+    for (const double residual : check.residual_percent) lines += residual * residual;
+    EXPECT_NEAR(std::sqrt(lines / static_cast<double>(check.residual_percent.size())), found.residual_rms_percent,
+                1e-9);
+    EXPECT_EQ(heldOutPlot(check).curves.size(), 12U);
+    EXPECT_EQ(responsesTable(check).rows.size(), 18U);
+    EXPECT_EQ(spindleMagnitudePlot(found.spindle).curves.size(), 3U);
+    EXPECT_EQ(spindlePhasePlot(springs()).curves.size(), 2U);  // springs have no cross receptance
 }
 
 }  // namespace

@@ -97,6 +97,66 @@ inline void addBump(ShaftScans& scans, std::uint64_t seed, double height_mm, dou
     scans.bump_z_mm = z;
 }
 
+/// A shaft of R 15 and R 20 mm with two end faces and a shoulder, seen all over.
+struct FacedShaft {
+    double front_radius_mm = 15;  ///< 20: no shoulder
+    double shoulder_mm = 60;
+    double length_mm = 100;
+    double shoulder_tilt = 0;  ///< dz/dx of the shoulder's face
+};
+
+inline Scan scanFacedShaft(const FacedShaft& shaft, double sigma_mm, double points_per_mm2,
+                           const Eigen::Isometry3d& scan_T_part, std::uint64_t seed)
+{
+    Scan scan;
+    std::uint64_t drawn = 0;
+    const auto uniform = [&] { return randomUniform(seed, 51, drawn++); };
+    const auto normal = [&] { return sigma_mm * randomNormal(seed, 52, drawn++); };
+    const auto add = [&](double r, double z, double tilt) {
+        const double angle = 2 * 3.14159265358979 * uniform();
+        const double x = r * std::cos(angle);
+        scan.points_mm.emplace_back(scan_T_part * Eigen::Vector3d(x, r * std::sin(angle), z + tilt * x));
+    };
+    const auto side = [&](double radius, double from, double to) {
+        const int count = static_cast<int>(points_per_mm2 * 6.2832 * radius * (to - from));
+        for (int i = 0; i < count; ++i) {
+            const double z = from + (to - from) * uniform();
+            add(radius + normal(), z, 0);
+        }
+    };
+    const auto face = [&](double z, double inner, double outer, double tilt) {
+        const int count = static_cast<int>(points_per_mm2 * 3.1416 * (outer * outer - inner * inner));
+        for (int i = 0; i < count; ++i) {
+            const double r = std::sqrt(inner * inner + (outer * outer - inner * inner) * uniform());
+            add(r, z + normal(), tilt);
+        }
+    };
+    side(shaft.front_radius_mm, 0, shaft.shoulder_mm);
+    side(20, shaft.shoulder_mm, shaft.length_mm);
+    face(0, 0, shaft.front_radius_mm, 0);
+    face(shaft.shoulder_mm, shaft.front_radius_mm, 20, shaft.shoulder_tilt);
+    face(shaft.length_mm, 0, 20, 0);
+    return scan;
+}
+
+/// Two shafts, each in a pose of its own.
+inline ShaftScans facedShafts(std::uint64_t seed, double sigma_mm, double points_per_mm2, const FacedShaft& copy = {},
+                              const FacedShaft& reference = {})
+{
+    const auto draw = [&](std::uint64_t k) { return 2 * randomUniform(81, seed, k) - 1; };
+    const auto pose = [&](std::uint64_t k, double most_rad) {
+        return Eigen::Isometry3d(
+            Eigen::Translation3d(9 * draw(k), 9 * draw(k + 1), 9 * draw(k + 2)) *
+            Eigen::AngleAxisd(most_rad * draw(k + 3), Eigen::Vector3d(draw(k + 4), draw(k + 5), 0.3).normalized()));
+    };
+    ShaftScans scans;
+    scans.reference_T_part = pose(0, 0.1);
+    scans.copy_T_part = pose(6, 0.2);
+    scans.reference = scanFacedShaft(reference, sigma_mm, points_per_mm2, scans.reference_T_part, 4000 + 2 * seed);
+    scans.copy = scanFacedShaft(copy, sigma_mm, points_per_mm2, scans.copy_T_part, 4001 + 2 * seed);
+    return scans;
+}
+
 struct BoxScans {
     Scan reference;
     Scan copy;

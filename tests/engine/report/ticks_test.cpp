@@ -61,6 +61,14 @@ TEST(Ticks, LogarithmicAxesOfManyDecadesShowPowersOfTen)
     EXPECT_EQ(many.minor.size(), 16u);  // the other powers
 }
 
+TEST(Ticks, NumbersAreReadableInTheUnitThatIsShown)
+{
+    const report::Ticks inches = report::axisTicks(report::Axis::Scale::Linear, {0, 183}, 8, 1 / 25.4);
+    ASSERT_EQ(inches.values.size(), 8u);
+    EXPECT_NEAR(inches.values[3], 3 * 25.4, 1e-9);
+    EXPECT_EQ(report::tickLabel(inches.values[3], inches, {}), "3");
+}
+
 TEST(Ticks, AShortStretchOfALogarithmicAxisHasEvenTicks)
 {
     EXPECT_EQ(report::logTicks(100, 200, 5).values, (std::vector<double>{100, 120, 140, 160, 180, 200}));

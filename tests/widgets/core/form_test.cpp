@@ -12,6 +12,7 @@
 
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/number_edit.h"
+#include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {
@@ -135,6 +136,24 @@ private slots:
         QVERIFY(form_->findChild<QToolButton*>("advanced")->text().contains("1"));  // what the fold hides is counted
         form_->setUsed({});
         QVERIFY(!label("name").contains("steel"));
+    }
+
+    void lengthsAreTypedInTheUnitOfTheUser()
+    {
+        form_->setValues(someValues());
+        setScreenUnits({ScreenUnits::Length::Inch, ScreenUnits::Form::Micrometre});
+        QCoreApplication::processEvents();
+        auto* const size = qobject_cast<QLineEdit*>(form_->editor("size_mm"));
+        const QString shown = size->text();
+        type("size_mm", "2");
+        const QString count = qobject_cast<QLineEdit*>(form_->editor("count"))->text();
+        setScreenUnits({});
+        QCoreApplication::processEvents();
+        QCOMPARE(shown, QString("0.08858268"));
+        QCOMPARE(count, QString("5"));  // no length
+        QCOMPARE(changes_.size(), std::size_t{1});
+        QVERIFY(changes_[0].value == Value(50.8));
+        QCOMPARE(size->text(), QString("50.8"));
     }
 
     void typedNumberIsAnnouncedOnce()

@@ -64,6 +64,23 @@ private slots:
         QCOMPARE(shaft().segments[0].start_diameter_mm, 31.25);
     }
 
+    void lengthsAreTypedInTheUnitOfTheUser()
+    {
+        setScreenUnits({ScreenUnits::Length::Inch, ScreenUnits::Form::Micrometre});
+        QCoreApplication::processEvents();
+        const QString head = table()->horizontalHeaderItem(0)->text(), shown = table()->item(0, 0)->text();
+        type(0, 1, "1.5");
+        const Shaft typed = shaft();
+        setScreenUnits({});
+        QCoreApplication::processEvents();
+        QCOMPARE(head, QString("Length\n(in)"));
+        QCOMPARE(shown, QString("0.7874016"));
+        QCOMPARE(changes_.size(), std::size_t{1});
+        QCOMPARE(typed.segments[0].start_diameter_mm, 38.1);
+        QCOMPARE(typed.segments[0].length_mm, 20.0);  // what was not typed keeps all its digits
+        QCOMPARE(table()->item(0, 1)->text(), QString("38.1"));
+    }
+
     void aCellThatDoesNotFitIsMarkedAndKept()
     {
         type(0, 1, "-3");

@@ -7,27 +7,20 @@
 
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
+#include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
-#include "widgets/core/session.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/lobes/lobes_views.h"
 
 namespace lathelier::lobes_panel {
 
-class LobesPanelTest : public QObject {
+class LobesPanelTest : public QObject, PanelFixture<LobesPanel> {
     Q_OBJECT
 
     QTemporaryDir folder_;
-    std::unique_ptr<Session> session_;
-    std::unique_ptr<LobesPanel> panel_;
 
-    void set(const std::string& key, const Value& value)
-    {
-        session_->edit(
-            "Set", [&](project::Project& project) { lathelier::set(project.panels["lobes"].parameters, key, value); });
-    }
     void askPaperA()
     {
         LobesQuestion question;
@@ -40,23 +33,11 @@ class LobesPanelTest : public QObject {
                        [&](project::Project& project) { project.panels["lobes"].parameters = toValues(question); });
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(panel_->isCurrent(), 20000); }
 
 private slots:
     void initTestCase() { useResources(); }
-    void init()
-    {
-        session_ = std::make_unique<Session>();
-        panel_ = std::make_unique<LobesPanel>(*session_);
-        panel_->resize(1200, 750);
-        panel_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
-    }
-    void cleanup()
-    {
-        panel_.reset();
-        session_.reset();
-    }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     void modesAreEnough()
     {

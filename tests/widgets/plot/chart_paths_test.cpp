@@ -52,6 +52,19 @@ private slots:
     }
     void cleanup() { view_.reset(); }
 
+    void ticksAreThoseOfTheScalesThatAreDrawn()
+    {
+        view_ = std::make_unique<plot::ChartView>();
+        view_->setData(circle());
+        view_->resize(320, 600);
+        view_->show();
+        QTest::qWait(120);
+        const QImage first = view_->grab().toImage();
+        view_->resetView();  // draws once more
+        QTest::qWait(120);
+        QVERIFY(view_->grab().toImage() == first);
+    }
+
     void aCircleLooksLikeOne()
     {
         for (const QSize& size : {QSize(700, 320), QSize(320, 600)}) {

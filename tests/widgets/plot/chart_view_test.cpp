@@ -12,6 +12,8 @@
 #include <QWindow>
 #include <cmath>
 
+#include "widgets/core/language.h"
+
 using namespace lathelier;
 
 class ChartViewTest : public QObject {
@@ -45,6 +47,19 @@ private slots:
         view_->setLocale(QLocale(QLocale::Polish));
         hover(surface(*view_), at(*view_, 50, 60));
         QVERIFY2(view_->readout().contains("copy 25,0"), qPrintable(view_->readout()));
+    }
+
+    void speaksAndTicksInTheUnitOfTheUser()
+    {
+        setScreenUnits({ScreenUnits::Length::Inch, ScreenUnits::Form::Micrometre});
+        view_->setData(parabola());
+        hover(surface(*view_), at(*view_, 50.8, 60));
+        const QString read = view_->readout();
+        setScreenUnits({});
+        QVERIFY2(QRegularExpression("z (1\\.99|2\\.00)\\d* in").match(read).hasMatch(), qPrintable(read));
+        QVERIFY2(read.contains("copy 1.0"), qPrintable(read));  // 26 mm
+        QVERIFY2(!read.contains("mm"), qPrintable(read));
+        QVERIFY2(view_->csv().startsWith("z (mm)"), qPrintable(view_->csv().left(20)));  // files keep the engine's
     }
 
     void wheelZoomsAboutThePointerAndDoubleClickResets()

@@ -109,7 +109,7 @@ private slots:
         scene::SceneObject object = shaft(blue);
         object.values = std::make_shared<const std::vector<float>>(object.scan->points_mm.size(), 0.04F);
         view_->setColours({0.05, {}});
-        view_->setScaleTitle("Deviation (mm)");
+        view_->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")});
         view_->setObjects({object});
         QVERIFY(count(view_->picture({}, false), isRed) > 1000);
         view_->setColours({0.05, 0.045});

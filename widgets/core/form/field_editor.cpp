@@ -75,6 +75,7 @@ public:
     {
         if (info.optional) edit_->setOptional(FieldEditor::tr("not given"));
         edit_->setAccessibleName(screenText(info.label));
+        edit_->setFactor(screenFactor(info.unit));
         edit_->setHelp(screenText(info.help));
     }
     QWidget* input() override { return edit_; }
@@ -172,6 +173,7 @@ public:
     }
     void retranslate(const FieldInfo& info) override
     {
+        edit_->setFactor(screenFactor(info.unit));
         edit_->setNames(screenText(info.label), screenText(info.help));
         edit_->setToolTip(screenText(info.help));
     }

@@ -134,7 +134,7 @@ void Form::showLabels()
 {
     int folded = 0;
     for (const Row& row : rows_) {
-        const QString unit = screenText(row.info.unit);
+        const QString unit = screenUnit(row.info.unit);
         const QString label = screenText(row.info.label);
         const QString plain = unit.isEmpty() ? label : tr("%1 (%2)").arg(label, unit);
         const auto used = std::find_if(used_.begin(), used_.end(), [&](const UsedValue& value) {
@@ -146,7 +146,7 @@ void Form::showLabels()
             continue;
         }
         const bool assumed = used->origin == ValueOrigin::Assumed;
-        const QString value = QString::fromStdString(lathelier::text(used->value, screenLanguage()));
+        const QString value = screenText(shownValue(used->value, used->unit, screenLanguage()));
         const QString tag = assumed ? tr("assumed: %1").arg(value) : tr("from the file: %1").arg(value);
         const QString colours = assumed ? QStringLiteral("background-color:#ffe08a; color:#4a3200;")
                                         : QStringLiteral("background-color:#d6e4f0; color:#1f3a52;");

@@ -56,6 +56,13 @@ void IntervalsEdit::setIntervals(const std::vector<Interval>& intervals)
     for (const Interval& interval : intervals) addRow(interval);
 }
 
+void IntervalsEdit::setFactor(double factor)
+{
+    factor_ = factor;
+    for (const Row& row : rows_)
+        for (NumberEdit* end : {row.from, row.to}) end->setFactor(factor_);
+}
+
 void IntervalsEdit::setNames(const QString& name, const QString& help)
 {
     name_ = name;
@@ -74,6 +81,7 @@ void IntervalsEdit::addRow(std::optional<Interval> interval)
     layout->addWidget(row.remove);
     row.remove->setIcon(icon("remove"));
     row.remove->setAutoRaise(true);
+    for (NumberEdit* end : {row.from, row.to}) end->setFactor(factor_);
     if (interval) {
         row.from->setNumber(interval->from);
         row.to->setNumber(interval->to);

@@ -21,6 +21,7 @@ public:
 
     std::vector<Interval> intervals() const;
     void setIntervals(const std::vector<Interval>& intervals);  ///< announces nothing
+    void setFactor(double factor);                              ///< as NumberEdit::setFactor()
     void setNames(const QString& name, const QString& help);    ///< accessible name of the ends, tooltip
 
 signals:
@@ -44,6 +45,7 @@ private:
 
     double minimum_;
     double maximum_;
+    double factor_ = 1;  ///< of what is shown
     QString name_;
     QString help_;
     QVBoxLayout* rowsLayout_;

@@ -16,11 +16,21 @@ namespace {
 
 constexpr int typingPause_ms = 350;
 
-QString localText(double number)
+/// As it is typed: the digits of a number in another unit are those that can be meant.
+QString localText(double number, double factor)
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(number, 'g', 12);
+    return locale.toString(number * factor, 'g', factor == 1 ? 12 : 7);
+}
+
+/// What was typed, as a number: without the last bits of the conversion.
+double fromShown(double shown, double factor)
+{
+    if (factor == 1 || shown == 0) return shown;
+    const double number = shown / factor;
+    const double digit = std::pow(10, 12 - std::ceil(std::log10(std::abs(number))));
+    return std::round(number * digit) / digit;
 }
 
 /// A readable step for `number`: 0.05 and 0.1 by 0.01, 3 by 1; at most a hundredth of the range.
@@ -71,7 +81,7 @@ void NumberEdit::offer()
         action->setChecked(number == number_);
     };
     if (optional_) add(placeholderText(), std::nullopt);
-    for (const double value : usual_) add(localText(value), value);
+    for (const double value : usual_) add(localText(value, factor_), value);
     menu.exec(mapToGlobal(rect().bottomLeft()));
 }
 
@@ -93,6 +103,14 @@ void NumberEdit::setHelp(const QString& help)
     mark(sound_);
 }
 
+void NumberEdit::setFactor(double factor)
+{
+    if (factor == factor_) return;
+    announce();
+    factor_ = factor;
+    showNumber();
+}
+
 void NumberEdit::setNumber(std::optional<double> number)
 {
     if (pending_) return;  // the user is typing: what is typed will be announced and wins
@@ -103,7 +121,7 @@ void NumberEdit::setNumber(std::optional<double> number)
 
 void NumberEdit::showNumber()
 {
-    setText(number_ ? localText(*number_) : QString());
+    setText(number_ ? localText(*number_, factor_) : QString());
     mark(true);
 }
 
@@ -118,7 +136,7 @@ bool NumberEdit::accepts(const QString& text, std::optional<double>& number) con
     QString plain = trimmed;
     plain.replace(',', '.').replace(QChar(0x2212), '-');
     bool understood = false;
-    const double value = QLocale::c().toDouble(plain, &understood);
+    const double value = fromShown(QLocale::c().toDouble(plain, &understood), factor_);
     number = value;
     return understood && std::isfinite(value) && value >= minimum_ && value <= maximum_ &&
            (!integer_ || value == std::floor(value));
@@ -157,9 +175,9 @@ void NumberEdit::finish()
 void NumberEdit::step(int steps)
 {
     announce();
-    const double from = number_.value_or(std::clamp(0.0, minimum_, maximum_));
-    const double size = stepOf(from, maximum_ - minimum_, integer_);
-    const double to = std::clamp(std::round(from / size) * size + steps * size, minimum_, maximum_);
+    const double from = number_.value_or(std::clamp(0.0, minimum_, maximum_)) * factor_;
+    const double size = stepOf(from, (maximum_ - minimum_) * factor_, integer_);
+    const double to = std::clamp(fromShown(std::round(from / size) * size + steps * size, factor_), minimum_, maximum_);
     if (number_ && to == *number_) return;
     number_ = to;
     showNumber();
@@ -172,7 +190,7 @@ void NumberEdit::mark(bool sound)
     warning_->setVisible(!sound);
     const QString problem =
         integer_ ? tr("Expected a whole number from %1 to %2.") : tr("Expected a number from %1 to %2.");
-    const QString text = sound ? help_ : problem.arg(localText(minimum_), localText(maximum_));
+    const QString text = sound ? help_ : problem.arg(localText(minimum_, factor_), localText(maximum_, factor_));
     setToolTip(text);
     setAccessibleDescription(text);
     warning_->setToolTip(text);

@@ -20,6 +20,7 @@ public:
     void setOptional(const QString& placeholder);      ///< may be empty; says what empty means
     void setUsual(const std::vector<double>& values);  ///< offered in a menu, with "not given" when it is optional
     void setHelp(const QString& help);                 ///< the tooltip while the number is sound
+    void setFactor(double factor);                     ///< what is shown and typed = number() × factor
 
     std::optional<double> number() const { return number_; }  ///< the last sound one
     void setNumber(std::optional<double> number);             ///< shows it, announces nothing
@@ -49,6 +50,7 @@ private:
 
     double minimum_;
     double maximum_;
+    double factor_ = 1;  ///< of what is shown
     bool integer_ = false;
     bool optional_ = false;
     bool sound_ = true;

@@ -21,6 +21,9 @@ namespace {
 
 constexpr int leastRowsShown = 4;
 constexpr int mostRowsShown = 10;
+/// Of a cell in another unit than the engine's: its text as it was filled in, and the number that it stands for, which
+/// the digits of the text do not give back.
+constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
 
 /// As it is typed again: numbers in the user's locale with all their digits, choices by their label.
 QString cellText(const FieldInfo& column, const Value& value)
@@ -28,7 +31,9 @@ QString cellText(const FieldInfo& column, const Value& value)
     if (const auto* number = std::get_if<double>(&value)) {
         QLocale locale;
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        return locale.toString(*number, 'g', QLocale::FloatingPointShortest);
+        const double factor = screenFactor(column.unit);
+        return factor == 1 ? locale.toString(*number, 'g', QLocale::FloatingPointShortest)
+                           : locale.toString(*number * factor, 'g', 7);
     }
     if (const auto* key = std::get_if<std::string>(&value))
         for (const FieldChoice& choice : column.choices)
@@ -44,7 +49,12 @@ std::string plainText(const FieldInfo& column, const QString& typed)
         case FieldInfo::Kind::Number:
         case FieldInfo::Kind::Integer: {
             QString plain = text;
-            return plain.replace(',', '.').replace(QChar(0x2212), '-').toStdString();
+            plain.replace(',', '.').replace(QChar(0x2212), '-');
+            const double factor = screenFactor(column.unit);
+            bool is_number = false;
+            const double shown = QLocale::c().toDouble(plain, &is_number);
+            if (factor != 1 && is_number) plain = QLocale::c().toString(shown / factor, 'g', 12);
+            return plain.toStdString();
         }
         case FieldInfo::Kind::Choice:
             for (const FieldChoice& choice : column.choices)
@@ -79,7 +89,8 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
     buttons->addStretch();
     table_->setColumnCount(static_cast<int>(info_.columns.size()));
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names are of any length
+    table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("0000000")));
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -188,6 +199,10 @@ void RowsEdit::insertRow(int row, const Row& cells)
     for (int c = 0; c < table_->columnCount(); ++c) {
         const Value* value = lathelier::find(cells.cells, column(c).key);
         setCell(row, c, value ? cellText(column(c), *value) : QString());
+        const double* const number = value ? std::get_if<double>(value) : nullptr;
+        if (!number || screenFactor(column(c).unit) == 1) continue;
+        table_->item(row, c)->setData(shownRole, table_->item(row, c)->text());
+        table_->item(row, c)->setData(exactRole, *number);
     }
 }
 
@@ -196,6 +211,8 @@ std::optional<Value> RowsEdit::understand(int row, int c, QString& problem) cons
     const QTableWidgetItem* item = table_->item(row, c);
     const QString typed = item ? item->text() : QString();
     if (typed.trimmed().isEmpty() && column(c).optional) return Value();
+    if (item && item->data(shownRole).isValid() && item->data(shownRole).toString() == typed)
+        return item->data(exactRole).toDouble();
     try {
         return parse(column(c), plainText(column(c), typed));
     } catch (const Error& error) {
@@ -243,7 +260,7 @@ void RowsEdit::retranslate()
 {
     QStringList head;
     for (const FieldInfo& one : info_.columns) {
-        const QString unit = screenText(one.unit);
+        const QString unit = screenUnit(one.unit);
         head << (unit.isEmpty() ? screenText(one.label)
                                 : QStringLiteral("%1\n(%2)").arg(screenText(one.label), unit));  // columns are narrow
     }

@@ -129,8 +129,9 @@ AnswerRuler::AnswerRuler(QWidget* parent) : QWidget(parent)
 void AnswerRuler::setAnswer(const std::optional<report::Answer>& answer)
 {
     ruler_ = answer ? report::rulerOf(*answer) : std::nullopt;
-    const auto number = [](const std::optional<double>& value) {
-        return value ? said(lathelier::text(Value(*value), screenLanguage())) : QString();
+    const Text unit = answer ? answer->unit : Text{};
+    const auto number = [unit](const std::optional<double>& value) {
+        return value ? said(lathelier::text(shownValue(*value, unit, screenLanguage()), screenLanguage())) : QString();
     };
     lower_ = answer ? number(answer->lower_limit) : QString();
     upper_ = answer ? number(answer->upper_limit) : QString();

@@ -20,14 +20,14 @@ QString screenCaption(const report::Caption& caption)
     return QString::fromStdString(report::captionText(caption, screenLanguage()));
 }
 
-QString screenQuantity(const Value& value, int decimals)
+QString cellText(const Value& value, Text unit, int decimals)
 {
     if (const auto* number = std::get_if<double>(&value))
-        return std::isfinite(*number) ? screenNumber(*number, decimals) : QStringLiteral("–");
+        return std::isfinite(*number) ? screenNumber(*number, unit, decimals) : QStringLiteral("–");
     if (const auto* count = std::get_if<std::int64_t>(&value))
         return QLocale().toString(static_cast<qlonglong>(*count));
     if (std::holds_alternative<std::monostate>(value)) return QStringLiteral("–");
-    return screenText(value);
+    return screenText(shownValue(value, unit, screenLanguage()));
 }
 
 }  // namespace
@@ -107,7 +107,9 @@ void CopyTable::setTable(const report::Table& table)
         for (int column = 0; column < columnCount() && column < static_cast<int>(values.size()); ++column) {
             const Value& value = values[static_cast<std::size_t>(column)];
             const int decimals = table.decimalsOf(static_cast<std::size_t>(column));
-            setItem(row, column, tableCell(screenQuantity(value, decimals), report::isNumeric(value)));
+            setItem(row, column,
+                    tableCell(cellText(value, table.unitOf(static_cast<std::size_t>(column)), decimals),
+                              report::isNumeric(value)));
         }
     }
     fitCells();
@@ -136,9 +138,9 @@ void CopyTable::setQuantities(const report::Document& document)
                 insertRow(++row);
                 setItem(row, 0, tableCell(screenCaption(quantity.name), false));
                 const bool words = !report::isNumeric(quantity.value) && quantity.unit.empty();
-                auto* value = tableCell(screenQuantity(quantity.value, quantity.decimals), !words);
+                auto* value = tableCell(cellText(quantity.value, quantity.unit, quantity.decimals), !words);
                 setItem(row, 1, value);
-                setItem(row, 2, tableCell(screenText(quantity.unit), false));
+                setItem(row, 2, tableCell(screenUnit(quantity.unit), false));
                 if (words) {  // a sentence would push the numbers out of sight
                     setSpan(row, 1, 1, 2);
                     value->setToolTip(value->text());

@@ -19,11 +19,11 @@ QString escaped(const std::string& text)
     return QString::fromStdString(visible(text, true)).toHtmlEscaped();
 }
 
-QString cellHtml(const Value& value, int decimals, const Language& language, const char* tag = "td")
+QString cellHtml(const Value& value, Text unit, int decimals, const Language& language, const char* tag = "td")
 {
     return QString("<%1 align='%2' style='%3'>%4</%1>")
         .arg(tag, report::isNumeric(value) ? "right" : "left", cellLine,
-             escaped(report::cellText(value, decimals, language)));
+             escaped(report::cellText(value, unit, decimals, language)));
 }
 
 QString heading(const QString& text, int size_px)
@@ -78,8 +78,9 @@ public:
                         "<tr><td style='%1'>%2</td><td align='right' style='%1'><b>%3</b></td><td style='%1 "
                         "color:#52606d;'>"
                         "%4</td></tr>")
-                        .arg(cellLine, caption(row.name), escaped(report::cellText(row.value, row.decimals, language_)),
-                             escaped(lathelier::text(row.unit, language_)));
+                        .arg(cellLine, caption(row.name),
+                             escaped(report::cellText(row.value, row.unit, row.decimals, language_)),
+                             escaped(lathelier::text(shownUnit(row.unit, language_).unit, language_)));
         Piece piece = text(heading(caption(table.title), 13) + "<table width='100%' cellspacing='0' cellpadding='3'>" +
                            rows + tableEnd);
         piece.narrow = true;
@@ -100,7 +101,8 @@ public:
         piece.html += "</tr>";
         for (const auto& row : table.rows) {
             QString cells;
-            for (std::size_t i = 0; i < row.size(); ++i) cells += cellHtml(row[i], table.decimalsOf(i), language_);
+            for (std::size_t i = 0; i < row.size(); ++i)
+                cells += cellHtml(row[i], table.unitOf(i), table.decimalsOf(i), language_);
             piece.rows.push_back("<tr>" + cells + "</tr>");
         }
         return piece;
@@ -161,7 +163,7 @@ Piece titleBlock(const std::vector<report::Quantity>& rows, const Maker& maker, 
     for (const report::Quantity& row : rows)
         cells << QString("<td width='17%' style='%1 color:#52606d;'>%2</td><td width='33%' style='%1'><b>%3</b></td>")
                      .arg(cellLine, maker.caption(row.name),
-                          escaped(report::cellText(row.value, row.decimals, language)));
+                          escaped(report::cellText(row.value, row.unit, row.decimals, language)));
     cells << QString("<td style='%1 color:#52606d;'>%2<br>&nbsp;</td><td style='%1'></td>")
                  .arg(cellLine, maker.phrase(LT_TEXT("Engine", "Date, signature")));
     QString html = "<table width='100%' cellspacing='0' cellpadding='4' bgcolor='#f7f9fb'>";
@@ -180,7 +182,7 @@ Piece inputsTable(const std::vector<InputFile>& inputs, const Maker& maker, cons
             "</td><td><b>SHA-256</b></td></tr>")
             .arg(maker.phrase(LT_TEXT("Engine", "File")), maker.phrase(LT_TEXT("Engine", "Bytes")));
     for (const InputFile& input : inputs)
-        piece.rows.push_back("<tr>" + cellHtml(input.path, 0, language) + cellHtml(input.bytes, 0, language) +
+        piece.rows.push_back("<tr>" + cellHtml(input.path, {}, 0, language) + cellHtml(input.bytes, {}, 0, language) +
                              QString("<td style='%1 font-family:monospace; font-size:9px;'>%2</td></tr>")
                                  .arg(cellLine, escaped(input.sha256)));
     return piece;

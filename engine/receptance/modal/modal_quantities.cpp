@@ -1,0 +1,86 @@
+#include "engine/receptance/modal/modal_quantities.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace lathelier::receptance {
+namespace {
+
+const Text hz = LT_TEXT("Engine", "Hz");
+const Text perMillimetre = LT_TEXT("Engine", "N/mm");
+constexpr double millionth = 1e6, hundredth = 100;
+
+std::optional<double> percent(const std::optional<double>& ratio)
+{
+    return ratio ? std::optional(hundredth * *ratio) : std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<QuantityOf<ShownMode>>& quantitiesOf(const ShownMode*)
+{
+    using M = ShownMode;
+    static const auto all = describedBy<M>(
+        quantity<M>("rank", &M::rank,
+                    {LT_TEXT("Engine", "Rank by flexibility"), {}, 0, true, LT_TEXT("Engine", "Rank")}),
+        quantity<M>("frequency_hz", [](const M& m) { return m.mode.frequency_hz; },
+                    {LT_TEXT("Engine", "Natural frequency"), hz, 2, true, LT_TEXT("Engine", "f")}),
+        quantity<M>("frequency_uncertainty_hz", &M::frequency_uncertainty_hz,
+                    {LT_TEXT("Engine", "Its standard uncertainty"), hz, 3, true, LT_TEXT("Engine", "u(f)")}),
+        quantity<M>("damping_ratio", [](const M& m) { return m.mode.damping_ratio; }),
+        quantity<M>("damping_uncertainty", &M::damping_uncertainty),
+        quantity<M>("damping_percent", [](const M& m) { return hundredth * m.mode.damping_ratio; },
+                    {LT_TEXT("Engine", "Damping ratio ζ"), LT_TEXT("Engine", "%"), 3, false, LT_TEXT("Engine", "ζ")}),
+        quantity<M>("damping_uncertainty_percent", [](const M& m) { return percent(m.damping_uncertainty); },
+                    {LT_TEXT("Engine", "Its standard uncertainty"), LT_TEXT("Engine", "%"), 3, false,
+                     LT_TEXT("Engine", "u(ζ)")}),
+        quantity<M>("stiffness_N_mm", [](const M& m) { return m.mode.stiffness_N_mm; },
+                    {LT_TEXT("Engine", "Modal stiffness"), perMillimetre, 0, true, LT_TEXT("Engine", "k")}),
+        quantity<M>("stiffness_uncertainty_N_mm", &M::stiffness_uncertainty_N_mm,
+                    {LT_TEXT("Engine", "Its standard uncertainty"), perMillimetre, 1, true, LT_TEXT("Engine", "u(k)")}),
+        quantity<M>(
+            "phase_deg", [](const M& m) { return m.mode.phase_deg; },
+            {LT_TEXT("Engine", "Phase of the residue"), LT_TEXT("Engine", "°"), 1, true, LT_TEXT("Engine", "phase")}),
+        quantity<M>("flexibility_nm_N", &M::flexibility_nm_N,
+                    {LT_TEXT("Engine", "Least real part of this mode, sign reversed"), LT_TEXT("Engine", "nm/N"), 1,
+                     true, LT_TEXT("Engine", "-min Re")}));
+    return all;
+}
+
+std::vector<ShownMode> shownModes(const ResponseStudy& study)
+{
+    std::vector<ShownMode> modes;
+    modes.reserve(study.model.modes.size());
+    for (std::size_t k = 0; k < study.model.modes.size(); ++k) {
+        ShownMode& shown = modes.emplace_back();
+        shown.mode = study.model.modes[k];
+        shown.flexibility_nm_N = millionth * flexibilityOf(shown.mode);
+        if (study.is_changed) continue;
+        const FittedMode& fitted = study.fit->modes[k];
+        shown.frequency_uncertainty_hz = fitted.frequency_uncertainty_hz;
+        shown.damping_uncertainty = fitted.damping_uncertainty;
+        shown.stiffness_uncertainty_N_mm = fitted.stiffness_uncertainty_N_mm;
+    }
+    int rank = 0;
+    for (const std::size_t k : byFlexibility(study.model.modes)) modes[k].rank = ++rank;
+    return modes;
+}
+
+Json toJson(const ResponseStudy& study)
+{
+    Json json;
+    json["lines"] = study.basis() ? Json(study.basis()->value.size()) : Json();
+    if (!study.fit) return json;
+    json["range_hz"] = {{"from", study.fit->range_hz.from}, {"to", study.fit->range_hz.to}};
+    json["changed_by_hand"] = study.is_changed;
+    json["error_rms_percent"] = study.error_rms_percent;
+    json["modes"] = Json::array();
+    for (const ShownMode& mode : shownModes(study)) json["modes"].push_back(nestedJson(describedValues(mode)));
+    json["residuals"] = {{"lower_mm_Ns2", study.model.residuals.lower_mm_Ns2},
+                         {"lower_uncertainty_mm_Ns2", study.fit->lower_uncertainty_mm_Ns2},
+                         {"upper_mm_N", study.model.residuals.upper_mm_N},
+                         {"upper_uncertainty_mm_N", study.fit->upper_uncertainty_mm_N}};
+    return json;
+}
+
+}  // namespace lathelier::receptance

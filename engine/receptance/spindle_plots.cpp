@@ -1,0 +1,147 @@
+#include "engine/receptance/spindle_plots.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/texts.h"
+#include "engine/receptance/eirc/spindle_line.h"
+
+namespace lathelier::receptance {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+report::Axis frequencyAxis()
+{
+    return {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz")};
+}
+
+/// Receptances of one size, so that one axis shows all three.
+struct ScaledTable {
+    std::vector<double> frequency_hz;
+    std::vector<Complex> entries[3];
+};
+
+ScaledTable scaledTable(const SpindleReceptance& spindle)
+{
+    ScaledTable scaled;
+    if (const auto* table = std::get_if<SpindleTable>(&spindle.source))
+        scaled.frequency_hz = table->frequency_hz;
+    else
+        scaled.frequency_hz = {10, 5000};
+    for (const double frequency : scaled.frequency_hz) {
+        const ScaledSpindle line = scaledOf(spindle.at(frequency));
+        for (int i = 0; i < 3; ++i) scaled.entries[i].push_back(line[i]);
+    }
+    return scaled;
+}
+
+template <class Show>
+report::Plot entriesPlot(const SpindleReceptance& spindle, Text title, report::Axis axis, Show show)
+{
+    report::Plot plot;
+    plot.title = title;
+    plot.x = frequencyAxis();
+    plot.y = std::move(axis);
+    constexpr Text names[] = {LT_TEXT("Engine", "H: deflection per force"),
+                              LT_TEXT("Engine", "L × 100 mm: deflection per moment"),
+                              LT_TEXT("Engine", "P × (100 mm)²: rotation per moment")};
+    const ScaledTable scaled = scaledTable(spindle);
+    for (std::size_t i = 0; i < 3; ++i) {
+        report::Curve curve{names[i], scaled.frequency_hz, {}};
+        curve.y.reserve(scaled.frequency_hz.size());
+        bool any = false;
+        for (const Complex& value : scaled.entries[i]) {
+            any = any || value != Complex(0);
+            curve.y.push_back(value == Complex(0) ? NAN : show(value));
+        }
+        if (any) plot.curves.push_back(std::move(curve));  // springs have no cross receptance
+    }
+    return plot;
+}
+
+report::Curve magnitudeCurve(report::Caption name, const Frf& frf)
+{
+    report::Curve curve{std::move(name), frf.frequency_hz, {}};
+    curve.y.reserve(frf.value.size());
+    for (const Complex& value : frf.value) curve.y.push_back(std::abs(value));
+    return curve;
+}
+
+}  // namespace
+
+report::Plot spindleMagnitudePlot(const SpindleReceptance& spindle)
+{
+    return entriesPlot(spindle, LT_TEXT("Engine", "Receptance of the chuck face"),
+                       {LT_TEXT("Engine", "Magnitude"), LT_TEXT("Engine", "mm/N"), report::Axis::Scale::Logarithmic},
+                       [](const Complex& value) { return std::abs(value); });
+}
+
+report::Plot spindlePhasePlot(const SpindleReceptance& spindle)
+{
+    return entriesPlot(spindle, LT_TEXT("Engine", "Phase of the chuck face"),
+                       {LT_TEXT("Engine", "Phase"), LT_TEXT("Engine", "°")},
+                       [](const Complex& value) { return degrees * std::arg(value); });
+}
+
+report::Plot conditionPlot(const SpindleIdentification& found)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Condition of each line");
+    plot.x = frequencyAxis();
+    plot.y = {LT_TEXT("Engine", "Condition"), {}, report::Axis::Scale::Logarithmic};
+    plot.curves = {{{}, found.frequency_hz, found.condition}};
+    return plot;
+}
+
+report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck& check)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Residual of each line");
+    plot.x = frequencyAxis();
+    plot.y = {LT_TEXT("Engine", "Residual"), LT_TEXT("Engine", "%")};
+    plot.curves = {{{}, found.frequency_hz, check.residual_percent}};
+    return plot;
+}
+
+report::Plot heldOutPlot(const SpindleCheck& check, const Language& language)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Rod held out: measured and predicted");
+    plot.x = frequencyAxis();
+    plot.y = {LT_TEXT("Engine", "Magnitude"), LT_TEXT("Engine", "mm/N"), report::Axis::Scale::Logarithmic};
+    std::vector<report::Curve> predicted;
+    for (const CheckedResponse& response : check.responses) {
+        if (response.used) continue;
+        report::Curve measured =
+            magnitudeCurve(plot.curves.empty() ? LT_TEXT("Engine", "measured") : Text{}, response.measured);
+        measured.style = report::Curve::Style::Points;
+        measured.colour = report::ColourRole::Neutral;
+        plot.curves.push_back(std::move(measured));
+        const Values points{{"a", static_cast<std::int64_t>(response.point_a + 1)},
+                            {"b", static_cast<std::int64_t>(response.point_b + 1)}};
+        predicted.push_back(
+            magnitudeCurve(fill(text(LT_TEXT("Engine", "points {a} and {b}, predicted"), language), points, language),
+                           response.predicted));
+        predicted.back().colour = static_cast<int>(predicted.size()) - 1;
+    }
+    for (report::Curve& curve : predicted) plot.curves.push_back(std::move(curve));  // drawn on top
+    return plot;
+}
+
+report::Table responsesTable(const SpindleCheck& check)
+{
+    report::Table table;
+    table.title = LT_TEXT("Engine", "Residual of each response");
+    table.columns = {LT_TEXT("Engine", "rod"), LT_TEXT("Engine", "point a"), LT_TEXT("Engine", "point b"),
+                     LT_TEXT("Engine", "used"), LT_TEXT("Engine", "residual (%)")};
+    table.decimals = {0, 0, 0, 0, 2};
+    table.rows.reserve(check.responses.size());
+    for (const CheckedResponse& response : check.responses)
+        table.rows.push_back({static_cast<std::int64_t>(response.rod + 1),
+                              static_cast<std::int64_t>(response.point_a + 1),
+                              static_cast<std::int64_t>(response.point_b + 1), response.used, response.rms_percent});
+    return table;
+}
+
+}  // namespace lathelier::receptance

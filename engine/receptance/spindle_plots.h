@@ -1,0 +1,29 @@
+// The chuck face of a machine as charts, and how well it was identified.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/receptance/eirc/spindle_check.h"
+#include "engine/report/document.h"
+
+namespace lathelier::receptance {
+
+/// H, L × 100 mm and P × (100 mm)² over frequency, in mm/N: magnitude, and phase in degrees. Springs are drawn from
+/// 10 to 5000 Hz.
+report::Plot spindleMagnitudePlot(const SpindleReceptance& spindle);
+report::Plot spindlePhasePlot(const SpindleReceptance& spindle);
+
+/// How well the lines tell the three receptances apart.
+report::Plot conditionPlot(const SpindleIdentification& found);
+
+/// Residual of each line, in percent.
+report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck& check);
+
+/// Magnitude of the responses of the rod that was held out, measured and predicted. No curves where none was.
+report::Plot heldOutPlot(const SpindleCheck& check, const Language& language = {});
+
+/// One row for each response: rod, points, residual.
+report::Table responsesTable(const SpindleCheck& check);
+
+}  // namespace lathelier::receptance

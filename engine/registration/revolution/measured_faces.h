@@ -1,0 +1,48 @@
+// Faces across the axis of a body of revolution (its ends and shoulders), as far as the scan shows them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/registration/revolution/revolution_axis.h"
+
+namespace lathelier::registration {
+
+/// Points for each mm² of the sides.
+double pointDensity_per_mm2(const RadiusProfile& profile, std::size_t points);
+
+/// Where a face may be: a ring across the axis, in the axis frame.
+struct FaceSought {
+    double z_mm = 0;      ///< about here
+    double inner_mm = 0;  ///< radius where it begins
+    double outer_mm = 0;  ///< radius where it ends
+    double reach_mm = 0;  ///< it lies within this of `z_mm`
+    int facing = 1;       ///< direction of its outward normal along z
+};
+
+/// A face that the points show: z in rings of one width.
+struct MeasuredFace {
+    double sought_mm = 0;               ///< where it was sought
+    int facing = 1;                     ///< direction of its outward normal along z
+    std::vector<Eigen::Vector2d> line;  ///< (z, r) at the middle of each ring that has points, by growing radius
+    double z_mm = 0;                    ///< mean of the rings by their points
+    double inner_mm = 0;                ///< radius where the first of these rings begins
+    double outer_mm = 0;                ///< radius where the last ends
+    double ring_mm = 0;                 ///< width of a ring
+    double sigma_mm = 0;                ///< standard uncertainty of z in one ring
+    double place_sigma_mm = 0;          ///< standard uncertainty of `z_mm`, from what its sectors differ by
+
+    /// z of the face at a radius; beyond the rings that of the outermost.
+    double zAt_mm(double radius_mm) const;
+};
+
+/// Those of the faces sought that lie across the axis and have points all over, about as dense as elsewhere
+/// (`density_per_mm2`) and not scattered through the whole reach, as stray points are. `step_mm`: least width of a
+/// ring. Throws Cancelled.
+std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& points_mm,
+                                       const Eigen::Isometry3d& axis_T_points, const std::vector<FaceSought>& sought,
+                                       double density_per_mm2, double step_mm, const Progress& progress = {});
+
+}  // namespace lathelier::registration

@@ -1,0 +1,58 @@
+// The libraries inside the program, and how they are refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "../core/code_of_error.h"
+#include "engine/io/io_codes.h"
+#include "engine/receptance/library.h"
+
+namespace lathelier::receptance {
+namespace {
+
+std::string resource(const char* name)
+{
+    std::ifstream file(std::string(LATHELIER_SOURCE_DIR) + "/resources/library/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Library, OfMaterialsIsWholeAndSaysWhereItIsFrom)
+{
+    const auto library = readMaterials(resource("materials.json"));
+    std::set<std::string> keys;
+    for (const auto& entry : library) {
+        keys.insert(entry.key);
+        EXPECT_EQ(entry.value.name, entry.key);
+        EXPECT_FALSE(entry.source.empty()) << entry.key;
+        EXPECT_GT(entry.value.loss_factor, 0) << entry.key;
+        const double wave_speed = std::sqrt(1e6 * entry.value.elastic_modulus_MPa / entry.value.density_kg_m3);
+        EXPECT_GT(wave_speed, 3000) << entry.key;  // m/s: E and ρ belong together
+        EXPECT_LT(wave_speed, 5400) << entry.key;
+    }
+    EXPECT_EQ(keys, (std::set<std::string>{"steel", "stainless", "aluminium", "brass", "titanium", "cast_iron"}));
+    Material steel;
+    EXPECT_EQ(entryOf(library, "steel")->value, steel);  // that is assumed where none is stated
+    EXPECT_EQ(entryOf(library, "butter"), nullptr);
+}
+
+TEST(Library, OfMachinesIsWhole)
+{
+    const auto library = readMachines(resource("machines.json"));
+    ASSERT_EQ(library.size(), 3U);
+    EXPECT_EQ(entryOf(library, "papers")->value, (SpindleSprings{14850, 198.3e6, 0.06}));
+    EXPECT_GT(entryOf(library, "stiff")->value.radial_N_mm, entryOf(library, "soft")->value.radial_N_mm);
+}
+
+TEST(Library, SaysWhatIsMissing)
+{
+    EXPECT_EQ(codeOfError([] { readMachines("{}"); }), errors::keyMissing);
+    EXPECT_EQ(codeOfError([] { readMachines(R"({"machines": [{"key": "a"}]})"); }), errors::keyMissing);
+    EXPECT_EQ(codeOfError([] { readMaterials(R"({"materials": [{"key": "a", "density_kg_m3": 1000}]})"); }),
+              errors::keyMissing);
+}
+
+}  // namespace
+}  // namespace lathelier::receptance

@@ -1,0 +1,74 @@
+#include "widgets/chatter_common/taken_input.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/frf_item.h"
+#include "engine/core/json.h"
+#include "engine/core/shaft_item.h"
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/project/project_codes.h"
+#include "engine/receptance/spindle_item.h"
+#include "widgets/chatter_common/shaft_files.h"
+
+namespace lathelier::chatter_common {
+namespace {
+
+/// `restored` gives the value of an item of this kind, if it is one.
+template <class T, class Restored>
+Taken<T> takenItem(const project::PanelState& state, const char* role, const char* kind, Restored restored)
+{
+    const project::Source& source = state.inputs.at(role);
+    const auto item = state.items.find(role);
+    std::optional<T> value;
+    if (item != state.items.end() && item->second.kind == kind) value = restored(item->second.values);
+    if (!value) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(kind)}});
+    const std::string content = toJson(item->second.values).dump();
+    const InputFile input{source.item, static_cast<std::int64_t>(content.size()), io::sha256(content)};
+    return {*std::move(value), input, {}, source.synthetic};
+}
+
+/// `part`: the value within a file of the store.
+template <class Store, class T, class Part>
+Taken<T> takenFile(const project::Source& source, Stores& stores, const Progress& progress, Part part)
+{
+    const auto loaded = stores.of<Store>()->load(source, progress);
+    return {loaded->file.*part, loaded->inputs.front(), loaded->file.notes,
+            source.synthetic || contains(loaded->file.notes, notes::syntheticData)};
+}
+
+}  // namespace
+
+const project::Source* sourceOf(const project::PanelState& state, const char* role)
+{
+    const auto source = state.inputs.find(role);
+    return source == state.inputs.end() ? nullptr : &source->second;
+}
+
+std::optional<Taken<Shaft>> takeShaft(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    const project::Source* const source = sourceOf(state, shaftRole);
+    if (!source) return std::nullopt;
+    if (!source->item.empty()) return takenItem<Shaft>(state, shaftRole, shaftItem, shaftOf);
+    return takenFile<ShaftStore, Shaft>(*source, stores, progress, &receptance::ShaftFile::shaft);
+}
+
+std::optional<Taken<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,
+                                                                const Progress& progress)
+{
+    using receptance::SpindleReceptance;
+    const project::Source* const source = sourceOf(state, spindleRole);
+    if (!source) return std::nullopt;
+    if (!source->item.empty())
+        return takenItem<SpindleReceptance>(state, spindleRole, receptance::spindleItem, receptance::spindleOf);
+    return takenFile<SpindleStore, SpindleReceptance>(*source, stores, progress, &receptance::SpindleFile::spindle);
+}
+
+std::optional<Taken<Frf>> takeResponseItem(const project::PanelState& state)
+{
+    const project::Source* const source = sourceOf(state, frfRole);
+    if (!source || source->item.empty()) return std::nullopt;
+    return takenItem<Frf>(state, frfRole, frfItem, frfOf);
+}
+
+}  // namespace lathelier::chatter_common

@@ -1,0 +1,42 @@
+// An input of a panel of the workspace Chatter as a value: from a file, or from an item of the project.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/core/frf.h"
+#include "engine/core/input_file.h"
+#include "engine/core/shaft.h"
+#include "engine/project/project.h"
+#include "engine/receptance/spindle_receptance.h"
+#include "widgets/core/files/stores.h"
+
+namespace lathelier::chatter_common {
+
+inline constexpr const char* frfRole = "frf";
+inline constexpr const char* shaftRole = "shaft";
+inline constexpr const char* spindleRole = "spindle";
+
+/// A value with what a report says of where it came from.
+template <class T>
+struct Taken {
+    T value;                 ///< from a file or an item
+    InputFile input;         ///< the file, or the item as if it had been one
+    Notes notes;             ///< of the reading
+    bool synthetic = false;  ///< marked as made by a program
+};
+
+/// The source of an input; nullptr: it is not given.
+const project::Source* sourceOf(const project::PanelState& state, const char* role);
+
+/// Nothing when the input is not given. Errors: loadShaft(), loadSpindle(); itemNotThere. Safe from any thread.
+std::optional<Taken<Shaft>> takeShaft(const project::PanelState& state, Stores& stores, const Progress& progress);
+std::optional<Taken<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,
+                                                                const Progress& progress);
+
+/// A receptance that another panel made. Nothing when the input is not given, or is a file: which of its responses
+/// counts is the panel's to say. Error itemNotThere.
+std::optional<Taken<Frf>> takeResponseItem(const project::PanelState& state);
+
+}  // namespace lathelier::chatter_common

@@ -1,0 +1,19 @@
+// A place of the part in words, for the tag at the pointer and for the marker.
+#pragma once
+
+#include <QString>
+
+#include "widgets/compare/compare_picture.h"
+
+namespace lathelier::compare_panel {
+
+/// "+0.053 mm"; "left out" without a value.
+QString valueWords(const std::optional<double>& value_mm);
+
+/// On one line: along and about the axis, or the coordinates where there is none.
+QString placeWords(const ComparePlace& place);
+
+/// Coordinates, place about the axis, deviation and mean, each on its own line.
+QString allWords(const ComparePlace& place);
+
+}  // namespace lathelier::compare_panel

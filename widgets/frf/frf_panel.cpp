@@ -1,0 +1,238 @@
+#include "widgets/frf/frf_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/frf_item.h"
+#include "engine/core/shaft_item.h"
+#include "engine/io/file.h"
+#include "engine/io/frf/frf_writer.h"
+#include "engine/receptance/modal/modal_quantities.h"
+#include "engine/receptance/modal/modal_report.h"
+#include "engine/receptance/shaft_kind.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+#include "engine/report/quantity_table.h"
+#include "widgets/chatter_common/shaft_files.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/frf/frf_views.h"
+
+namespace lathelier::frf_panel {
+namespace {
+
+InputRole roleOf(const char* key, Text label, Text hint, const io::FileKind& kind, const char* item)
+{
+    InputRole role;
+    role.role = key;
+    role.label = label;
+    role.hint = hint;
+    role.kinds = {&kind};
+    role.item_kind = item;
+    role.required = false;
+    return role;
+}
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = {
+        roleOf(frfRole, LT_TEXT("Engine", "Frequency response"),
+               LT_TEXT("Engine", "Measured by a hammer or shaker: UFF, CSV or MAT."), io::frfFiles(), frfItem),
+        roleOf(
+            shaftRole, LT_TEXT("Engine", "Shaft"),
+            LT_TEXT("Engine", "Whose computed response is drawn under the measured one: SHAFT.json or a stock file."),
+            receptance::shaftFiles(), shaftItem),
+        roleOf(spindleRole, LT_TEXT("Engine", "Spindle"),
+               LT_TEXT("Engine", "That holds the shaft: SPINDLE.json. Without it the shaft is free."),
+               receptance::spindleFiles(), receptance::spindleItem)};
+    inputs.roles.front().takes_next = true;
+    inputs.fields = infos<FrfQuestion>();
+    inputs.defaults = toValues(FrfQuestion{});
+    inputs.invitation = LT_TEXT("Engine", "Drop a measured frequency response here, or a shaft and its spindle.");
+    return inputs;
+}
+
+bool hasResponse(const project::PanelState& state)
+{
+    return state.inputs.count(frfRole) > 0 || state.inputs.count(shaftRole) > 0;
+}
+
+std::string modesCsv(const receptance::ResponseStudy& study)
+{
+    return report::csvOf<receptance::ShownMode>(
+        receptance::shownModes(study),
+        {"rank", "frequency_hz", "frequency_uncertainty_hz", "damping_ratio", "damping_uncertainty", "stiffness_N_mm",
+         "stiffness_uncertainty_N_mm", "phase_deg", "flexibility_nm_N"});
+}
+
+}  // namespace
+
+PanelFacts frfPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "frf";
+    facts.title = LT_TEXT("Engine", "FRF");
+    facts.icon = "frf";
+    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.kinds = {&io::frfFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {frfRole};
+    facts.make = [](Session& session) -> PanelBase* { return new FrfPanel(session); };
+    facts.missing = [](const project::PanelState& state) {
+        std::vector<Text> labels;
+        if (!hasResponse(state)) labels.push_back(LT_TEXT("Engine", "Frequency response or shaft"));
+        return labels;
+    };
+    facts.hasWork = hasResponse;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(frfPicture(state, stores, progress), language); };
+    return facts;
+}
+
+FrfPanel::FrfPanel(Session& owner, QWidget* parent)
+    : Panel(owner, frfPanelFacts(), panelInputs(), parent), views_(new FrfViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &FrfViews::modeDragged, this, &FrfPanel::dragMode);
+    connect(views_, &FrfViews::fitWanted, this, &FrfPanel::goBackToTheFit);
+    connect(views_, &FrfViews::responseWanted, this, &FrfPanel::offerResponse);
+    connect(views_, &FrfViews::notWritten, this, &FrfPanel::sayNotWritten);
+}
+
+/// The peak follows the pointer: the fit stays, the model's mode changes.
+void FrfPanel::dragMode(int index, double frequency_hz, double magnitude_mm_N, bool dropped)
+{
+    const auto picture = result();
+    const auto at = static_cast<std::size_t>(index);
+    if (!picture || at >= picture->study.model.modes.size()) return;
+    FrfQuestion question;
+    question.modes = picture->study.model.modes;
+    question.modes[at] = receptance::draggedMode(picture->study.model, at, frequency_hz, magnitude_mm_N);
+    editState(
+        tr("Drag a peak"),
+        [&](project::PanelState& state) {
+            lathelier::set(state.parameters, "modes", *lathelier::find(toValues(question), "modes"));
+        },
+        QString("frf/modes/%1").arg(gesture_));
+    gesture_ += dropped;
+}
+
+void FrfPanel::goBackToTheFit()
+{
+    editState(tr("Back to the fit"),
+              [](project::PanelState& state) { lathelier::set(state.parameters, "modes", Rows{}); });
+}
+
+void FrfPanel::offerResponse()
+{
+    const auto picture = result();
+    const FrfPtr frf = picture ? picture->handedOn() : nullptr;
+    if (!frf) return;
+    try {
+        Frf item = *frf;
+        item.name = picture->question.handed_on == HandedOn::Model
+                        ? tr("%1, modal model").arg(QString::fromStdString(picture->name)).toStdString()
+                        : picture->name;
+        offerItem(item.name, frfItem, toValues(item), picture->synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+FrfPanel::Compute FrfPanel::compute(const project::PanelState& state) const
+{
+    fromValues<FrfQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return frfPicture(state, *stores, progress);
+    };
+}
+
+void FrfPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files) {
+        const char* role = file.kind == &receptance::shaftFiles()     ? shaftRole
+                           : file.kind == &receptance::spindleFiles() ? spindleRole
+                                                                      : frfRole;
+        state.inputs[role] = newSource(QString::fromStdString(file.path));
+    }
+}
+
+Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+        chatter_common::takeSpindle(state, *stores, progress);  // all there can be while the state is incomplete
+        return nullptr;
+    };
+}
+
+QString FrfPanel::understood(const InputRole& role, const project::Source& source) const
+{
+    if (role.role == shaftRole) {
+        const auto loaded = session().stores().of<chatter_common::ShaftStore>()->known(source);
+        return loaded ? tr("Length %1").arg(screenQuantity(loaded->file.shaft.length_mm(), millimetre, 1)) : QString();
+    }
+    if (role.role == spindleRole) {
+        const auto loaded = session().stores().of<chatter_common::SpindleStore>()->known(source);
+        if (!loaded) return {};
+        return loaded->file.spindle.springs() ? tr("Springs") : tr("Table of receptances");
+    }
+    const auto loaded = session().stores().of<FrfStore>()->known(source);
+    if (!loaded) return {};
+    const auto& frfs = loaded->file.frfs;
+    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
+    const QString amount = tr("%L1 lines").arg(lines);
+    return understoodText(loaded->file.facts,
+                          frfs.size() > 1 ? tr("%L1 responses · %2").arg(frfs.size()).arg(amount) : amount);
+}
+
+void FrfPanel::showResult(const std::shared_ptr<const FrfPicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+report::Answer FrfPanel::answer(const FrfPicture& picture) const
+{
+    return receptance::answer(picture.study, screenLanguage());
+}
+
+Notes FrfPanel::notes(const FrfPicture& picture) const
+{
+    return picture.notes;
+}
+
+report::Document FrfPanel::document(const FrfPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> FrfPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    std::vector<PanelExport> all;
+    if (const FrfPtr frf = picture->handedOn()) {
+        all.push_back({tr("Response (CSV)…"), tr("Table (*.csv)"), "csv",
+                       [frf](const QString& path) { io::writeFrfCsv(path.toStdString(), *frf); }});
+        all.push_back({tr("Response (UFF 58)…"), tr("Universal file (*.uff)"), "uff",
+                       [frf, places = picture->places](const QString& path) {
+                           io::MeasuredFrf response = places;
+                           response.frf = *frf;
+                           io::writeUff(path.toStdString(), {&response, 1});
+                       }});
+    }
+    if (!picture->study.model.modes.empty())
+        all.push_back({tr("Modes (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
+                           io::writeFile(path.toStdString(), modesCsv(picture->study));
+                       }});
+    return all;
+}
+
+void FrfPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::frf_panel

@@ -1,0 +1,43 @@
+// The panel "FRF": which modes does a measured response show, and does the computed one agree?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/frf/frf_picture.h"
+
+namespace lathelier::frf_panel {
+
+class FrfViews;
+
+/// The panel's line of the panel table.
+PanelFacts frfPanelFacts();
+
+class FrfPanel : public Panel<FrfPicture> {
+    Q_OBJECT
+
+public:
+    explicit FrfPanel(Session& session, QWidget* parent = nullptr);
+
+    FrfViews& views() const { return *views_; }
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const FrfPicture>& picture) override;
+    report::Answer answer(const FrfPicture& picture) const override;
+    Notes notes(const FrfPicture& picture) const override;
+    report::Document document(const FrfPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    void retranslate() override;
+
+private:
+    void dragMode(int index, double frequency_hz, double magnitude_mm_N, bool dropped);
+    void goBackToTheFit();
+    void offerResponse();
+
+    FrfViews* views_;
+    int gesture_ = 0;  ///< drags of peaks so far: one undo step each
+};
+
+}  // namespace lathelier::frf_panel

@@ -1,0 +1,268 @@
+#include "widgets/shaft/shaft_panel.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/frf_item.h"
+#include "engine/core/shaft_item.h"
+#include "engine/io/file.h"
+#include "engine/io/frf/frf_writer.h"
+#include "engine/receptance/receptance_quantities.h"
+#include "engine/receptance/shaft_file.h"
+#include "engine/receptance/shaft_kind.h"
+#include "engine/receptance/shaft_plots.h"
+#include "engine/receptance/shaft_report.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+#include "engine/report/result_json.h"
+#include "widgets/chatter_common/shaft_files.h"
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/shaft/shaft_views.h"
+
+namespace lathelier::shaft_panel {
+namespace {
+
+PanelInputs panelInputs()
+{
+    InputRole shaft;
+    shaft.role = shaftRole;
+    shaft.label = LT_TEXT("Engine", "Shaft");
+    shaft.hint = LT_TEXT("Engine", "SHAFT.json or a stock file; fills the table of segments");
+    shaft.kinds = {&receptance::shaftFiles()};
+    shaft.item_kind = shaftItem;
+    shaft.required = false;
+    shaft.takes_next = true;
+    InputRole spindle;
+    spindle.role = spindleRole;
+    spindle.label = LT_TEXT("Engine", "Spindle");
+    spindle.hint = LT_TEXT("Engine", "SPINDLE.json, or what the panel Spindle made; without it the shaft is free");
+    spindle.kinds = {&receptance::spindleFiles()};
+    spindle.item_kind = receptance::spindleItem;
+    spindle.required = false;
+    PanelInputs inputs;
+    inputs.roles = {shaft, spindle};
+    for (FieldInfo& info : infos<ShaftQuestion>())
+        if (info.key != segmentsOfKey) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(ShaftQuestion{});
+    inputs.invitation = LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, stock text), or state its segments.");
+    return inputs;
+}
+
+bool hasSegments(const project::PanelState& state)
+{
+    const Value* const segments = find(state.parameters, segmentsKey);
+    const Rows* const rows = segments ? std::get_if<Rows>(segments) : nullptr;
+    return rows && !rows->rows.empty();
+}
+
+bool isThere(const project::PanelState& state)
+{
+    return state.inputs.count(shaftRole) > 0 || hasSegments(state);
+}
+
+Value rowsOf(const Shaft& shaft)
+{
+    Rows rows;
+    rows.rows.reserve(shaft.segments.size());
+    for (const ShaftSegment& segment : shaft.segments) rows.rows.push_back({toValues(segment)});
+    return rows;
+}
+
+report::Document reportOf(const ShaftPicture& picture, const Language& language)
+{
+    receptance::ShaftStudy study = picture.study;
+    study.response.notes = picture.notes;  // those of the files as well
+    report::Document document = shaftReport(study, picture.shaft, picture.holding, language);
+    document.inputs = picture.inputs;
+    document.synthetic = picture.synthetic;
+    document.results = {
+        report::toText(report::wholeResult("frf", picture.inputs, toValues(picture.question),
+                                           nestedJson(describedValues(study.response)), picture.notes))};
+    return document;
+}
+
+std::string nameOf(const ShaftPicture& picture)
+{
+    if (!picture.shaft.name.empty()) return picture.shaft.name;
+    return ShaftPanel::tr("shaft, %1 mm").arg(screenNumber(picture.shaft.length_mm(), 1)).toStdString();
+}
+
+/// One response between two places, as files of responses have it.
+io::MeasuredFrf measuredOf(const ShaftPicture& picture)
+{
+    io::MeasuredFrf response;
+    response.frf = usableResponse(picture);
+    return response;
+}
+
+}  // namespace
+
+PanelFacts shaftPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "shaft";
+    facts.title = LT_TEXT("Engine", "Shaft");
+    facts.icon = "shaft";
+    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.kinds = {&receptance::shaftFiles(), &receptance::spindleFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {shaftRole};
+    facts.item_inputs = {{shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}};
+    facts.make = [](Session& session) -> PanelBase* { return new ShaftPanel(session); };
+    facts.missing = [](const project::PanelState& state) {
+        return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
+    };
+    facts.hasWork = isThere;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(shaftPicture(state, stores, progress), language); };
+    return facts;
+}
+
+ShaftPanel::ShaftPanel(Session& owner, QWidget* parent)
+    : Panel(owner, shaftPanelFacts(), panelInputs(), parent), views_(new ShaftViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &ShaftViews::endMoved, this, &ShaftPanel::moveEnd);
+    connect(views_, &ShaftViews::shaftWanted, this, &ShaftPanel::keepShaft);
+    connect(views_, &ShaftViews::responseWanted, this, &ShaftPanel::offerResponse);
+    connect(views_, &ShaftViews::notWritten, this, &ShaftPanel::sayNotWritten);
+    // A table changed by hand is of the input that is there now: the same undo step as the change itself.
+    connect(
+        &inputColumn(), &InputColumn::parameterEdited, this,
+        [this](const std::string& key, const Value&, int gesture, const QString& step) {
+            if (key != segmentsKey) return;
+            editState(
+                step,
+                [](project::PanelState& state) { lathelier::set(state.parameters, segmentsOfKey, identity(state)); },
+                QString("shaft/segments/%1").arg(gesture));
+        });
+}
+
+void ShaftPanel::moveEnd(std::size_t segment, double z_mm, double radius_mm, bool dropped)
+{
+    const auto picture = result();
+    if (!picture) return;
+    const Value rows = rowsOf(receptance::dragged(picture->shaft, segment, z_mm, radius_mm));
+    editState(
+        tr("Move the end of segment %1").arg(segment + 1),
+        [&](project::PanelState& state) {
+            lathelier::set(state.parameters, segmentsKey, rows);
+            lathelier::set(state.parameters, segmentsOfKey, identity(state));
+        },
+        QString("shaft/drag/%1").arg(gesture_));
+    gesture_ += dropped;
+}
+
+void ShaftPanel::keepShaft()
+{
+    const auto picture = result();
+    if (!picture) return;
+    keepItem(nameOf(*picture), shaftItem, toValues(picture->shaft));
+}
+
+void ShaftPanel::offerResponse()
+{
+    const auto picture = result();
+    if (!picture) return;
+    try {
+        Frf frf = usableResponse(*picture);
+        frf.name = tr("response of %1").arg(QString::fromStdString(nameOf(*picture))).toStdString();
+        offerItem(frf.name, frfItem, toValues(frf), picture->synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+/// A file that is opened is what is meant: an earlier table would hide it.
+void ShaftPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files) {
+        const bool spindle = file.kind == &receptance::spindleFiles();
+        state.inputs[spindle ? spindleRole : shaftRole] = newSource(QString::fromStdString(file.path));
+        if (!spindle) lathelier::set(state.parameters, segmentsKey, Rows{});
+    }
+}
+
+ShaftPanel::Compute ShaftPanel::compute(const project::PanelState& state) const
+{
+    fromValues<ShaftQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return shaftPicture(state, *stores, progress);
+    };
+}
+
+Worker::Job ShaftPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [state, store = session().stores().of<chatter_common::SpindleStore>()](
+               const Progress& progress) -> std::shared_ptr<const void> {
+        const auto spindle = state.inputs.find(spindleRole);
+        if (spindle != state.inputs.end() && spindle->second.item.empty()) store->load(spindle->second, progress);
+        return nullptr;
+    };
+}
+
+QString ShaftPanel::understood(const InputRole& role, const project::Source& source) const
+{
+    if (role.role == spindleRole) {
+        const auto loaded = session().stores().of<chatter_common::SpindleStore>()->known(source);
+        if (!loaded) return {};
+        return understoodText(loaded->file.facts, loaded->file.spindle.springs() ? tr("springs") : tr("table"));
+    }
+    const auto loaded = session().stores().of<chatter_common::ShaftStore>()->known(source);
+    if (!loaded) return {};
+    return understoodText(loaded->file.facts, tr("%L1 segments").arg(loaded->file.shaft.segments.size()));
+}
+
+void ShaftPanel::showResult(const std::shared_ptr<const ShaftPicture>& picture)
+{
+    inputColumn().form().setValues({{segmentsKey, rowsOf(picture->shaft)}});  // also those of a file
+    views_->setPicture(picture);
+}
+
+report::Answer ShaftPanel::answer(const ShaftPicture& picture) const
+{
+    return receptance::answer(picture.study, screenLanguage());
+}
+
+Notes ShaftPanel::notes(const ShaftPicture& picture) const
+{
+    return picture.notes;
+}
+
+report::Document ShaftPanel::document(const ShaftPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> ShaftPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    return {
+        {tr("Shaft (SHAFT.json)…"), tr("JSON (*.json)"), "json",
+         [picture](const QString& path) { io::writeFile(path.toStdString(), receptance::shaftText(picture->shaft)); }},
+        {tr("Stock text…"), tr("Text (*.txt)"), "txt",
+         [picture](const QString& path) { io::writeFile(path.toStdString(), receptance::stockText(picture->shaft)); }},
+        {tr("Receptance (CSV)…"), tr("Table (*.csv)"), "csv",
+         [picture](const QString& path) { io::writeFrfCsv(path.toStdString(), usableResponse(*picture)); }},
+        {tr("Receptance (UFF)…"), tr("Universal file (*.uff)"), "uff", [picture](const QString& path) {
+             const io::MeasuredFrf response = measuredOf(*picture);
+             io::writeUff(path.toStdString(), {&response, 1});
+         }}};
+}
+
+void ShaftPanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void ShaftPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::shaft_panel

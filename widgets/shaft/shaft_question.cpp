@@ -1,0 +1,98 @@
+#include "widgets/shaft/shaft_question.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace lathelier::shaft_panel {
+namespace {
+
+const Text mm = LT_TEXT("Engine", "mm");
+const Text hz = LT_TEXT("Engine", "Hz");
+
+/// The field `key` of the response asked for.
+Field<ShaftQuestion> ofResponse(const std::string& key)
+{
+    for (const auto& inner : fields<receptance::ReceptanceParameters>())
+        if (inner.info.key == key)
+            return {inner.info, [inner](const ShaftQuestion& q) { return inner.get(q.response); },
+                    [inner](ShaftQuestion& q, const Value& value) { inner.set(q.response, value); }};
+    throw std::logic_error("no such parameter: " + key);
+}
+
+/// What is seldom changed is folded away in the form, groups as a whole.
+std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
+{
+    for (Field<ShaftQuestion>& field : all)
+        for (const char* start : {"own_material", "springs", "rests"})
+            if (field.info.key.starts_with(start)) field.info.advanced = true;
+    return all;
+}
+
+}  // namespace
+
+std::string libraryKey(MaterialChoice choice)
+{
+    constexpr std::array<const char*, 7> keys{"", "steel", "stainless", "aluminium", "brass", "titanium", "cast_iron"};
+    return keys.at(static_cast<std::size_t>(choice));
+}
+
+const std::vector<Field<Rest>>& fieldsOf(const Rest*)
+{
+    static const auto all = described<Rest>(
+        field("z_mm", &Rest::z_mm, {0, 1e5},
+              Label{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end; 0: a tailstock."), mm}),
+        field(
+            "radial_N_mm", &Rest::radial_N_mm, {1e-6, 1e12},
+            Label{LT_TEXT("Engine", "Stiffness"), LT_TEXT("Engine", "Against deflection."), LT_TEXT("Engine", "N/mm")}),
+        field("loss_factor", &Rest::loss_factor, {0, 2},
+              Label{LT_TEXT("Engine", "Loss factor"), LT_TEXT("Engine", "The spring is multiplied by 1 + iη.")}));
+    return all;
+}
+
+const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
+{
+    using Q = ShaftQuestion;
+    static const auto all = folded(described<Q>(
+        rows(segmentsKey, &Q::segments, Range{0, 10000},
+             Label{LT_TEXT("Engine", "Segments"),
+                   LT_TEXT("Engine",
+                           "From the free end toward the chuck. A file fills the table; once it is changed, the table "
+                           "rules.")}),
+        field(segmentsOfKey, &Q::segments_of,
+              Label{LT_TEXT("Engine", "Segments changed from"),
+                    LT_TEXT("Engine", "The input that the table was changed from.")}),
+        field("material", &Q::material,
+              {{"stated", LT_TEXT("Engine", "as the file states")},
+               {"steel", LT_TEXT("Engine", "Steel")},
+               {"stainless", LT_TEXT("Engine", "Stainless steel")},
+               {"aluminium", LT_TEXT("Engine", "Aluminium")},
+               {"brass", LT_TEXT("Engine", "Brass")},
+               {"titanium", LT_TEXT("Engine", "Titanium")},
+               {"cast_iron", LT_TEXT("Engine", "Cast iron")}},
+              Label{LT_TEXT("Engine", "Material"),
+                    LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
+        group("own_material", &Q::own_material,
+              Label{LT_TEXT("Engine", "Own material"),
+                    LT_TEXT("Engine", "Stated in place of the file and the library.")}),
+        field("hold", &Q::hold,
+              {{"given", LT_TEXT("Engine", "the spindle given, else free")},
+               {"springs", LT_TEXT("Engine", "springs")},
+               {"clamped", LT_TEXT("Engine", "clamped rigidly")},
+               {"free", LT_TEXT("Engine", "free")}},
+              Label{LT_TEXT("Engine", "Held at the chuck"), LT_TEXT("Engine", "At the last segment's end.")}),
+        group("springs", &Q::springs,
+              Label{LT_TEXT("Engine", "Springs at the chuck"), LT_TEXT("Engine", "Where it is held by springs.")}),
+        rows("rests", &Q::rests, Range{0, 20},
+             Label{LT_TEXT("Engine", "Tailstock and rests"),
+                   LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
+        ofResponse("respond_z_mm"), ofResponse("excite_z_mm"),
+        field("from_hz", &Q::from_hz, Range{0, 1e6},
+              Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), hz}),
+        field("to_hz", &Q::to_hz, Range{0, 1e6},
+              Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), hz}),
+        ofResponse("step_hz"), ofResponse("shear"), ofResponse("method"), ofResponse("step_correction")));
+    return all;
+}
+
+}  // namespace lathelier::shaft_panel

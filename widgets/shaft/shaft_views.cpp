@@ -1,0 +1,146 @@
+#include "widgets/shaft/shaft_views.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
+
+#include "engine/receptance/frf_plots.h"
+#include "engine/receptance/shaft_plots.h"
+#include "engine/receptance/shaft_report.h"
+#include "widgets/core/icons.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::shaft_panel {
+namespace {
+
+constexpr int frame_ms = 40;
+constexpr int framesOfSwing = 50;
+
+}  // namespace
+
+ShaftViews::ShaftViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      drawing_(new plot::ChartView),
+      shapes_(new plot::ChartView),
+      magnitude_(new plot::ChartView),
+      parts_(new plot::ChartView),
+      frequencies_(new CopyTable),
+      buttons_(new QWidget),
+      play_(new QToolButton),
+      shaft_(new QPushButton),
+      response_(new QPushButton)
+{
+    drawing_->setObjectName("drawing");
+    shapes_->setObjectName("shapes");
+    magnitude_->setObjectName("magnitude");
+    parts_->setObjectName("realImaginary");
+    frequencies_->setObjectName("frequencies");
+    play_->setObjectName("playShapes");
+    shaft_->setObjectName("useShaft");
+    response_->setObjectName("useResponse");
+    heroes_->add("drawing", drawing_);
+    heroes_->add("shapes", shapes_);
+    heroes_->add("magnitude", magnitude_);
+    heroes_->add("parts", parts_);
+    heroes_->add("frequencies", frequencies_);
+    play_->setCheckable(true);
+    play_->setAutoRaise(true);
+    play_->setIcon(icon("play"));
+    play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(play_);
+    row->addStretch();
+    row->addWidget(shaft_);
+    row->addWidget(response_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(heroes_, 1);
+    layout->addWidget(buttons_);
+    clock_.setInterval(frame_ms);
+    connect(&clock_, &QTimer::timeout, this, &ShaftViews::swing);
+    connect(play_, &QToolButton::toggled, this, &ShaftViews::play);
+    connect(shaft_, &QPushButton::clicked, this, &ShaftViews::shaftWanted);
+    connect(response_, &QPushButton::clicked, this, &ShaftViews::responseWanted);
+    connect(drawing_, &plot::ChartView::handleMoved, this,
+            [this](const QString& key, double z_mm, double radius_mm, bool dropped) {
+                if (const auto segment = receptance::segmentOfHandle(key.toStdString()))
+                    emit endMoved(*segment, z_mm, radius_mm, dropped);
+            });
+    for (plot::ChartView* chart : {drawing_, shapes_, magnitude_, parts_})
+        connect(chart, &plot::PlotWidget::notWritten, this, &ShaftViews::notWritten);
+    retranslate();
+}
+
+void ShaftViews::setPicture(const std::shared_ptr<const ShaftPicture>& picture)
+{
+    picture_ = picture;
+    const bool has_modes = !picture->study.modes.empty();
+    heroes_->setAvailable("shapes", has_modes);
+    heroes_->setAvailable("frequencies", has_modes);
+    play_->setVisible(has_modes);
+    if (!has_modes) play_->setChecked(false);
+    show();
+}
+
+void ShaftViews::show()
+{
+    if (!picture_) return;
+    const receptance::ShaftStudy& study = picture_->study;
+    drawing_->setData(receptance::shaftDrawing(picture_->shaft, picture_->holding, true, screenLanguage()));
+    magnitude_->setData(receptance::magnitudePlot(study.response.frf));
+    parts_->setData(receptance::realImaginaryPlot(study.response.frf, {}, screenLanguage()));
+    if (study.response.natural_frequencies_hz)
+        frequencies_->setTable(receptance::frequenciesTable(*study.response.natural_frequencies_hz));
+    swing();
+}
+
+void ShaftViews::play(bool on)
+{
+    play_->setIcon(icon(on ? "pause" : "play"));
+    tick_ = 0;
+    if (on)
+        clock_.start();
+    else
+        clock_.stop();
+    swing();
+}
+
+/// At rest the shapes stand at their largest.
+void ShaftViews::swing()
+{
+    if (!picture_ || picture_->study.modes.empty()) return;
+    if (clock_.isActive()) {
+        if (!shapes_->isVisible()) return;
+        tick_ = (tick_ + 1) % framesOfSwing;
+    }
+    const double share = std::cos(2 * std::numbers::pi * tick_ / framesOfSwing);
+    shapes_->setData(receptance::modeShapesPlot(picture_->study, share, screenLanguage()));
+}
+
+void ShaftViews::setPresenting(bool presenting)
+{
+    buttons_->setVisible(!presenting);
+}
+
+void ShaftViews::retranslate()
+{
+    heroes_->setTitle("drawing", tr("Shaft"));
+    heroes_->setTitle("shapes", tr("Mode shapes"));
+    heroes_->setTitle("magnitude", tr("Magnitude"));
+    heroes_->setTitle("parts", tr("Real and imaginary"));
+    heroes_->setTitle("frequencies", tr("Natural frequencies"));
+    frequencies_->setAccessibleName(tr("Natural frequencies"));
+    play_->setText(tr("Swing"));
+    play_->setToolTip(tr("Let the mode shapes swing"));
+    play_->setAccessibleName(play_->toolTip());
+    shaft_->setText(tr("Use this shaft"));
+    shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
+    response_->setText(tr("Use this response"));
+    response_->setToolTip(tr("Find the stability lobes of this receptance"));
+    show();
+}
+
+}  // namespace lathelier::shaft_panel

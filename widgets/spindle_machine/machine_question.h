@@ -1,0 +1,28 @@
+// What the panel "Spindle" is asked: where the chuck face is known from.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/receptance/eirc/identify_spindle.h"
+
+namespace lathelier::machine_panel {
+
+/// Measured: identified from tap tests. Springs: typed. The others are those of the library, in its order.
+enum class MachineSource { Measured, Springs, Papers, Stiff, Soft };
+
+/// The key in the library; empty for the first two.
+std::string libraryKey(MachineSource source);
+
+struct MachineQuestion {
+    MachineSource source = MachineSource::Measured;       ///< where it is known from
+    receptance::SpindleSprings springs;                   ///< of MachineSource::Springs
+    receptance::IdentificationParameters identification;  ///< of MachineSource::Measured
+    std::optional<double> limit_percent;                  ///< largest residual that is accepted; none: no verdict
+};
+
+const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*);
+
+inline constexpr const char* sourceKey = "source";  ///< of the choice
+
+}  // namespace lathelier::machine_panel

@@ -1,0 +1,46 @@
+// The views of a spindle: its receptance over frequency, and how well it was identified.
+#pragma once
+
+#include <QPushButton>
+#include <QWidget>
+#include <memory>
+
+#include "widgets/core/panel/copy_table.h"
+#include "widgets/core/panel/hero_views.h"
+#include "widgets/plot/chart_view.h"
+#include "widgets/spindle_machine/machine_picture.h"
+
+namespace lathelier::machine_panel {
+
+class MachineViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MachineViews(QWidget* parent = nullptr);
+
+    void setPicture(const std::shared_ptr<const MachinePicture>& picture);
+    HeroViews* heroes() const { return heroes_; }
+    plot::ChartView* magnitude() const { return magnitude_; }
+    plot::ChartView* heldOut() const { return heldOut_; }
+    void setPresenting(bool presenting);  ///< without the button
+    void retranslate();
+
+signals:
+    void spindleWanted();                  ///< give it to another panel
+    void notWritten(const QString& path);  ///< the system refused to write this file
+
+private:
+    void show();
+
+    std::shared_ptr<const MachinePicture> picture_;
+    HeroViews* heroes_;
+    plot::ChartView* magnitude_;
+    plot::ChartView* phase_;
+    plot::ChartView* heldOut_;
+    plot::ChartView* residual_;
+    plot::ChartView* condition_;
+    CopyTable* responses_;
+    QPushButton* use_;
+};
+
+}  // namespace lathelier::machine_panel

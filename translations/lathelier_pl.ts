@@ -6524,10 +6524,6 @@
         <translation>Symulacja wymagałaby {steps} kroków czasu; dozwolone jest najwyżej {most}. Podaj mniej obrotów.</translation>
     </message>
     <message>
-        <source>A simulation needs modes; a frequency response alone does not give them. State them with --mode.</source>
-        <translation>Symulacja wymaga postaci drgań; sama charakterystyka częstotliwościowa ich nie daje. Podaj je przez --mode.</translation>
-    </message>
-    <message>
         <source>Nothing chatters at the speeds shown.</source>
         <translation>Przy pokazanych prędkościach nic nie drga.</translation>
     </message>
@@ -6558,6 +6554,14 @@
     <message>
         <source>Simulating</source>
         <translation>Symulacja</translation>
+    </message>
+    <message>
+        <source>A simulation needs modes, and none could be fitted to the frequency response. State them with --mode.</source>
+        <translation>Symulacja wymaga postaci drgań, a do charakterystyki częstotliwościowej nie udało się żadnej dopasować. Podaj je przez --mode.</translation>
+    </message>
+    <message>
+        <source>Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it is {error_percent} %.</source>
+        <translation>Postacie dopasowane do charakterystyki częstotliwościowej, na których opiera się symulacja: {count}; nie oddają z niej {error_percent} %.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-// The modes that a simulation rests on: given by hand, or those of a shaft on its springs.
+// The modes that a simulation rests on: given by hand, or fitted to the response of a file or of a computed shaft.
 #pragma once
 
 #include "app/cli/verb.h"
@@ -13,8 +13,8 @@ struct ModeSource {
     UsedValues used;                     ///< what was assumed on the way
 };
 
-/// Takes the options of frfSourceOptions(). A file of frequency responses gives no modes by itself: this is where a
-/// modal fit goes in. Errors: valueNotUnderstood when the request names no source or more than one; modesNeeded.
+/// Takes the options of frfSourceOptions(). Errors: valueNotUnderstood when the request names no source or more than
+/// one; modesNeeded where no mode can be fitted; those of readers, of the computation and of the fit. Throws Cancelled.
 ModeSource modeSource(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer);
 
 }  // namespace lathelier::cli

@@ -54,7 +54,7 @@ Verb simulateVerb()
 {
     return {"simulate",
             "Simulate a cut in time, with loss of contact: does it chatter?",
-            {{"FRF", "A receptance needs --mode in its place: a simulation rests on modes.", false, false, true}},
+            {{"FRF", "A frequency response; modes are fitted to it.", false, false, true}},
             simulateOptions(),
             {&io::frfFiles()},
             {{tableOption, "Write the waveform as FILE.csv."},

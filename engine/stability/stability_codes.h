@@ -26,9 +26,9 @@ inline constexpr ErrorCode simulationTooLong{
             "The simulation would take {steps} time steps; at most {most} are allowed. Ask for fewer revolutions.")};
 
 inline constexpr ErrorCode modesNeeded{
-    "modes_needed", ErrorKind::WrongUsage,
+    "modes_needed", ErrorKind::NoAnswer,
     LT_TEXT("Engine",
-            "A simulation needs modes; a frequency response alone does not give them. State them with --mode.")};
+            "A simulation needs modes, and none could be fitted to the frequency response. State them with --mode.")};
 
 }  // namespace errors
 
@@ -65,6 +65,12 @@ inline constexpr NoteCode minimumAtEdge{
     LT_TEXT("Engine",
             "The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits "
             "the depth may lie outside.")};
+
+inline constexpr NoteCode modesFitted{
+    "modes_fitted", Severity::Info,
+    LT_TEXT("Engine",
+            "Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it is "
+            "{error_percent} %.")};
 
 }  // namespace notes
 

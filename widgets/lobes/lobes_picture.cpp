@@ -60,6 +60,7 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
 {
     LobesPicture picture;
     picture.question = fromValues<LobesQuestion>(state.parameters);
+    picture.question.lobes.diameter_mm = picture.question.speed.diameter_mm;  // one surface is turned
     const LobesQuestion& question = picture.question;
     std::string basis;  // tells responses apart
     if (const auto item = chatter_common::takeResponseItem(state)) {

@@ -43,6 +43,7 @@ const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*)
         within<S>(&Q::speed, "range_m_min"),
         within<S>(&Q::speed, "rule"),
         within<P>(&Q::lobes, "direction_factor"),
+        within<P>(&Q::lobes, "process_damping_N_mm"),
         within<P>(&Q::lobes, "points"),
         within<P>(&Q::lobes, "uncertainty_frequency_percent"),
         within<P>(&Q::lobes, "uncertainty_compliance_percent"),

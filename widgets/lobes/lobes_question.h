@@ -12,7 +12,7 @@ namespace lathelier::lobes_panel {
 
 struct LobesQuestion {
     std::vector<stability::Mode> modes;         ///< of the point that is cut, when no file is given
-    stability::LobeParameters lobes;            ///< coefficient, relation, range, uncertainties
+    stability::LobeParameters lobes;            ///< coefficient, relation, range, process damping, uncertainties
     std::optional<double> operating_speed_rpm;  ///< point of work; none: the middle of the range
     std::optional<double> operating_depth;      ///< mm, or multiples of the least limit; none: 1.5 of it
     stability::SpeedParameters speed;           ///< diameter, the tool's range, rule; the rest follows

@@ -103,7 +103,7 @@ double slopeOf(const std::vector<Vector3d>& points)
 
 }  // namespace
 
-double pointDensity_per_mm2(const RadiusProfile& profile, std::size_t points)
+double pointDensity(const RadiusProfile& profile, std::size_t points)
 {
     double area = 0;
     for (const double radius : profile.radius_mm)

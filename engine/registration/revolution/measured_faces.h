@@ -11,7 +11,7 @@
 namespace lathelier::registration {
 
 /// Points for each mm² of the sides.
-double pointDensity_per_mm2(const RadiusProfile& profile, std::size_t points);
+double pointDensity(const RadiusProfile& profile, std::size_t points);
 
 /// Where a face may be: a ring across the axis, in the axis frame.
 struct FaceSought {

@@ -225,7 +225,7 @@ void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vec
         sought[k].reach_mm = std::min(sought[k].reach_mm, reach);
     }
     for (const MeasuredFace& face :
-         measureFaces(points, fit.axis_T_scan, sought, pointDensity_per_mm2(fit.profile, points.size()),
+         measureFaces(points, fit.axis_T_scan, sought, pointDensity(fit.profile, points.size()),
                       fit.profile.step_mm, progress))
         for (Shoulder& s : shoulders)
             if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {

@@ -55,6 +55,22 @@ private slots:
         QCOMPARE(chart.marks.size(), std::size_t{3});
     }
 
+    void processDampingLiftsSlowCuts()
+    {
+        askPaperA();
+        const auto leastWith = [&](const Value& damping) {
+            set("process_damping_N_mm", damping);
+            settle();
+            return *panel_->result()->lobes->minimum_depth_mm;
+        };
+        set("diameter_mm", 40.0);
+        set("speed_rpm", std::vector<Interval>{{300, 500}});
+        settle();
+        const double without = *panel_->result()->lobes->minimum_depth_mm;
+        QVERIFY(leastWith(400.0) > 1.2 * without);
+        QVERIFY(std::abs(leastWith(Value()) - without) < 1e-9);
+    }
+
     void theOperatingPointIsDraggedInOneStep()
     {
         askPaperA();

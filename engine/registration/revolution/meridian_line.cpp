@@ -105,8 +105,7 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         sought[f - 1].reach_mm = std::min(sought[f - 1].reach_mm, reach);
         sought[f].reach_mm = std::min(sought[f].reach_mm, reach);
     }
-    faces_ = measureFaces(points, part.fit.axis_T_scan, sought, pointDensity(profile_, points.size()), step,
-                          progress);
+    faces_ = measureFaces(points, part.fit.axis_T_scan, sought, pointDensity(profile_, points.size()), step, progress);
     if (const auto& face = first_face) {
         addFace(line, face->z, face->inner_radius, at(known.front(), face->z));
         z_first_ = face->z;

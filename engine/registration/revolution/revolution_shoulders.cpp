@@ -216,6 +216,7 @@ void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vec
     constexpr double kApart = 0.45;  // of the way to the next shoulder
     if (shoulders.empty() || fit.bend.isSeen()) return;
     std::vector<FaceSought> sought;
+    sought.reserve(shoulders.size());
     for (const Shoulder& s : shoulders)
         sought.push_back(
             {s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), kReach_mm, s.facing()});
@@ -224,9 +225,8 @@ void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vec
         sought[k - 1].reach_mm = std::min(sought[k - 1].reach_mm, reach);
         sought[k].reach_mm = std::min(sought[k].reach_mm, reach);
     }
-    for (const MeasuredFace& face :
-         measureFaces(points, fit.axis_T_scan, sought, pointDensity(fit.profile, points.size()),
-                      fit.profile.step_mm, progress))
+    for (const MeasuredFace& face : measureFaces(
+             points, fit.axis_T_scan, sought, pointDensity(fit.profile, points.size()), fit.profile.step_mm, progress))
         for (Shoulder& s : shoulders)
             if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {
                 s.z_mm = face.z_mm;

@@ -232,7 +232,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     double area = 0;
     for (const Grid& grid : grids)
         for (std::size_t k = grid.first; k < grid.first + grid.rows * grid.columns; ++k)
-            area += has_points[k] ? grid.cellArea_mm2() : 0;
+            area += has_points[k] ? grid.cellArea() : 0;
     const double size = cellSize_mm(static_cast<double>(used), area);
     CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), kOutside), layOut(grids, size)};
     parallelFor(points.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {

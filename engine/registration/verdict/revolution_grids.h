@@ -32,10 +32,8 @@ struct Grid {
         const double share = static_cast<double>(row) / static_cast<double>(rows);
         return std::sqrt(start_mm * start_mm + share * (end_mm * end_mm - start_mm * start_mm));
     }
-    double cellArea_mm2() const
-    {
-        return rowHeight_mm() * 2 * std::numbers::pi * radius_mm / static_cast<double>(columns);
-    }
+    /// In mm².
+    double cellArea() const { return rowHeight_mm() * 2 * std::numbers::pi * radius_mm / static_cast<double>(columns); }
 };
 
 /// The smooth stretches of a meridian between its edges, its faces, and which of them a point belongs to.

@@ -11,7 +11,7 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr int sampleRate_Hz = 44100;
+constexpr int sampleRate_hz = 44100;
 constexpr double fade_s = 0.005;
 constexpr double highestShare = 0.9;  ///< of full scale
 constexpr double fullScale = 32767;
@@ -30,8 +30,8 @@ std::string wavHead(std::uint32_t samples)
     addNumber(head, 16, 4);
     addNumber(head, 1, 2);  // PCM
     addNumber(head, 1, 2);  // mono
-    addNumber(head, sampleRate_Hz, 4);
-    addNumber(head, 2 * sampleRate_Hz, 4);  // bytes a second
+    addNumber(head, sampleRate_hz, 4);
+    addNumber(head, 2 * sampleRate_hz, 4);  // bytes a second
     addNumber(head, 2, 2);                  // bytes of a sample
     addNumber(head, 16, 2);                 // bits of a sample
     head += "data";
@@ -77,15 +77,15 @@ Sound soundOf(const SimulationResult& result)
     Sound sound;
     sound.full_scale_mm = soundFullScale_mm(result);
     sound.seconds = result.seconds();
-    const double count = std::floor(sound.seconds * sampleRate_Hz);
+    const double count = std::floor(sound.seconds * sampleRate_hz);
     const double scale = sound.full_scale_mm > 0 ? fullScale / sound.full_scale_mm : 0;
-    const double fade = fade_s * sampleRate_Hz;
+    const double fade = fade_s * sampleRate_hz;
     sound.bytes = wavHead(static_cast<std::uint32_t>(count));
     sound.bytes.reserve(sound.bytes.size() + 2 * static_cast<std::size_t>(count));
     for (double i = 0; i < count; ++i) {
         const double to_end = std::clamp(std::min(i, count - 1 - i) / fade, 0.0, 1.0);
         const double loud = 0.5 - 0.5 * std::cos(std::numbers::pi * to_end);
-        const double x = between(result.deflection_mm, i / (sampleRate_Hz * result.step_s) - 1);
+        const double x = between(result.deflection_mm, i / (sampleRate_hz * result.step_s) - 1);
         const double sample = std::clamp(scale * loud * (x - result.static_deflection_mm), -fullScale, fullScale);
         addNumber(sound.bytes, static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(sample))), 2);
     }

@@ -16,6 +16,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kEdge_mm = 0.5;       // the scanner's spot smears what lies nearer to an edge
+constexpr double kReach_mm = 1;        // a face lies within this of where the profile has a step
+constexpr double kApart = 0.45;        // of the way to the next face
 constexpr double kLeastDensity = 0.1;  // of that of the other points
 constexpr std::size_t kLeastPoints = 60;
 constexpr std::size_t kRingPoints = 24;  // enough for the median of a ring
@@ -30,7 +32,7 @@ using Found = std::vector<std::vector<Vector3d>>;
 
 /// The points about each of the faces, as (z, r, turn 0…1).
 Found pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_points,
-                  const std::vector<FaceSought>& sought, const Progress& progress)
+                  const std::vector<FaceSought>& sought, const std::vector<double>& reach_mm, const Progress& progress)
 {
     return parallelReduce(
         points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found(sought.size()),
@@ -39,7 +41,7 @@ Found pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::Isome
             for (std::size_t i = begin; i < end; ++i) {
                 const double z = axis_T_points.linear().row(2).dot(points[i]) + axis_T_points.translation().z();
                 for (std::size_t f = 0; f < sought.size(); ++f) {
-                    if (!(std::abs(z - sought[f].z_mm) < sought[f].reach_mm)) continue;
+                    if (!(std::abs(z - sought[f].z_mm) < reach_mm[f])) continue;
                     const Vector3d p = axis_T_points * points[i];
                     const double r = p.head<2>().norm();
                     if (r > sought[f].inner_mm + kEdge_mm && r < sought[f].outer_mm - kEdge_mm)
@@ -101,8 +103,7 @@ double slopeOf(const std::vector<Vector3d>& points)
     return squares > 0 ? both / squares : 0;
 }
 
-}  // namespace
-
+/// Points for each mm² of the sides.
 double pointDensity(const RadiusProfile& profile, std::size_t points)
 {
     double area = 0;
@@ -110,6 +111,20 @@ double pointDensity(const RadiusProfile& profile, std::size_t points)
         if (!std::isnan(radius)) area += 2 * std::numbers::pi * radius * profile.step_mm;
     return area > 0 ? static_cast<double>(points) / area : 0;
 }
+
+/// How far from its place each of the faces is looked for.
+std::vector<double> reachesOf(const std::vector<FaceSought>& sought)
+{
+    std::vector<double> reach_mm(sought.size(), kReach_mm);
+    for (std::size_t f = 1; f < sought.size(); ++f) {
+        const double apart = kApart * (sought[f].z_mm - sought[f - 1].z_mm);
+        reach_mm[f - 1] = std::min(reach_mm[f - 1], apart);
+        reach_mm[f] = std::min(reach_mm[f], apart);
+    }
+    return reach_mm;
+}
+
+}  // namespace
 
 double MeasuredFace::zAt_mm(double radius_mm) const
 {
@@ -123,21 +138,23 @@ double MeasuredFace::zAt_mm(double radius_mm) const
 }
 
 std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& points_mm,
-                                       const Eigen::Isometry3d& axis_T_points, const std::vector<FaceSought>& sought,
-                                       double density_per_mm2, double step_mm, const Progress& progress)
+                                       const Eigen::Isometry3d& axis_T_points, const RadiusProfile& profile,
+                                       const std::vector<FaceSought>& sought, const Progress& progress)
 {
     std::vector<MeasuredFace> faces;
-    const Found found = pointsAbout(points_mm, axis_T_points, sought, progress);
+    const std::vector<double> reach_mm = reachesOf(sought);
+    const double density = pointDensity(profile, points_mm.size());
+    const Found found = pointsAbout(points_mm, axis_T_points, sought, reach_mm, progress);
     for (std::size_t f = 0; f < sought.size(); ++f) {
         const std::vector<Vector3d>& points = found[f];
         if (points.size() < kLeastPoints) continue;
         const double inner = sought[f].inner_mm + kEdge_mm;
         const double outer = sought[f].outer_mm - kEdge_mm;
         const double area = std::numbers::pi * (outer * outer - inner * inner);
-        if (static_cast<double>(points.size()) < kLeastDensity * density_per_mm2 * area) continue;
+        if (static_cast<double>(points.size()) < kLeastDensity * density * area) continue;
         if (std::abs(slopeOf(points)) > kMostSlope) continue;  // a chamfer or a cone
         // Rings hold about as many points each: few near the middle of an end face.
-        const double most = (outer - inner) / step_mm;
+        const double most = (outer - inner) / profile.step_mm;
         const auto rings = static_cast<std::size_t>(
             std::clamp(static_cast<double>(points.size()) / (2 * kRingPoints), 1.0, std::max(1.0, most)));
         MeasuredFace face;
@@ -167,7 +184,7 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
             variance += std::pow(kOfMedian * sigma, 2) / static_cast<double>(ring_points[k].size());
         }
         // Most of the rings, or what is there is no face.
-        if (2 * face.line.size() < rings || median(scatter) > kStrayShare * sought[f].reach_mm) continue;
+        if (2 * face.line.size() < rings || median(scatter) > kStrayShare * reach_mm[f]) continue;
         face.z_mm = sum / count;
         face.place_sigma_mm = placeSigma_mm(face, points);
         face.sigma_mm = std::sqrt(variance / static_cast<double>(face.line.size()));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -10,15 +9,11 @@
 
 namespace lathelier::registration {
 
-/// Points for each mm² of the sides.
-double pointDensity(const RadiusProfile& profile, std::size_t points);
-
 /// Where a face may be: a ring across the axis, in the axis frame.
 struct FaceSought {
     double z_mm = 0;      ///< about here
     double inner_mm = 0;  ///< radius where it begins
     double outer_mm = 0;  ///< radius where it ends
-    double reach_mm = 0;  ///< it lies within this of `z_mm`
     int facing = 1;       ///< direction of its outward normal along z
 };
 
@@ -38,11 +33,11 @@ struct MeasuredFace {
     double zAt_mm(double radius_mm) const;
 };
 
-/// Those of the faces sought that lie across the axis and have points all over, about as dense as elsewhere
-/// (`density_per_mm2`) and not scattered through the whole reach, as stray points are. `step_mm`: least width of a
-/// ring. Throws Cancelled.
+/// Those of the faces sought (in order of z) that lie across the axis, within 1 mm of where they are sought and nearer
+/// to that than to the next one, and have points all over, about as dense as on the sides of `profile` and not
+/// scattered as stray points are. No ring is narrower than the profile's bins. Throws Cancelled.
 std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& points_mm,
-                                       const Eigen::Isometry3d& axis_T_points, const std::vector<FaceSought>& sought,
-                                       double density_per_mm2, double step_mm, const Progress& progress = {});
+                                       const Eigen::Isometry3d& axis_T_points, const RadiusProfile& profile,
+                                       const std::vector<FaceSought>& sought, const Progress& progress = {});
 
 }  // namespace lathelier::registration

@@ -14,8 +14,6 @@ using Eigen::Vector2d;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-constexpr double kFaceReach_mm = 1;     // a face lies within this of where the profile's step is
-constexpr double kApart = 0.45;         // of the way to the next face
 constexpr double kLeastFace_mm = 1.5;   // lower ones have nothing between what the spot smears
 constexpr double kSameFace_mm = 0.001;  // the place that was sought
 
@@ -94,18 +92,13 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     const auto last_face = endFace(known.back(), 1);
     std::vector<FaceSought> sought;
     const auto seek = [&](double z, double inner, double outer, int facing) {
-        if (outer - inner >= kLeastFace_mm) sought.push_back({z, inner, outer, kFaceReach_mm, facing});
+        if (outer - inner >= kLeastFace_mm) sought.push_back({z, inner, outer, facing});
     };
     if (first_face) seek(first_face->z, first_face->inner_radius, at(known.front(), first_face->z), -1);
     for (const Shoulder& s : part.shoulders)
         seek(s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing());
     if (last_face) seek(last_face->z, last_face->inner_radius, at(known.back(), last_face->z), 1);
-    for (std::size_t f = 1; f < sought.size(); ++f) {
-        const double reach = kApart * (sought[f].z_mm - sought[f - 1].z_mm);
-        sought[f - 1].reach_mm = std::min(sought[f - 1].reach_mm, reach);
-        sought[f].reach_mm = std::min(sought[f].reach_mm, reach);
-    }
-    faces_ = measureFaces(points, part.fit.axis_T_scan, sought, pointDensity(profile_, points.size()), step, progress);
+    faces_ = measureFaces(points, part.fit.axis_T_scan, profile_, sought, progress);
     if (const auto& face = first_face) {
         addFace(line, face->z, face->inner_radius, at(known.front(), face->z));
         z_first_ = face->z;

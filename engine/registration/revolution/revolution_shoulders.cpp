@@ -212,21 +212,12 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coars
 void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vector3d>& points,
                   const RevolutionFit& fit, const Progress& progress)
 {
-    constexpr double kReach_mm = 1;
-    constexpr double kApart = 0.45;  // of the way to the next shoulder
     if (shoulders.empty() || fit.bend.isSeen()) return;
     std::vector<FaceSought> sought;
     sought.reserve(shoulders.size());
     for (const Shoulder& s : shoulders)
-        sought.push_back(
-            {s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), kReach_mm, s.facing()});
-    for (std::size_t k = 1; k < sought.size(); ++k) {
-        const double reach = kApart * (sought[k].z_mm - sought[k - 1].z_mm);
-        sought[k - 1].reach_mm = std::min(sought[k - 1].reach_mm, reach);
-        sought[k].reach_mm = std::min(sought[k].reach_mm, reach);
-    }
-    for (const MeasuredFace& face : measureFaces(
-             points, fit.axis_T_scan, sought, pointDensity(fit.profile, points.size()), fit.profile.step_mm, progress))
+        sought.push_back({s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing()});
+    for (const MeasuredFace& face : measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress))
         for (Shoulder& s : shoulders)
             if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {
                 s.z_mm = face.z_mm;

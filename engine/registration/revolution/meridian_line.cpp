@@ -141,6 +141,7 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     std::sort(corners.begin(), corners.end());
     clearance_.assign(profile_.size(), 0);
     for (const std::size_t i : known) {
+        if (i == 0 || i + 1 == profile_.size()) continue;  // an end face may lie beyond it, a neighbour does not
         const double z = profile_.middle_mm(i);
         const auto next = std::lower_bound(corners.begin(), corners.end(), z);
         double nearest = std::numeric_limits<double>::infinity();

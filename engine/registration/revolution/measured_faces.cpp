@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -24,9 +25,10 @@ constexpr std::size_t kRingPoints = 24;  // enough for the median of a ring
 constexpr double kMostSlope = 0.2;       // dz/dr of a face across the axis
 constexpr std::size_t kSectors = 12;
 constexpr std::size_t kSectorPoints = 5;
-constexpr double kStrayShare = 0.25;  // of the reach: points that scatter more lie on no face
-constexpr double kToSigma = 1.4826;   // from the median of absolute values to the standard deviation
-constexpr double kOfMedian = 1.2533;  // standard error of a median over that of a mean
+constexpr double kStrayShare = 0.25;    // of the reach: points that scatter more lie on no face
+constexpr double kToSigma = 1.4826;     // from the median of absolute values to the standard deviation
+constexpr double kOfMedian = 1.2533;    // standard error of a median over that of a mean
+constexpr double kManyQuantile = 1.96;  // of Student's distribution at 0.975 with many degrees of freedom
 
 using Found = std::vector<std::vector<Vector3d>>;
 
@@ -65,9 +67,10 @@ std::vector<double> placesOf(const Points& points)
     return z;
 }
 
-/// Standard error of the face's place: neighbours go together, and the face may lean, so that its sectors tell, not the
-/// scatter of the points.
-double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& points)
+/// Standard error of the face's place: neighbours go together, and the face may lean, so that its sectors tell, but
+/// never less than the scatter of its points does: a dozen sectors may agree by chance. Multiplied by what Student's
+/// distribution asks of so few.
+double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& points, double scatter_mm)
 {
     std::vector<std::vector<double>> sectors(kSectors);
     for (const Vector3d& p : points) {
@@ -86,7 +89,9 @@ double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& poin
     }
     if (n < 3) return std::numeric_limits<double>::infinity();
     const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
-    return std::sqrt(variance / n);
+    const double few = studentQuantile(0.975, static_cast<std::int64_t>(n) - 1) / kManyQuantile;
+    const double least = kOfMedian * scatter_mm / std::sqrt(static_cast<double>(points.size()));
+    return few * std::max(std::sqrt(variance / n), least);
 }
 
 /// dz/dr of the straight line through the points.
@@ -110,6 +115,63 @@ double pointDensity(const RadiusProfile& profile, std::size_t points)
     for (const double radius : profile.radius_mm)
         if (!std::isnan(radius)) area += 2 * std::numbers::pi * radius * profile.step_mm;
     return area > 0 ? static_cast<double>(points) / area : 0;
+}
+
+/// The line, the place and the extent of a face from its points; the scatter of the points, NaN: most rings are too
+/// thin for a face.
+double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_t rings, MeasuredFace& face)
+{
+    std::vector<std::vector<Vector3d>> thin(rings);
+    for (const Vector3d& p : points)
+        thin[std::min(rings - 1, static_cast<std::size_t>((p.y() - inner_mm) / face.ring_mm))].push_back(p);
+    const auto filled = std::count_if(thin.begin(), thin.end(),
+                                      [](const std::vector<Vector3d>& ring) { return ring.size() >= kRingPoints; });
+    if (2 * static_cast<std::size_t>(filled) < rings) return std::numeric_limits<double>::quiet_NaN();
+
+    const double enough = static_cast<double>(points.size()) / static_cast<double>(rings);
+    double variance = 0;
+    double count = 0;
+    double sum = 0;
+    double start = inner_mm;
+    std::vector<double> scatter;
+    std::vector<Vector3d> ring;
+    const auto close = [&](double end) {
+        if (ring.size() >= kRingPoints) {
+            const double z = median(placesOf(ring));
+            std::vector<double> off;
+            off.reserve(ring.size());
+            double radius = 0;
+            for (const Vector3d& p : ring) {
+                off.push_back(std::abs(p.x() - z));
+                radius += p.y() / static_cast<double>(ring.size());
+            }
+            scatter.push_back(kToSigma * median(std::move(off)));
+            const auto n = static_cast<double>(ring.size());
+            if (face.line.empty()) face.inner_mm = start;
+            face.outer_mm = end;
+            face.line.emplace_back(z, radius);
+            count += n;
+            sum += n * z;
+            variance += std::pow(kOfMedian * scatter.back(), 2) / n;
+        }
+        ring.clear();
+        start = end;
+    };
+    for (std::size_t k = 0; k < rings; ++k) {
+        const double end = inner_mm + static_cast<double>(k + 1) * face.ring_mm;
+        if (thin[k].empty()) {  // a hole
+            close(end - face.ring_mm);
+            start = end;
+            continue;
+        }
+        ring.insert(ring.end(), thin[k].begin(), thin[k].end());
+        if (static_cast<double>(ring.size()) >= enough) close(end);
+    }
+    close(inner_mm + static_cast<double>(rings) * face.ring_mm);
+    if (face.line.empty()) return std::numeric_limits<double>::quiet_NaN();
+    face.z_mm = sum / count;
+    face.sigma_mm = std::sqrt(variance / static_cast<double>(face.line.size()));
+    return median(std::move(scatter));
 }
 
 /// How far from its place each of the faces is looked for.
@@ -153,7 +215,8 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
         const double area = std::numbers::pi * (outer * outer - inner * inner);
         if (static_cast<double>(points.size()) < kLeastDensity * density * area) continue;
         if (std::abs(slopeOf(points)) > kMostSlope) continue;  // a chamfer or a cone
-        // Rings hold about as many points each: few near the middle of an end face.
+        // As many rings of one width as points allow; neighbours with few points, near the middle of an end face, are
+        // one.
         const double most = (outer - inner) / profile.step_mm;
         const auto rings = static_cast<std::size_t>(
             std::clamp(static_cast<double>(points.size()) / (2 * kRingPoints), 1.0, std::max(1.0, most)));
@@ -161,33 +224,9 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
         face.sought_mm = sought[f].z_mm;
         face.facing = sought[f].facing;
         face.ring_mm = (outer - inner) / static_cast<double>(rings);
-        std::vector<std::vector<Vector3d>> ring_points(rings);
-        for (const Vector3d& p : points)
-            ring_points[std::min(rings - 1, static_cast<std::size_t>((p.y() - inner) / face.ring_mm))].push_back(p);
-        double variance = 0;
-        double count = 0;
-        double sum = 0;
-        std::vector<double> scatter;
-        for (std::size_t k = 0; k < rings; ++k) {
-            if (ring_points[k].size() < kRingPoints) continue;
-            const double z = median(placesOf(ring_points[k]));
-            std::vector<double> off;
-            for (const Vector3d& p : ring_points[k]) off.push_back(std::abs(p.x() - z));
-            const double sigma = kToSigma * median(std::move(off));
-            const double start = inner + static_cast<double>(k) * face.ring_mm;
-            if (face.line.empty()) face.inner_mm = start;
-            face.outer_mm = start + face.ring_mm;
-            face.line.emplace_back(z, start + face.ring_mm / 2);
-            scatter.push_back(sigma);
-            count += static_cast<double>(ring_points[k].size());
-            sum += static_cast<double>(ring_points[k].size()) * z;
-            variance += std::pow(kOfMedian * sigma, 2) / static_cast<double>(ring_points[k].size());
-        }
-        // Most of the rings, or what is there is no face.
-        if (2 * face.line.size() < rings || median(scatter) > kStrayShare * reach_mm[f]) continue;
-        face.z_mm = sum / count;
-        face.place_sigma_mm = placeSigma_mm(face, points);
-        face.sigma_mm = std::sqrt(variance / static_cast<double>(face.line.size()));
+        const double scatter_mm = layRings(points, inner, rings, face);
+        if (std::isnan(scatter_mm) || scatter_mm > kStrayShare * reach_mm[f]) continue;
+        face.place_sigma_mm = placeSigma_mm(face, points, scatter_mm);
         faces.push_back(std::move(face));
     }
     return faces;

@@ -17,15 +17,15 @@ struct FaceSought {
     int facing = 1;       ///< direction of its outward normal along z
 };
 
-/// A face that the points show: z in rings of one width.
+/// A face that the points show: z in rings, wider where there are few points.
 struct MeasuredFace {
     double sought_mm = 0;               ///< where it was sought
     int facing = 1;                     ///< direction of its outward normal along z
-    std::vector<Eigen::Vector2d> line;  ///< (z, r) at the middle of each ring that has points, by growing radius
+    std::vector<Eigen::Vector2d> line;  ///< (z, r) of each ring that has points, by growing radius
     double z_mm = 0;                    ///< mean of the rings by their points
     double inner_mm = 0;                ///< radius where the first of these rings begins
     double outer_mm = 0;                ///< radius where the last ends
-    double ring_mm = 0;                 ///< width of a ring
+    double ring_mm = 0;                 ///< width of a ring but for those with few points
     double sigma_mm = 0;                ///< standard uncertainty of z in one ring
     double place_sigma_mm = 0;          ///< standard uncertainty of `z_mm`, from what its sectors differ by
 

@@ -129,6 +129,9 @@ SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double alike, con
     const double degrees = std::max(0.0, sum.points - sum.smallest);
     const double pooled = all.scatter_mm * all.scatter_mm;
     const double variance = (kPrior * pooled + sum.squares_mm2) / (kPrior + degrees);
+    // Student's quantile over the normal one where the worst of many stands (Peiser's expansion): a window's scatter is
+    // known from so few of its points.
+    const double few = 1 + (all.factor * all.factor + 1) / (4 * (kPrior + degrees));
     SurfaceWindow window;
     window.place_mm = sum.place_mm.cast<float>();
     window.normal = sum.normal.cast<float>();
@@ -137,7 +140,8 @@ SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double alike, con
     window.size_mm = static_cast<float>(size_mm);
     window.points = static_cast<float>(sum.points);
     window.mean_mm = static_cast<float>(sum.mean_mm);
-    window.sigma_mm = static_cast<float>(std::hypot(std::sqrt(alike * variance / sum.points), fixedSigma(all, sum)));
+    window.sigma_mm =
+        static_cast<float>(std::hypot(few * std::sqrt(alike * variance / sum.points), fixedSigma(all, sum)));
     window.stretch = sum.stretch;
     return window;
 }
@@ -290,6 +294,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
         count += 2 * level.cells.size();
     }
     result.windows.resize(count);
+    result.factor = allowanceOfWorst(count, 2);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const CellLevel& level = levels[k];
         parallelFor(level.cells.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
@@ -313,7 +318,6 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
             }
         });
     }
-    result.factor = allowanceOfWorst(count, 2);
 }
 
 }  // namespace lathelier::registration

@@ -13,7 +13,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/quantity_table.h"
-#include "widgets/chatter_common/shaft_files.h"
+#include "widgets/chatter_common/model_facts.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
@@ -170,15 +170,7 @@ Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
 
 QString FrfPanel::understood(const InputRole& role, const project::Source& source) const
 {
-    if (role.role == shaftRole) {
-        const auto loaded = session().stores().of<chatter_common::ShaftStore>()->known(source);
-        return loaded ? tr("Length %1").arg(screenQuantity(loaded->file.shaft.length_mm(), millimetre, 1)) : QString();
-    }
-    if (role.role == spindleRole) {
-        const auto loaded = session().stores().of<chatter_common::SpindleStore>()->known(source);
-        if (!loaded) return {};
-        return loaded->file.spindle.springs() ? tr("Springs") : tr("Table of receptances");
-    }
+    if (role.role != frfRole) return chatter_common::understoodModel(role.role, source, session().stores());
     const auto loaded = session().stores().of<FrfStore>()->known(source);
     if (!loaded) return {};
     const auto& frfs = loaded->file.frfs;

@@ -14,6 +14,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/result_json.h"
+#include "widgets/chatter_common/model_facts.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
@@ -206,14 +207,7 @@ Worker::Job ShaftPanel::makeReadingJob(const project::PanelState& state) const
 
 QString ShaftPanel::understood(const InputRole& role, const project::Source& source) const
 {
-    if (role.role == spindleRole) {
-        const auto loaded = session().stores().of<chatter_common::SpindleStore>()->known(source);
-        if (!loaded) return {};
-        return understoodText(loaded->file.facts, loaded->file.spindle.springs() ? tr("springs") : tr("table"));
-    }
-    const auto loaded = session().stores().of<chatter_common::ShaftStore>()->known(source);
-    if (!loaded) return {};
-    return understoodText(loaded->file.facts, tr("%L1 segments").arg(loaded->file.shaft.segments.size()));
+    return chatter_common::understoodModel(role.role, source, session().stores());
 }
 
 void ShaftPanel::showResult(const std::shared_ptr<const ShaftPicture>& picture)

@@ -2,23 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "engine/core/field_within.h"
 
 namespace lathelier::shaft_panel {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
 const Text hz = LT_TEXT("Engine", "Hz");
-
-/// The field `key` of the response asked for.
-Field<ShaftQuestion> ofResponse(const std::string& key)
-{
-    for (const auto& inner : fields<receptance::ReceptanceParameters>())
-        if (inner.info.key == key)
-            return {inner.info, [inner](const ShaftQuestion& q) { return inner.get(q.response); },
-                    [inner](ShaftQuestion& q, const Value& value) { inner.set(q.response, value); }};
-    throw std::logic_error("no such parameter: " + key);
-}
 
 /// What is seldom changed is folded away in the form, groups as a whole.
 std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
@@ -86,12 +77,13 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
         rows("rests", &Q::rests, Range{0, 20},
              Label{LT_TEXT("Engine", "Tailstock and rests"),
                    LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
-        ofResponse("respond_z_mm"), ofResponse("excite_z_mm"),
+        within(&Q::response, "respond_z_mm"), within(&Q::response, "excite_z_mm"),
         field("from_hz", &Q::from_hz, Range{0, 1e6},
               Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), hz}),
         field("to_hz", &Q::to_hz, Range{0, 1e6},
               Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), hz}),
-        ofResponse("step_hz"), ofResponse("shear"), ofResponse("method"), ofResponse("step_correction")));
+        within(&Q::response, "step_hz"), within(&Q::response, "shear"), within(&Q::response, "method"),
+        within(&Q::response, "step_correction")));
     return all;
 }
 

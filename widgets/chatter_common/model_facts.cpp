@@ -1,0 +1,35 @@
+#include "widgets/chatter_common/model_facts.h"
+
+#include <QCoreApplication>
+
+#include "widgets/chatter_common/shaft_files.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::chatter_common {
+namespace {
+
+struct ModelFacts {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::chatter_common::ModelFacts)
+};
+
+}  // namespace
+
+QString understoodModel(const std::string& role, const project::Source& source, Stores& stores)
+{
+    if (role == spindleRole) {
+        const auto loaded = stores.of<SpindleStore>()->known(source);
+        if (!loaded) return {};
+        return understoodText(loaded->file.facts,
+                              loaded->file.spindle.springs() ? ModelFacts::tr("springs") : ModelFacts::tr("table"));
+    }
+    const auto loaded = stores.of<ShaftStore>()->known(source);
+    if (!loaded) return {};
+    const Shaft& shaft = loaded->file.shaft;
+    return understoodText(loaded->file.facts, ModelFacts::tr("%L1 segments · %2")
+                                                  .arg(shaft.segments.size())
+                                                  .arg(screenQuantity(shaft.length_mm(), LT_TEXT("Engine", "mm"), 1)));
+}
+
+}  // namespace lathelier::chatter_common

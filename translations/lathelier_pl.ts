@@ -6563,6 +6563,54 @@
         <source>Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it is {error_percent} %.</source>
         <translation>Postacie dopasowane do charakterystyki częstotliwościowej, na których opiera się symulacja: {count}; nie oddają z niej {error_percent} %.</translation>
     </message>
+    <message>
+        <source>Still needed: {value}.</source>
+        <translation>Jeszcze potrzebne: {value}.</translation>
+    </message>
+    <message>
+        <source>That holds the bar: SPINDLE.json.</source>
+        <translation>Które trzyma pręt: SPINDLE.json.</translation>
+    </message>
+    <message>
+        <source>In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file.</source>
+        <translation>Zamiast zwykłego pręta o średnicy D i wysięgu L: SHAFT.json albo plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>Drop the file of a spindle here, then type diameter, overhang and cutting speed.</source>
+        <translation>Upuść tu plik wrzeciona, potem podaj średnicę, wysięg i prędkość skrawania.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Prędkość</translation>
+    </message>
+    <message>
+        <source>Overhang L</source>
+        <translation>Wysięg L</translation>
+    </message>
+    <message>
+        <source>Of the bar from the chuck to its free end; a shaft given takes its place.</source>
+        <translation>Pręta od uchwytu do swobodnego końca; podany wał go zastępuje.</translation>
+    </message>
+    <message>
+        <source>Least cutting speed</source>
+        <translation>Najmniejsza prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>That the tool allows.</source>
+        <translation>Dopuszczana przez narzędzie.</translation>
+    </message>
+    <message>
+        <source>Greatest cutting speed</source>
+        <translation>Największa prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>Material of the bar</source>
+        <translation>Materiał pręta</translation>
+    </message>
+    <message>
+        <source>Without it steel is assumed.</source>
+        <translation>Bez niego przyjmuje się stal.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -7520,6 +7568,21 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::chatter_common::ModelFacts</name>
+    <message>
+        <source>springs</source>
+        <translation>sprężyny</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabela</translation>
+    </message>
+    <message>
+        <source>%L1 segments · %2</source>
+        <translation>segmentów: %L1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::compare_panel::ComparePanel</name>
     <message>
         <source>Change the tolerance</source>
@@ -7857,18 +7920,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>%1, modal model</source>
         <translation>%1, model modalny</translation>
-    </message>
-    <message>
-        <source>Length %1</source>
-        <translation>Długość %1</translation>
-    </message>
-    <message>
-        <source>Springs</source>
-        <translation>Sprężyny</translation>
-    </message>
-    <message>
-        <source>Table of receptances</source>
-        <translation>Tabela receptancji</translation>
     </message>
     <message>
         <source>%L1 lines</source>
@@ -8439,18 +8490,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>charakterystyka: %1</translation>
     </message>
     <message>
-        <source>springs</source>
-        <translation>sprężyny</translation>
-    </message>
-    <message>
-        <source>table</source>
-        <translation>tabela</translation>
-    </message>
-    <message>
-        <source>%L1 segments</source>
-        <translation>Odcinków: %L1</translation>
-    </message>
-    <message>
         <source>Shaft (SHAFT.json)…</source>
         <translation>Wał (SHAFT.json)…</translation>
     </message>
@@ -8528,6 +8567,63 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Find the stability lobes of this receptance</source>
         <translation>Wyznacza krzywe workowe tej receptancji</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::speed_panel::OperatorKeys</name>
+    <message>
+        <source>%1: from %2 to %3 %4</source>
+        <translation>%1: od %2 do %3 %4</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Znak dziesiętny</translation>
+    </message>
+    <message>
+        <source>Erase one sign</source>
+        <translation>Usuń jeden znak</translation>
+    </message>
+    <message>
+        <source>Clear the value</source>
+        <translation>Wyczyść wartość</translation>
+    </message>
+    <message>
+        <source>Next value</source>
+        <translation>Następna wartość</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Przyjmij</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::speed_panel::SpeedPanel</name>
+    <message>
+        <source>Type a value</source>
+        <translation>Podaj wartość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::speed_panel::SpeedViews</name>
+    <message>
+        <source>instead of %1 · %2 m/min</source>
+        <translation>zamiast %1 · %2 m/min</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operator</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Worki</translation>
+    </message>
+    <message>
+        <source>Real and imaginary</source>
+        <translation>Rzeczywista i urojona</translation>
+    </message>
+    <message>
+        <source>Stable speeds</source>
+        <translation>Prędkości stabilne</translation>
     </message>
 </context>
 <context>

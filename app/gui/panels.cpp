@@ -7,6 +7,7 @@
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/shaft/shaft_panel.h"
+#include "widgets/speed/speed_panel.h"
 #include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 
@@ -22,7 +23,8 @@ const std::vector<PanelFacts>& panelTable()
                                                shaft_panel::shaftPanelFacts(),
                                                machine_panel::machinePanelFacts(),
                                                frf_panel::frfPanelFacts(),
-                                               lobes_panel::lobesPanelFacts()};
+                                               lobes_panel::lobesPanelFacts(),
+                                               speed_panel::speedPanelFacts()};
     return table;
 }
 

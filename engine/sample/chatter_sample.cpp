@@ -130,6 +130,11 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     SamplePanel response_panel;
     response_panel.inputs = {{"frf", "tip_response.uff"}, {"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     content.panels["frf"] = std::move(response_panel);
+    SamplePanel speed_panel;
+    speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
+    speed_panel.parameters = {
+        {"diameter_mm", 30.0}, {"cutting_speed_m_min", 190.0}, {"lowest_m_min", 120.0}, {"highest_m_min", 400.0}};
+    content.panels["speed"] = std::move(speed_panel);
     progress.report(1);
     return content;
 }

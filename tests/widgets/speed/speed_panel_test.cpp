@@ -1,0 +1,176 @@
+// The panel "Speed", used as an operator does: values typed on large keys, one speed to read.
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+#include <cmath>
+
+#include "engine/io/file.h"
+#include "engine/receptance/spindle_file.h"
+#include "tests/widgets/core/panel_fixture.h"
+#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/resources.h"
+#include "widgets/speed/speed_panel.h"
+#include "widgets/speed/speed_views.h"
+
+namespace lathelier::speed_panel {
+
+class SpeedPanelTest : public QObject, PanelFixture<SpeedPanel> {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    /// The machine with which the papers' numbers come out.
+    void giveSpindle()
+    {
+        receptance::SpindleReceptance spindle;
+        spindle.source = receptance::SpindleSprings{14850, 198.3e6, 0.06};
+        const std::string path = folder_.filePath("spindle.json").toStdString();
+        io::writeFile(path, receptance::spindleText(spindle));
+        session_->edit("Open",
+                       [&](project::Project& project) { project.panels["speed"].inputs[spindleRole].path = path; });
+        QTRY_VERIFY_WITH_TIMEOUT(panel_->hasResult() && !panel_->isBusy(), 60000);
+    }
+
+    void touch(const QString& keys)
+    {
+        for (const QChar sign : keys) {
+            const QString name = sign.isDigit() ? "key" + QString(sign) : sign == '.' ? "keyPoint" : "keyEnter";
+            QTest::mouseClick(panel_->findChild<QPushButton*>(name), Qt::LeftButton);
+        }
+    }
+    QString reading() const { return panel_->findChild<QLabel*>("reading")->text(); }
+    QString line() const { return panel_->findChild<QLabel*>("readingLine")->text(); }
+    /// D 40, L 250, v_c 200: the rod of dynamics.md, 223.0 Hz.
+    void typeTheRod()
+    {
+        giveSpindle();
+        touch("40e250e200e");
+        settle();
+    }
+
+private slots:
+    void initTestCase() { useResources(); }
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        begin();
+    }
+    void cleanup() { end(); }
+
+    void keysAskForWhatIsMissing()
+    {
+        QVERIFY(!panel_->hasResult());  // no spindle: the empty state
+        giveSpindle();
+        QVERIFY(panel_->error().has_value());
+        QVERIFY(line().contains("Diameter"));
+        touch("40e");
+        QTRY_VERIFY(line().contains("Overhang"));
+        touch("250e");
+        QTRY_VERIFY(line().contains("Cutting speed"));
+        QCOMPARE(reading(), QString("–"));
+        QVERIFY(!panel_->reportDocument().has_value());
+    }
+
+    void typedValuesGiveTheSpeedOfThePaper()
+    {
+        typeTheRod();
+        const SpeedPicture& picture = *panel_->result();
+        const stability::SpeedResult& speed = *picture.speed;
+        QVERIFY(std::abs(speed.selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
+        // Equation 24 by hand.
+        const double k = std::ceil(60 * speed.frequency_hz / speed.selected_rpm);
+        const double low = 60 * speed.frequency_hz / k, high = 60 * speed.frequency_hz / (k - 1);
+        QVERIFY(std::abs(speed.recommended_rpm - (low + 0.7 * (high - low))) < 1e-6);
+        // Re G of one mode is least at f √(1 + 2ζ); the rod's is 223.0 Hz, its damping about 3 %.
+        QVERIFY(std::abs(speed.frequency_hz - 223.0 * std::sqrt(1.06)) < 2);
+        QCOMPARE(reading(), QString("%1 1/min").arg(std::round(speed.recommended_rpm)));
+        QVERIFY(line().contains("1592"));
+        QVERIFY(panel_->reportDocument().has_value());
+        QCOMPARE(panel_->result()->used.empty(), false);  // steel is assumed, and said
+    }
+
+    void anotherCuttingSpeedComputesNoResponseAnew()
+    {
+        typeTheRod();
+        const auto before = panel_->result()->speed->frequency_hz;
+        auto* keys = panel_->views().keys();
+        keys->setFocus();
+        QTest::keyClick(keys, Qt::Key_Up);  // from the least cutting speed back to v_c
+        QTest::keyClicks(keys, "290");
+        QCOMPARE(keys->entry(), QString("290"));
+        QTest::keyClick(keys, Qt::Key_Return);
+        settle();
+        QVERIFY(std::abs(panel_->result()->speed->selected_rpm - 1000 * 290 / (M_PI * 40)) < 1e-6);
+        QCOMPARE(panel_->result()->speed->frequency_hz, before);
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(std::abs(panel_->result()->speed->selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
+    }
+
+    void theToolsRangeBinds()
+    {
+        typeTheRod();
+        const double free = panel_->result()->speed->recommended_rpm;
+        const double most = std::floor(free * M_PI * 40 / 1000) - 1;  // just below the recommended speed
+        touch(QString("100e%1e").arg(most));
+        settle();
+        QVERIFY(panel_->result()->speed->recommended_rpm < free);
+        touch("e");  // D stays
+        QCOMPARE(panel_->views().keys()->chosen(), std::size_t{1});
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Down);
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Down);
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Delete);
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Return);  // no least speed any more
+        settle();
+        QVERIFY(!panel_->result()->question.lowest_m_min);
+        QVERIFY(panel_->result()->question.highest_m_min.has_value());
+    }
+
+    void noStableSpeedIsSaidAndKeysStay()
+    {
+        giveSpindle();
+        touch("40e250e3000e");  // above the last lobe
+        QTRY_VERIFY(panel_->result() && panel_->result()->problem && panel_->result()->frf);
+        QCOMPARE(reading(), QString("–"));
+        QVERIFY(line().contains("No stable speed"));
+        QVERIFY(panel_->result()->lobes != nullptr);  // where it was looked for
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Up);
+        touch("200e");
+        settle();
+        QVERIFY(panel_->result()->speed.has_value());
+    }
+
+    void aNumberOutOfRangeIsNotTaken()
+    {
+        typeTheRod();
+        const int steps = session_->undoStack().count();
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Up);
+        QTest::keyClicks(panel_->views().keys(), "0");
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Return);
+        QVERIFY(line().contains("0.001"));
+        QCOMPARE(session_->undoStack().count(), steps);
+        QTest::keyClick(panel_->views().keys(), Qt::Key_Delete);
+        QVERIFY(line().contains("1592"));
+    }
+
+    void theLocalesDecimalMarkIsTyped()
+    {
+        QLocale::setDefault(QLocale(QLocale::Polish));
+        typeTheRod();
+        auto* keys = panel_->views().keys();
+        QTest::keyClick(keys, Qt::Key_Up);
+        QTest::keyClicks(keys, "189.5");
+        QCOMPARE(keys->entry(), QString("189,5"));
+        QTest::keyClick(keys, Qt::Key_Return);
+        settle();
+        QCOMPARE(*panel_->result()->question.speed.cutting_speed_m_min, 189.5);
+        QLocale::setDefault(QLocale::c());
+    }
+};
+
+}  // namespace lathelier::speed_panel
+
+QTEST_MAIN(lathelier::speed_panel::SpeedPanelTest)
+#include "speed_panel_test.moc"

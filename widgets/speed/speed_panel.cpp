@@ -1,0 +1,123 @@
+#include "widgets/speed/speed_panel.h"
+
+#include "engine/core/shaft_item.h"
+#include "engine/receptance/shaft_kind.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+#include "engine/stability/stability_report.h"
+#include "widgets/chatter_common/model_facts.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/speed/speed_views.h"
+
+namespace lathelier::speed_panel {
+namespace {
+
+InputRole roleOf(const char* key, Text label, Text hint, const io::FileKind& kind, const char* item)
+{
+    InputRole role;
+    role.role = key;
+    role.label = label;
+    role.hint = hint;
+    role.kinds = {&kind};
+    role.item_kind = item;
+    return role;
+}
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = {
+        roleOf(spindleRole, LT_TEXT("Engine", "Spindle"), LT_TEXT("Engine", "That holds the bar: SPINDLE.json."),
+               receptance::spindleFiles(), receptance::spindleItem),
+        roleOf(shaftRole, LT_TEXT("Engine", "Shaft"),
+               LT_TEXT("Engine", "In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file."),
+               receptance::shaftFiles(), shaftItem)};
+    inputs.roles.back().required = false;
+    inputs.fields = infos<SpeedQuestion>();
+    inputs.defaults = toValues(SpeedQuestion{});
+    inputs.invitation =
+        LT_TEXT("Engine", "Drop the file of a spindle here, then type diameter, overhang and cutting speed.");
+    return inputs;
+}
+
+}  // namespace
+
+PanelFacts speedPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "speed";
+    facts.title = LT_TEXT("Engine", "Speed");
+    facts.icon = "speed";
+    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.kinds = {&receptance::spindleFiles()};
+    facts.roles = panelInputs().roles;
+    facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
+        const SpeedPicture picture = speedPicture(state, stores, progress);
+        if (picture.problem) throw Error(*picture.problem);
+        return reportOf(picture, language);
+    };
+    return facts;
+}
+
+SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
+    : Panel(owner, speedPanelFacts(), panelInputs(), parent), views_(new SpeedViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &SpeedViews::valueEntered, this, [this](const QString& key, double value) { take(key, value); });
+    connect(views_, &SpeedViews::valueCleared, this, [this](const QString& key) { take(key, {}); });
+    connect(views_, &SpeedViews::notWritten, this, &SpeedPanel::sayNotWritten);
+}
+
+void SpeedPanel::take(const QString& key, const Value& value)
+{
+    editState(tr("Type a value"),
+              [&](project::PanelState& state) { lathelier::set(state.parameters, key.toStdString(), value); });
+}
+
+SpeedPanel::Compute SpeedPanel::compute(const project::PanelState& state) const
+{
+    fromValues<SpeedQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return speedPicture(state, *stores, progress);
+    };
+}
+
+void SpeedPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files)
+        state.inputs[file.kind == &receptance::shaftFiles() ? shaftRole : spindleRole] =
+            newSource(QString::fromStdString(file.path));
+}
+
+QString SpeedPanel::understood(const InputRole& role, const project::Source& source) const
+{
+    return chatter_common::understoodModel(role.role, source, session().stores());
+}
+
+void SpeedPanel::showResult(const std::shared_ptr<const SpeedPicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+report::Answer SpeedPanel::answer(const SpeedPicture& picture) const
+{
+    report::Answer answer = stability::answer(*picture.speed, screenLanguage());
+    answer.used = picture.used;
+    return answer;
+}
+
+report::Document SpeedPanel::document(const SpeedPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+void SpeedPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::speed_panel

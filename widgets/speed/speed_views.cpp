@@ -1,0 +1,89 @@
+#include "widgets/speed/speed_views.h"
+
+#include <QVBoxLayout>
+
+#include "engine/receptance/frf_plots.h"
+#include "engine/stability/stability_report.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::speed_panel {
+namespace {
+
+/// The values of the operator's screen, in its order.
+std::vector<FieldInfo> askedValues()
+{
+    std::vector<FieldInfo> asked;
+    for (const char* key : {diameterKey, lengthKey, cuttingSpeedKey, lowestKey, highestKey})
+        for (const FieldInfo& info : infos<SpeedQuestion>())
+            if (info.key == key) asked.push_back(info);
+    return asked;
+}
+
+}  // namespace
+
+SpeedViews::SpeedViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      keys_(new OperatorKeys(askedValues(), {"D", "L", "v_c", "v_c min", "v_c max"})),
+      lobes_(new plot::ChartView),
+      parts_(new plot::ChartView),
+      candidates_(new CopyTable)
+{
+    keys_->setObjectName("operatorKeys");
+    lobes_->setObjectName("speedLobes");
+    parts_->setObjectName("speedRealImaginary");
+    candidates_->setObjectName("speedCandidates");
+    heroes_->add("keys", keys_);
+    heroes_->add("lobes", lobes_);
+    heroes_->add("parts", parts_);
+    heroes_->add("candidates", candidates_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(heroes_, 1);
+    connect(keys_, &OperatorKeys::valueEntered, this, &SpeedViews::valueEntered);
+    connect(keys_, &OperatorKeys::valueCleared, this, &SpeedViews::valueCleared);
+    for (plot::ChartView* chart : {lobes_, parts_})
+        connect(chart, &plot::PlotWidget::notWritten, this, &SpeedViews::notWritten);
+    retranslate();
+}
+
+void SpeedViews::setPicture(const std::shared_ptr<const SpeedPicture>& picture)
+{
+    picture_ = picture;
+    for (const char* key : {"lobes", "parts"}) heroes_->setAvailable(key, picture->lobes != nullptr);
+    heroes_->setAvailable("candidates", picture->speed.has_value());
+    show();
+}
+
+void SpeedViews::show()
+{
+    if (!picture_) return;
+    keys_->setValues(toValues(picture_->question));
+    if (picture_->speed) {
+        const stability::SpeedResult& speed = *picture_->speed;
+        keys_->setReading(
+            screenNumber(speed.recommended_rpm, 0), screenText(LT_TEXT("Engine", "1/min")),
+            tr("instead of %1 · %2 m/min")
+                .arg(screenNumber(speed.selected_rpm, 0), screenNumber(speed.recommended_cutting_speed_m_min, 0)),
+            true);
+        candidates_->setTable(stability::candidatesTable(speed));
+    } else if (picture_->problem) {
+        keys_->setReading("–", {}, screenText(*picture_->problem), false);
+    }
+    if (!picture_->lobes) return;
+    lobes_->setData(lobesPlot(*picture_->lobes, picture_->speed ? &*picture_->speed : nullptr, {}, screenLanguage()));
+    parts_->setData(
+        receptance::realImaginaryPlot(*picture_->frf, picture_->lobes->frequency_of_minimum_hz, screenLanguage()));
+}
+
+void SpeedViews::retranslate()
+{
+    heroes_->setTitle("keys", tr("Operator"));
+    heroes_->setTitle("lobes", tr("Lobes"));
+    heroes_->setTitle("parts", tr("Real and imaginary"));
+    heroes_->setTitle("candidates", tr("Stable speeds"));
+    candidates_->setAccessibleName(tr("Stable speeds"));
+    show();
+}
+
+}  // namespace lathelier::speed_panel

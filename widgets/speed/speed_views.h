@@ -1,0 +1,42 @@
+// The views of the recommended speed: the operator's screen, the lobes about it, the candidates, the response.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "widgets/core/panel/copy_table.h"
+#include "widgets/core/panel/hero_views.h"
+#include "widgets/plot/chart_view.h"
+#include "widgets/speed/operator_keys.h"
+#include "widgets/speed/speed_picture.h"
+
+namespace lathelier::speed_panel {
+
+class SpeedViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SpeedViews(QWidget* parent = nullptr);
+
+    void setPicture(const std::shared_ptr<const SpeedPicture>& picture);
+    HeroViews* heroes() const { return heroes_; }
+    OperatorKeys* keys() const { return keys_; }
+    void retranslate();
+
+signals:
+    void valueEntered(const QString& key, double value);
+    void valueCleared(const QString& key);
+    void notWritten(const QString& path);  ///< the system refused to write this file
+
+private:
+    void show();
+
+    std::shared_ptr<const SpeedPicture> picture_;
+    HeroViews* heroes_;
+    OperatorKeys* keys_;
+    plot::ChartView* lobes_;
+    plot::ChartView* parts_;
+    CopyTable* candidates_;
+};
+
+}  // namespace lathelier::speed_panel

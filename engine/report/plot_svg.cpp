@@ -1,7 +1,9 @@
 #include "engine/report/plot_svg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "engine/report/plot_paths.h"
 
@@ -64,21 +66,33 @@ void drawCurve(Svg& svg, const PlotFrame& frame, const Curve& curve, const std::
     }
 }
 
-/// A name at its place, on the side of it where there is room.
-void drawName(Svg& svg, const PlotFrame& frame, double x, double y, const std::string& name)
+/// The names drawn so far, by the left end, the right end and the base line of each.
+using Names = std::vector<std::array<double, 3>>;
+
+/// A name at its place, on the side of it where there is room, below those that it would cover.
+void drawName(Svg& svg, const PlotFrame& frame, double x, double y, const std::string& name, Names& names)
 {
     if (name.empty()) return;
-    const bool fits = x + 5 + textWidth(name, tickSize) <= frame.right;
-    svg.text(fits ? x + 5 : x - 5, std::max(y, frame.top + tickSize), fits ? Svg::Anchor::Start : Svg::Anchor::End,
-             tickSize, name);
+    constexpr int mostRows = 6;
+    const double width = textWidth(name, tickSize);
+    const bool fits = x + 5 + width <= frame.right;
+    const double left = fits ? x + 5 : x - 5 - width;
+    y = std::max(y, frame.top + tickSize);
+    const auto covers = [&](const std::array<double, 3>& other) {
+        return other[0] < left + width && other[1] > left && std::abs(other[2] - y) < tickSize;
+    };
+    for (int row = 0; row < mostRows && std::any_of(names.begin(), names.end(), covers); ++row) y += tickSize + 1;
+    names.push_back({left, left + width, y});
+    svg.text(fits ? x + 5 : x - 5, y, fits ? Svg::Anchor::Start : Svg::Anchor::End, tickSize, name);
 }
 
-void drawUpright(Svg& svg, const PlotFrame& frame, double place, const std::string& name, std::string_view dashes)
+void drawUpright(Svg& svg, const PlotFrame& frame, double place, const std::string& name, std::string_view dashes,
+                 Names& names)
 {
     const double x = frame.toX(place);
     if (!(x >= frame.left && x <= frame.right)) return;
     svg.line(x, frame.top, x, frame.bottom, limitColour(), 1.2, dashes);
-    drawName(svg, frame, x, frame.top + tickSize + 1, name);
+    drawName(svg, frame, x, frame.top + tickSize + 1, name, names);
 }
 
 void drawLevel(Svg& svg, const PlotFrame& frame, double place, const std::string& name, std::string_view dashes)
@@ -89,15 +103,15 @@ void drawLevel(Svg& svg, const PlotFrame& frame, double place, const std::string
     if (!name.empty()) svg.text(frame.right - 4, y - 4, Svg::Anchor::End, tickSize, name);
 }
 
-void drawHandle(Svg& svg, const PlotFrame& frame, const Handle& handle, const std::string& name)
+void drawHandle(Svg& svg, const PlotFrame& frame, const Handle& handle, const std::string& name, Names& names)
 {
-    if (handle.kind == Handle::Kind::Vertical) return drawUpright(svg, frame, handle.x, name, limitDashes);
+    if (handle.kind == Handle::Kind::Vertical) return drawUpright(svg, frame, handle.x, name, limitDashes, names);
     if (handle.kind == Handle::Kind::Horizontal) return drawLevel(svg, frame, handle.y, name, limitDashes);
     const double x = frame.toX(handle.x), y = frame.toY(handle.y);
     if (!(x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom)) return;
     svg.path(discPath(x, y, handleRadius), limitColour(), 2, "#ffffff", 0.6);
     svg.path(discPath(x, y, 1.5), "none", 0, limitColour());
-    drawName(svg, frame, x + handleRadius - 2, y - handleRadius, name);
+    drawName(svg, frame, x + handleRadius - 2, y - handleRadius, name, names);
 }
 
 /// One row at the right of the title, from right to left.
@@ -175,17 +189,20 @@ std::string toSvg(const Plot& plot, const Language& language)
     drawFrame(svg, frame, titles, language, true);
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         drawCurve(svg, frame, plot.curves[i], hex(colourOf(plot.curves[i].colour, i)));
+    Names names;
     for (const Limit& limit : plot.limits) {
-        const auto draw = limit.direction == Limit::Direction::Vertical ? drawUpright : drawLevel;
-        draw(svg, frame, limit.place, words(limit.name), limitDashes);
+        if (limit.direction == Limit::Direction::Vertical)
+            drawUpright(svg, frame, limit.place, words(limit.name), limitDashes, names);
+        else
+            drawLevel(svg, frame, limit.place, words(limit.name), limitDashes);
     }
     for (const Mark& mark : plot.marks) {
         const double x = frame.toX(mark.x), y = frame.toY(mark.y);
         if (!(x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom)) continue;
         svg.path(discPath(x, y, 3.5), "#ffffff", 1, hex(colourOf(ColourRole::Mark)));
-        drawName(svg, frame, x, y - 6, words(mark.name));
+        drawName(svg, frame, x, y - 6, words(mark.name), names);
     }
-    for (const Handle& handle : plot.handles) drawHandle(svg, frame, handle, words(handle.name));
+    for (const Handle& handle : plot.handles) drawHandle(svg, frame, handle, words(handle.name), names);
     drawOutline(svg, frame);
     drawLegend(svg, frame, plot, language);
     return svg.finish();

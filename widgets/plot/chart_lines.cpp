@@ -31,6 +31,7 @@ void RegionFill::draw(QCPPainter* painter)
 
 void ChartLines::draw(QCPPainter* painter)
 {
+    names_.clear();
     const QPen dashed(style_.limit, style_.lineWidth, Qt::DashLine);
     for (const report::Limit& limit : chart_.limits)
         drawLine(*painter, limit.direction == report::Limit::Direction::Vertical, limit.place, limit.name, dashed);
@@ -50,8 +51,7 @@ void ChartLines::draw(QCPPainter* painter)
         painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.lineWidth, 3 * style_.lineWidth);
 }
 
-void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name,
-                          const QPen& pen) const
+void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen)
 {
     const QRectF room = clipRect();
     const QPointF at = pixel(place, place);
@@ -67,8 +67,9 @@ void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const
     }
 }
 
-/// Above and beside `place`; a name that would be cut off at the right edge stands at its left.
-void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name) const
+/// Above and beside `place`; a name that would be cut off at the right edge stands at its left, one that would cover
+/// another below it.
+void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name)
 {
     const QString text = chartText(name);
     if (text.isEmpty()) return;
@@ -76,8 +77,13 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const repor
     const double width = metrics.horizontalAdvance(text) + 10;
     const bool cut = place.x() + width > clipRect().right();
     const bool high = place.y() - metrics.height() < clipRect().top();  // then below
-    const QRectF room(cut ? place.x() - width : place.x(), high ? place.y() + 2 : place.y() - metrics.height(), width,
-                      metrics.height());
+    QRectF room(cut ? place.x() - width : place.x(), high ? place.y() + 2 : place.y() - metrics.height(), width,
+                metrics.height());
+    constexpr int mostRows = 6;
+    const auto covers = [&](const QRectF& other) { return other.intersects(room); };
+    for (int row = 0; row < mostRows && std::any_of(names_.begin(), names_.end(), covers); ++row)
+        room.translate(0, metrics.height());
+    names_.push_back(room);
     QColor ground = style_.background;
     ground.setAlpha(200);
     painter.fillRect(room.adjusted(1, 0, -1, 0), ground);
@@ -86,7 +92,7 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const repor
     painter.drawText(room, Qt::AlignCenter, text);
 }
 
-void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen) const
+void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen)
 {
     const double width = (isChosen ? 2 : 1) * style_.lineWidth;
     if (handle.kind != report::Handle::Kind::Point) {

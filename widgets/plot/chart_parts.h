@@ -56,12 +56,13 @@ private:
     {
         return {mParentPlot->xAxis->coordToPixel(x), mParentPlot->yAxis->coordToPixel(y)};
     }
-    void drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen) const;
-    void drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name) const;
-    void drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen) const;
+    void drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen);
+    void drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name);
+    void drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen);
 
     const report::Plot& chart_;
     const PlotStyle& style_;
+    std::vector<QRectF> names_;  ///< drawn so far
 };
 
 struct ChartView::Content {

@@ -103,6 +103,8 @@ SpeedPicture speedPicture(const project::PanelState& state, Stores& stores, cons
     }
     picture.lobes =
         std::make_shared<const stability::LobeResult>(findLobes(*picture.frf, shownLobes(picture), progress));
+    if (contains(picture.lobes->notes, notes::publishedRelation))
+        picture.notes.push_back({notes::publishedRelation, {}});
     return picture;
 }
 

@@ -5065,7 +5065,7 @@
     </message>
     <message>
         <source>Depth of cut, in multiples of the least limit</source>
-        <translation>Głębokość skrawania w wielokrotnościach najmniejszej granicy</translation>
+        <translation>Głębokość / najmniejsza granica</translation>
     </message>
     <message>
         <source>Depth of cut</source>
@@ -6328,16 +6328,8 @@
         <translation>Położenia narzędzia, równomiernie wzdłuż przejścia.</translation>
     </message>
     <message>
-        <source>Limit less depth of cut over the pass</source>
-        <translation>Granica pomniejszona o głębokość skrawania wzdłuż przejścia</translation>
-    </message>
-    <message>
         <source>Place of the tool z</source>
         <translation>Położenie narzędzia z</translation>
-    </message>
-    <message>
-        <source>Limit less depth of cut</source>
-        <translation>Granica pomniejszona o głębokość skrawania</translation>
     </message>
     <message>
         <source>Least limit over the pass</source>
@@ -6610,6 +6602,50 @@
     <message>
         <source>Without it steel is assumed.</source>
         <translation>Bez niego przyjmuje się stal.</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · least limit at z {z} mm, chatter at {frequency} Hz</source>
+        <translation>{speed} 1/min · najmniejsza granica przy z {z} mm, drgania o częstotliwości {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Best over the pass: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
+        <translation>Najlepsza dla przejścia: {speed:0} 1/min, stabilna do {limit_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>Best over the pass: {speed:0} 1/min</source>
+        <translation>Najlepsza dla przejścia: {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>Stability over a pass</source>
+        <translation>Stabilność na przejściu</translation>
+    </message>
+    <message>
+        <source>At each station the shaft as it is then, on its spindle, gives the limit of regenerative chatter at the tool.</source>
+        <translation>Na każdej stacji wał w swoim ówczesnym kształcie, na wrzecionie, daje granicę drgań regeneracyjnych przy narzędziu.</translation>
+    </message>
+    <message>
+        <source>Before the pass: SHAFT.json or a stock file.</source>
+        <translation>Przed przejściem: SHAFT.json albo plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>That holds the shaft: SPINDLE.json.</source>
+        <translation>Które trzyma wał: SPINDLE.json.</translation>
+    </message>
+    <message>
+        <source>Drop a shaft and a spindle here, then state the pass, its depth and the coefficient.</source>
+        <translation>Upuść tu wał i wrzeciono, potem podaj przejście, jego głębokość i współczynnik.</translation>
+    </message>
+    <message>
+        <source>That is judged; drag it in the chart. Without it the best over the pass.</source>
+        <translation>Oceniana; przeciągnij ją na wykresie. Bez niej najlepsza dla przejścia.</translation>
+    </message>
+    <message>
+        <source>Depth of cut beyond the limit</source>
+        <translation>Głębokość skrawania ponad granicę</translation>
+    </message>
+    <message>
+        <source>Beyond the limit</source>
+        <translation>Ponad granicę</translation>
     </message>
 </context>
 <context>
@@ -8194,6 +8230,36 @@ odchyłka %3</translation>
     <message>
         <source>Put a shaft on it</source>
         <translation>Osadź na nim wał</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::pass_panel::PassPanel</name>
+    <message>
+        <source>Move the operating point</source>
+        <translation>Przesuń punkt pracy</translation>
+    </message>
+    <message>
+        <source>Least limit (CSV)…</source>
+        <translation>Najmniejsza granica (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::pass_panel::PassViews</name>
+    <message>
+        <source>Least limit</source>
+        <translation>Najmniejsza granica</translation>
+    </message>
+    <message>
+        <source>Along the pass</source>
+        <translation>Wzdłuż przejścia</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Stacje</translation>
     </message>
 </context>
 <context>

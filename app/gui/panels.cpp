@@ -5,6 +5,7 @@
 #include "widgets/frf/frf_panel.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
+#include "widgets/pass/pass_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
@@ -24,6 +25,7 @@ const std::vector<PanelFacts>& panelTable()
                                                machine_panel::machinePanelFacts(),
                                                frf_panel::frfPanelFacts(),
                                                lobes_panel::lobesPanelFacts(),
+                                               pass_panel::passPanelFacts(),
                                                speed_panel::speedPanelFacts()};
     return table;
 }

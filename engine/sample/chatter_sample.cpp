@@ -130,6 +130,14 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     SamplePanel response_panel;
     response_panel.inputs = {{"frf", "tip_response.uff"}, {"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     content.panels["frf"] = std::move(response_panel);
+    SamplePanel pass_panel;
+    pass_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
+    pass_panel.parameters = {{"pass_z_mm", std::vector<Interval>{{0, 98}}},
+                             {"pass_depth_mm", 0.5},
+                             {"cutting_coefficient_N_mm2", 600.0},
+                             {"speed_rpm", std::vector<Interval>{{1200, 4800}}},
+                             {"operating_speed_rpm", 2016.0}};
+    content.panels["pass"] = std::move(pass_panel);
     SamplePanel speed_panel;
     speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
     speed_panel.parameters = {

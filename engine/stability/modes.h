@@ -13,7 +13,7 @@ namespace lathelier::stability {
 struct Mode {
     double frequency_hz = 100;    ///< undamped natural frequency f_n, > 0
     double damping_ratio = 0.03;  ///< ζ, > 0
-    double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0
+    double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0; of a fit < 0 where force and motion are out of phase
     friend bool operator==(const Mode&, const Mode&) = default;
 };
 

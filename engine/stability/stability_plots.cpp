@@ -70,14 +70,7 @@ report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed, const
     if (result.parameters.relation == SpeedRelation::Published) plot.remark = LT_TEXT("Engine", "as published");
     plot.x = speedAxis(result.speed_rpm);
     plot.y = depthAxis(result);
-    std::vector<double> limit = result.limit.depth_mm;
-    for (double& depth : limit)
-        if (std::isnan(depth)) depth = HUGE_VAL;
-    const std::vector<double> zero(limit.size(), 0.0), top(limit.size(), HUGE_VAL);
-    plot.regions.push_back(
-        between(LT_TEXT("Engine", "stable"), report::ColourRole::Stable, result.limit.speed_rpm, zero, limit));
-    plot.regions.push_back(
-        between(LT_TEXT("Engine", "chatter"), report::ColourRole::Unstable, result.limit.speed_rpm, limit, top));
+    shadeStability(plot, result.limit.speed_rpm, result.limit.depth_mm);
     for (const Lobe& lobe : result.lobes) {
         report::Curve curve{{}, lobe.speed_rpm, lobe.depth_mm};
         curve.colour = report::ColourRole::Neutral;
@@ -104,6 +97,15 @@ report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed, const
         plot.handles.push_back(std::move(handle));
     }
     return plot;
+}
+
+void shadeStability(report::Plot& plot, const std::vector<double>& speed_rpm, std::vector<double> limit)
+{
+    for (double& depth : limit)
+        if (std::isnan(depth)) depth = HUGE_VAL;
+    const std::vector<double> zero(limit.size(), 0.0), top(limit.size(), HUGE_VAL);
+    plot.regions.push_back(between(LT_TEXT("Engine", "stable"), report::ColourRole::Stable, speed_rpm, zero, limit));
+    plot.regions.push_back(between(LT_TEXT("Engine", "chatter"), report::ColourRole::Unstable, speed_rpm, limit, top));
 }
 
 report::Plot chatterFrequencyPlot(const LobeResult& result)

@@ -21,6 +21,9 @@ inline constexpr const char* operatingPointKey = "operating_point";
 report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed = nullptr,
                        const std::optional<OperatingPoint>& point = {}, const Language& language = {});
 
+/// Shades what is stable below a limit and what chatters above it; NaN: no limit there.
+void shadeStability(report::Plot& plot, const std::vector<double>& speed_rpm, std::vector<double> limit);
+
 /// Chatter frequency at the limit over the speed.
 report::Plot chatterFrequencyPlot(const LobeResult& result);
 

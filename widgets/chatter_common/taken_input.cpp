@@ -64,6 +64,16 @@ std::optional<Taken<receptance::SpindleReceptance>> takeSpindle(const project::P
     return takenFile<SpindleStore, SpindleReceptance>(*source, stores, progress, &receptance::SpindleFile::spindle);
 }
 
+receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters asked,
+                                             const receptance::SpindleReceptance& spindle)
+{
+    if (const auto* table = std::get_if<receptance::SpindleTable>(&spindle.source)) {
+        asked.from_hz = table->frequency_hz.front();
+        asked.to_hz = table->frequency_hz.back();
+    }
+    return asked;
+}
+
 std::optional<Taken<Frf>> takeResponseItem(const project::PanelState& state)
 {
     const project::Source* const source = sourceOf(state, frfRole);

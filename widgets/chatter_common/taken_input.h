@@ -9,6 +9,7 @@
 #include "engine/core/input_file.h"
 #include "engine/core/shaft.h"
 #include "engine/project/project.h"
+#include "engine/receptance/shaft_receptance.h"
 #include "engine/receptance/spindle_receptance.h"
 #include "widgets/core/files/stores.h"
 
@@ -27,6 +28,16 @@ struct Taken {
     bool synthetic = false;  ///< marked as made by a program
 };
 
+/// What a report says of `taken` goes to the picture; gives the value.
+template <class Picture, class T>
+T noted(Picture& picture, Taken<T> taken)
+{
+    picture.inputs.push_back(std::move(taken.input));
+    picture.notes.insert(picture.notes.end(), taken.notes.begin(), taken.notes.end());
+    picture.synthetic |= taken.synthetic;
+    return std::move(taken.value);
+}
+
 /// The source of an input; nullptr: it is not given.
 const project::Source* sourceOf(const project::PanelState& state, const char* role);
 
@@ -34,6 +45,10 @@ const project::Source* sourceOf(const project::PanelState& state, const char* ro
 std::optional<Taken<Shaft>> takeShaft(const project::PanelState& state, Stores& stores, const Progress& progress);
 std::optional<Taken<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,
                                                                 const Progress& progress);
+
+/// A table of the spindle says which frequencies there are: from its first line to its last.
+receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters asked,
+                                             const receptance::SpindleReceptance& spindle);
 
 /// A receptance that another panel made. Nothing when the input is not given, or is a file: which of its responses
 /// counts is the panel's to say. Error itemNotThere.

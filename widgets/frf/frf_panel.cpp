@@ -13,7 +13,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/quantity_table.h"
-#include "widgets/chatter_common/model_facts.h"
+#include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
@@ -23,31 +23,22 @@
 namespace lathelier::frf_panel {
 namespace {
 
-InputRole roleOf(const char* key, Text label, Text hint, const io::FileKind& kind, const char* item)
-{
-    InputRole role;
-    role.role = key;
-    role.label = label;
-    role.hint = hint;
-    role.kinds = {&kind};
-    role.item_kind = item;
-    role.required = false;
-    return role;
-}
-
 PanelInputs panelInputs()
 {
     PanelInputs inputs;
     inputs.roles = {
-        roleOf(frfRole, LT_TEXT("Engine", "Frequency response"),
-               LT_TEXT("Engine", "Measured by a hammer or shaker: UFF, CSV or MAT."), io::frfFiles(), frfItem),
-        roleOf(
+        chatter_common::inputRole(frfRole, LT_TEXT("Engine", "Frequency response"),
+                                  LT_TEXT("Engine", "Measured by a hammer or shaker: UFF, CSV or MAT."), io::frfFiles(),
+                                  frfItem),
+        chatter_common::inputRole(
             shaftRole, LT_TEXT("Engine", "Shaft"),
             LT_TEXT("Engine", "Whose computed response is drawn under the measured one: SHAFT.json or a stock file."),
             receptance::shaftFiles(), shaftItem),
-        roleOf(spindleRole, LT_TEXT("Engine", "Spindle"),
-               LT_TEXT("Engine", "That holds the shaft: SPINDLE.json. Without it the shaft is free."),
-               receptance::spindleFiles(), receptance::spindleItem)};
+        chatter_common::inputRole(
+            spindleRole, LT_TEXT("Engine", "Spindle"),
+            LT_TEXT("Engine", "That holds the shaft: SPINDLE.json. Without it the shaft is free."),
+            receptance::spindleFiles(), receptance::spindleItem)};
+    for (InputRole& role : inputs.roles) role.required = false;
     inputs.roles.front().takes_next = true;
     inputs.fields = infos<FrfQuestion>();
     inputs.defaults = toValues(FrfQuestion{});

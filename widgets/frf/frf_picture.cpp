@@ -31,14 +31,6 @@ void append(Notes& all, const Notes& more)
     for (const Note& note : more) all.push_back(note);
 }
 
-template <class T>
-void note(FrfPicture& picture, const chatter_common::Taken<T>& taken)
-{
-    picture.inputs.push_back(taken.input);
-    append(picture.notes, taken.notes);
-    picture.synthetic |= taken.synthetic;
-}
-
 /// Gives what tells the response apart; empty without one.
 std::string takeMeasured(FrfPicture& picture, const project::PanelState& state, Stores& stores,
                          const Progress& progress)
@@ -47,8 +39,7 @@ std::string takeMeasured(FrfPicture& picture, const project::PanelState& state, 
     if (!found) return {};
     const project::Source& source = *found;
     if (const auto item = chatter_common::takeResponseItem(state)) {
-        note(picture, *item);
-        picture.study.measured = std::make_shared<const Frf>(item->value);
+        picture.study.measured = std::make_shared<const Frf>(chatter_common::noted(picture, *item));
         picture.name = source.item;
         return item->input.sha256;
     }
@@ -107,24 +98,23 @@ std::string takeComputed(FrfPicture& picture, const project::PanelState& state, 
 {
     const auto shaft = chatter_common::takeShaft(state, stores, progress.part(0, 0.1));
     if (!shaft) return {};
-    note(picture, *shaft);
+    const Shaft held = chatter_common::noted(picture, *shaft);
     const auto spindle = chatter_common::takeSpindle(state, stores, progress.part(0.1, 0.2));
     std::optional<receptance::SpindleReceptance> machine;
     if (spindle) {
-        note(picture, *spindle);
-        machine = spindle->value;
+        machine = chatter_common::noted(picture, *spindle);
     }
     receptance::ReceptanceParameters computing = picture.question.computing;
     chooseLines(computing, picture);
     std::string key = shaft->input.sha256 + (spindle ? spindle->input.sha256 : "") + toJson(toValues(computing)).dump();
     const auto found = stores.of<ComputedMemo>()->find(key, progress.part(0.2, 1), [&](const Progress& part) {
-        return receptance::shaftReceptance(shaft->value, computing, machine, part);
+        return receptance::shaftReceptance(held, computing, machine, part);
     });
     append(picture.notes, found->notes);
     Frf frf = found->frf;
     io::dropUnusableLines(frf);  // a free shaft has no receptance at 0 Hz
     picture.study.computed = std::make_shared<const Frf>(std::move(frf));
-    if (picture.name.empty()) picture.name = shaft->value.name.empty() ? shaft->input.path : shaft->value.name;
+    if (picture.name.empty()) picture.name = held.name.empty() ? shaft->input.path : held.name;
     return key;
 }
 

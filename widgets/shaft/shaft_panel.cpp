@@ -14,7 +14,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/result_json.h"
-#include "widgets/chatter_common/model_facts.h"
+#include "widgets/chatter_common/model_inputs.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"

@@ -15,15 +15,6 @@ std::string nameOf(const project::Source& source)
     return source.item.empty() ? source.path : source.item;
 }
 
-template <class T>
-T noted(ShaftPicture& picture, chatter_common::Taken<T> taken)
-{
-    picture.inputs.push_back(std::move(taken.input));
-    picture.notes.insert(picture.notes.end(), taken.notes.begin(), taken.notes.end());
-    picture.synthetic |= taken.synthetic;
-    return std::move(taken.value);
-}
-
 /// The table where it was changed; where the file it came from is gone by now, the table is enough.
 void chooseShaft(ShaftPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
 {
@@ -31,7 +22,7 @@ void chooseShaft(ShaftPicture& picture, const project::PanelState& state, Stores
     picture.table_rules = !question.segments.empty() && question.segments_of == identity(state);
     if (const project::Source* source = chatter_common::sourceOf(state, shaftRole)) {
         try {
-            picture.shaft = noted(picture, *chatter_common::takeShaft(state, stores, progress));
+            picture.shaft = chatter_common::noted(picture, *chatter_common::takeShaft(state, stores, progress));
         } catch (const Error&) {
             if (!picture.table_rules) throw;
         }
@@ -81,18 +72,14 @@ void chooseHolding(ShaftPicture& picture, const project::PanelState& state, Stor
         case Hold::Given: break;
     }
     if (auto spindle = chatter_common::takeSpindle(state, stores, progress))
-        holding.spindle = noted(picture, *std::move(spindle));
+        holding.spindle = chatter_common::noted(picture, *std::move(spindle));
 }
 
 /// A table of the spindle says what range there is.
 receptance::ReceptanceParameters responseAsked(const ShaftPicture& picture)
 {
     receptance::ReceptanceParameters asked = picture.question.response;
-    if (picture.holding.spindle)
-        if (const auto* table = std::get_if<receptance::SpindleTable>(&picture.holding.spindle->source)) {
-            asked.from_hz = table->frequency_hz.front();
-            asked.to_hz = table->frequency_hz.back();
-        }
+    if (picture.holding.spindle) asked = chatter_common::withinTable(asked, *picture.holding.spindle);
     asked.from_hz = picture.question.from_hz.value_or(asked.from_hz);
     asked.to_hz = picture.question.to_hz.value_or(asked.to_hz);
     return asked;

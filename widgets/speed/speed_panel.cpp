@@ -5,8 +5,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/stability/stability_report.h"
-#include "widgets/chatter_common/model_facts.h"
-#include "widgets/core/form/input_column.h"
+#include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/speed/speed_views.h"
@@ -14,26 +13,17 @@
 namespace lathelier::speed_panel {
 namespace {
 
-InputRole roleOf(const char* key, Text label, Text hint, const io::FileKind& kind, const char* item)
-{
-    InputRole role;
-    role.role = key;
-    role.label = label;
-    role.hint = hint;
-    role.kinds = {&kind};
-    role.item_kind = item;
-    return role;
-}
-
 PanelInputs panelInputs()
 {
     PanelInputs inputs;
     inputs.roles = {
-        roleOf(spindleRole, LT_TEXT("Engine", "Spindle"), LT_TEXT("Engine", "That holds the bar: SPINDLE.json."),
-               receptance::spindleFiles(), receptance::spindleItem),
-        roleOf(shaftRole, LT_TEXT("Engine", "Shaft"),
-               LT_TEXT("Engine", "In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file."),
-               receptance::shaftFiles(), shaftItem)};
+        chatter_common::inputRole(spindleRole, LT_TEXT("Engine", "Spindle"),
+                                  LT_TEXT("Engine", "That holds the bar: SPINDLE.json."), receptance::spindleFiles(),
+                                  receptance::spindleItem),
+        chatter_common::inputRole(
+            shaftRole, LT_TEXT("Engine", "Shaft"),
+            LT_TEXT("Engine", "In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file."),
+            receptance::shaftFiles(), shaftItem)};
     inputs.roles.back().required = false;
     inputs.fields = infos<SpeedQuestion>();
     inputs.defaults = toValues(SpeedQuestion{});
@@ -88,9 +78,7 @@ SpeedPanel::Compute SpeedPanel::compute(const project::PanelState& state) const
 
 void SpeedPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
-    for (const FoundFile& file : files)
-        state.inputs[file.kind == &receptance::shaftFiles() ? shaftRole : spindleRole] =
-            newSource(QString::fromStdString(file.path));
+    chatter_common::assignModels(state, files);
 }
 
 QString SpeedPanel::understood(const InputRole& role, const project::Source& source) const

@@ -18,15 +18,6 @@ namespace {
 /// Responses by what they are of: another cutting speed computes none anew.
 struct ResponseMemo : Memo<receptance::ShaftReceptanceResult> {};
 
-template <class T>
-T noted(SpeedPicture& picture, chatter_common::Taken<T> taken)
-{
-    picture.inputs.push_back(std::move(taken.input));
-    picture.notes.insert(picture.notes.end(), taken.notes.begin(), taken.notes.end());
-    picture.synthetic |= taken.synthetic;
-    return std::move(taken.value);
-}
-
 Error needed(const char* key)
 {
     for (const FieldInfo& info : infos<SpeedQuestion>())
@@ -55,11 +46,7 @@ Shaft barOf(const SpeedQuestion& question)
 void respond(SpeedPicture& picture, const Shaft& shaft, const receptance::SpindleReceptance& spindle, Stores& stores,
              const Progress& progress)
 {
-    receptance::ReceptanceParameters asked;
-    if (const auto* table = std::get_if<receptance::SpindleTable>(&spindle.source)) {
-        asked.from_hz = table->frequency_hz.front();
-        asked.to_hz = table->frequency_hz.back();
-    }
+    const receptance::ReceptanceParameters asked = chatter_common::withinTable({}, spindle);
     const std::string key = toJson(toValues(shaft)).dump() + picture.inputs.back().sha256;
     const auto response = stores.of<ResponseMemo>()->find(
         key, progress, [&](const Progress& part) { return shaftReceptance(shaft, asked, spindle, part); });
@@ -92,8 +79,9 @@ SpeedPicture speedPicture(const project::PanelState& state, Stores& stores, cons
     auto shaft = chatter_common::takeShaft(state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")));
     picture.problem = firstMissing(picture.question, shaft.has_value());
     if (picture.problem) return picture;
-    const Shaft held = shaft ? noted(picture, *std::move(shaft)) : barOf(picture.question);
-    const auto spindle = noted(picture, *chatter_common::takeSpindle(state, stores, progress.part(0.1, 0.2)));
+    const Shaft held = shaft ? chatter_common::noted(picture, *std::move(shaft)) : barOf(picture.question);
+    const auto spindle =
+        chatter_common::noted(picture, *chatter_common::takeSpindle(state, stores, progress.part(0.1, 0.2)));
     respond(picture, held, spindle, stores, progress.part(0.2, 0.8, LT_TEXT("Engine", "Computing")));
     try {
         picture.speed = chooseSpeed(*picture.frf, picture.question.speed);

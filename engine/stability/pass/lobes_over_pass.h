@@ -2,6 +2,7 @@
 // cut is stiffer or softer. At each station the shaft as it is then, on its spindle, gives the limit at the tool.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,11 +52,30 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
                          const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
                          const Progress& progress = {});
 
-/// How far the limit lies above the depth of cut over speed and z: below 0 the pass chatters there.
+/// What is known of a spindle speed for the whole pass.
+struct PassPoint {
+    double speed_rpm = 0;                                            ///< nearest column of the result
+    double limit_mm = std::numeric_limits<double>::quiet_NaN();      ///< least limit over the pass; NaN: none
+    double z_mm = std::numeric_limits<double>::quiet_NaN();          ///< where it is
+    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< of the chatter there
+    bool stable = true;                                              ///< the depth of the pass is below the limit
+};
+PassPoint pointOfPass(const PassResult& result, double speed_rpm);
+
+/// The speed whose least limit over the pass is highest.
+PassPoint bestOfPass(const PassResult& result);
+
+/// How far the depth of cut lies beyond the limit over speed and z: above 0 the pass chatters there.
 report::ColourMap passMap(const PassResult& result);
-/// The least limit over the pass.
-report::Plot passPlot(const PassResult& result);
+/// The least limit over the pass; speed and depth of the pass as a handle, where there is a speed.
+report::Plot passPlot(const PassResult& result, const std::optional<double>& speed_rpm = {});
+report::Table stationsTable(const PassResult& result);
 report::Section passSection(const PassResult& result, const Language& language = {});
+
+/// The depth of the pass against the least limit at a speed, and the best speed.
+report::Answer passAnswer(const PassResult& result, double speed_rpm, const Language& language = {});
+report::Document passReport(const PassResult& result, double speed_rpm, const LobeParameters& lobes,
+                            const Language& language = {});
 
 /// {z_mm, diameter_mm, minimum_depth_mm: for each station; speed_rpm, depth_mm: rows by station; worst {depth_mm, z_mm,
 /// frequency_hz}: for each speed}.

@@ -1,10 +1,14 @@
 // Charts, report and JSON of lobes over a pass.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
 #include "engine/report/cells.h"
+#include "engine/report/parameters_table.h"
 #include "engine/stability/pass/lobes_over_pass.h"
+#include "engine/stability/stability_plots.h"
+#include "engine/stability/stability_verification.h"
 
 namespace lathelier::stability {
 namespace {
@@ -30,25 +34,45 @@ Json numbers(const std::vector<double>& values, std::size_t from, std::size_t co
     return list;
 }
 
-/// The speed whose least limit over the pass is highest.
-std::size_t bestSpeed(const PassResult& result)
+PassPoint pointAt(const PassResult& result, std::size_t column)
+{
+    PassPoint point;
+    point.speed_rpm = result.speed_rpm[column];
+    if (result.worst.k[column] < 0) return point;
+    point.limit_mm = result.worst.depth_mm[column];
+    point.z_mm = result.worst_z_mm[column];
+    point.frequency_hz = result.worst.frequency_hz[column];
+    point.stable = *result.parameters.pass_depth_mm < point.limit_mm;
+    return point;
+}
+
+}  // namespace
+
+PassPoint pointOfPass(const PassResult& result, double speed_rpm)
+{
+    const auto after = std::lower_bound(result.speed_rpm.begin(), result.speed_rpm.end(), speed_rpm);
+    auto column = static_cast<std::size_t>(after - result.speed_rpm.begin());
+    if (column == result.speed_rpm.size()) --column;
+    if (column > 0 && speed_rpm - result.speed_rpm[column - 1] < result.speed_rpm[column] - speed_rpm) --column;
+    return pointAt(result, column);
+}
+
+PassPoint bestOfPass(const PassResult& result)
 {
     std::size_t best = 0;
     const auto height = [&](std::size_t i) { return result.worst.k[i] < 0 ? HUGE_VAL : result.worst.depth_mm[i]; };
     for (std::size_t i = 1; i < result.speed_rpm.size(); ++i)
         if (height(i) > height(best)) best = i;
-    return best;
+    return pointAt(result, best);
 }
-
-}  // namespace
 
 report::ColourMap passMap(const PassResult& result)
 {
     report::ColourMap map;
-    map.title = LT_TEXT("Engine", "Limit less depth of cut over the pass");
+    map.title = LT_TEXT("Engine", "Depth of cut beyond the limit");
     map.x = speedAxis(result);
     map.y = {LT_TEXT("Engine", "Place of the tool z"), mm};
-    map.value = {LT_TEXT("Engine", "Limit less depth of cut"), mm};
+    map.value = {LT_TEXT("Engine", "Beyond the limit"), mm};
     const double first = result.stations.front().z_mm, last = result.stations.back().z_mm;
     const double half_z = (last - first) / static_cast<double>(result.stations.size() - 1) / 2;
     const double half_rpm =
@@ -60,15 +84,15 @@ report::ColourMap passMap(const PassResult& result)
     map.columns = static_cast<int>(result.speed_rpm.size());
     map.rows = static_cast<int>(result.stations.size());
     const double depth_mm = *result.parameters.pass_depth_mm;
-    map.limit = depth_mm;
+    map.limit = report::niceLimit(depth_mm);
     map.values.reserve(result.limit_mm.size());
     // Where no lobe limits, any depth is stable: the end of the scale.
     for (const double limit : result.limit_mm)
-        map.values.push_back(static_cast<float>(std::isnan(limit) ? depth_mm : limit - depth_mm));
+        map.values.push_back(static_cast<float>(std::isnan(limit) ? -map.limit : depth_mm - limit));
     return map;
 }
 
-report::Plot passPlot(const PassResult& result)
+report::Plot passPlot(const PassResult& result, const std::optional<double>& speed_rpm)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Least limit over the pass");
@@ -77,21 +101,26 @@ report::Plot passPlot(const PassResult& result)
     report::Curve curve{LT_TEXT("Engine", "least limit"), result.speed_rpm, result.worst.depth_mm};
     curve.colour = report::ColourRole::Limit;
     plot.curves = {std::move(curve)};
-    plot.limits = {{report::Limit::Direction::Horizontal, *result.parameters.pass_depth_mm,
-                    LT_TEXT("Engine", "depth of the pass")}};
+    shadeStability(plot, result.speed_rpm, result.worst.depth_mm);
+    // Shown to above the best speed, but not so far that the depth of the pass lies at the foot of the chart.
+    const double depth_mm = *result.parameters.pass_depth_mm;
+    const double best_mm = bestOfPass(result).limit_mm;
+    plot.y.range =
+        Interval{0, std::clamp(std::isnan(best_mm) ? HUGE_VAL : 1.2 * best_mm, 1.6 * depth_mm, 6 * depth_mm)};
+    plot.limits = {{report::Limit::Direction::Horizontal, depth_mm, LT_TEXT("Engine", "depth of the pass")}};
+    if (speed_rpm) {
+        report::Handle handle;
+        handle.key = operatingPointKey;
+        handle.x = *speed_rpm;
+        handle.y = depth_mm;
+        handle.x_range = plot.x.range;
+        plot.handles = {handle};
+    }
     return plot;
 }
 
-report::Section passSection(const PassResult& result, const Language& language)
+report::Table stationsTable(const PassResult& result)
 {
-    const std::size_t best = bestSpeed(result);
-    const double depth = result.worst.depth_mm[best];
-    report::Paragraph words{
-        LT_TEXT("Engine",
-                "The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the "
-                "most over the whole pass: {depth} mm."),
-        {{"speed", fixed(result.speed_rpm[best], 0, language)},
-         {"depth", std::isnan(depth) ? std::string("∞") : fixed(depth, 3, language)}}};
     report::Table table{
         LT_TEXT("Engine", "Stations of the pass"),
         {LT_TEXT("Engine", "z (mm)"), LT_TEXT("Engine", "diameter left (mm)"), LT_TEXT("Engine", "least limit (mm)")},
@@ -101,8 +130,66 @@ report::Section passSection(const PassResult& result, const Language& language)
     for (const PassStation& station : result.stations)
         table.rows.push_back(
             {station.z_mm, station.diameter_mm, station.minimum_mm ? Value(*station.minimum_mm) : Value()});
+    return table;
+}
+
+report::Section passSection(const PassResult& result, const Language& language)
+{
+    const PassPoint best = bestOfPass(result);
+    report::Paragraph words{
+        LT_TEXT("Engine",
+                "The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the "
+                "most over the whole pass: {depth} mm."),
+        {{"speed", fixed(best.speed_rpm, 0, language)},
+         {"depth", std::isnan(best.limit_mm) ? std::string("∞") : fixed(best.limit_mm, 3, language)}}};
     return {LT_TEXT("Engine", "Lobes over the pass"),
-            {std::move(words), passMap(result), passPlot(result), std::move(table)}};
+            {std::move(words), passMap(result), passPlot(result), stationsTable(result)}};
+}
+
+report::Answer passAnswer(const PassResult& result, double speed_rpm, const Language& language)
+{
+    const PassPoint point = pointOfPass(result, speed_rpm);
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Depth of the pass");
+    answer.value = result.parameters.pass_depth_mm;
+    answer.unit = mm;
+    if (std::isfinite(point.limit_mm)) answer.upper_limit = std::round(1000 * point.limit_mm) / 1000;
+    answer.verdict = point.stable ? Verdict::Pass : Verdict::Fail;
+    answer.verdict_words = point.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
+    answer.sentence = std::isfinite(point.limit_mm)
+                          ? LT_TEXT("Engine", "{speed} 1/min · least limit at z {z} mm, chatter at {frequency} Hz")
+                          : LT_TEXT("Engine", "{speed} 1/min · no lobe limits here");
+    answer.values = {{"speed", fixed(speed_rpm, 0, language)},
+                     {"z", fixed(point.z_mm, 1, language)},
+                     {"frequency", fixed(point.frequency_hz, 1, language)}};
+    const PassPoint best = bestOfPass(result);
+    report::Finding finding;
+    finding.pattern = std::isfinite(best.limit_mm)
+                          ? LT_TEXT("Engine", "Best over the pass: {speed:0} 1/min, stable up to {limit_mm:3} mm")
+                          : LT_TEXT("Engine", "Best over the pass: {speed:0} 1/min");
+    finding.values = {{"speed", best.speed_rpm}, {"limit_mm", best.limit_mm}};
+    finding.offer = {{"operating_speed_rpm", std::round(best.speed_rpm)}};
+    answer.findings.push_back(std::move(finding));
+    return answer;
+}
+
+report::Document passReport(const PassResult& result, double speed_rpm, const LobeParameters& lobes,
+                            const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Stability over a pass");
+    document.verification = {&stabilityVerification()};
+    report::Section first{LT_TEXT("Engine", "Result"), {passAnswer(result, speed_rpm, language)}};
+    if (!result.notes.empty()) first.blocks.push_back(result.notes);
+    document.sections = {std::move(first), passSection(result, language)};
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Method and parameters"),
+         {report::Paragraph{LT_TEXT("Engine",
+                                    "At each station the shaft as it is then, on its spindle, "
+                                    "gives the limit of regenerative chatter at the tool."),
+                            {}},
+          report::parametersTable(result.parameters, language), report::parametersTable(lobes, language)}});
+    return document;
 }
 
 Json passJson(const PassResult& result)

@@ -1,6 +1,7 @@
 // Lobes over a pass: the cut shaft, and the limit against single stations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -65,7 +66,14 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
         for (std::size_t row = 0; row < 3; ++row) least = std::fmin(least, result.at(row, i));
         EXPECT_EQ(result.worst.depth_mm[i], least);
     }
-    EXPECT_EQ(passMap(result).values.size(), std::size_t{303});
+    const report::ColourMap map = passMap(result);
+    ASSERT_EQ(map.values.size(), std::size_t{303});
+    EXPECT_NEAR(static_cast<double>(map.values[150]), *result.parameters.pass_depth_mm - result.at(1, 49), 1e-6);
+    const PassPoint best = bestOfPass(result);
+    EXPECT_EQ(best.limit_mm, *std::max_element(result.worst.depth_mm.begin(), result.worst.depth_mm.end()));
+    EXPECT_EQ(pointOfPass(result, best.speed_rpm + 1e-6).speed_rpm, best.speed_rpm);
+    EXPECT_EQ(pointOfPass(result, 1e9).speed_rpm, result.speed_rpm.back());
+    EXPECT_EQ(pointOfPass(result, 1).speed_rpm, result.speed_rpm.front());
     lobes.cutting_coefficient_N_mm2.reset();
     EXPECT_EQ(codeOfError([&] { lobesOverPass(steps(), pass, lines, spindle, lobes); }), errors::valueNotUnderstood);
 }

@@ -20,6 +20,7 @@ namespace lathelier::stability {
 namespace {
 
 const std::vector<Mode> one{{223, 0.03, 1e4}};
+const std::vector<Mode> out_of_phase{{223, 0.03, 1e4}, {560, 0.03, -2e4}};  // of places that move opposite ways
 const std::vector<Mode> three{{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
 constexpr double coefficient_N_mm2 = 2000;
 
@@ -55,7 +56,7 @@ double drawnSpeed(std::uint64_t number, double from_rpm, double to_rpm)
 
 TEST(Simulation, AgreesWithTheExactBoundary)
 {
-    for (const std::vector<Mode>& modes : {one, three})
+    for (const std::vector<Mode>& modes : {one, three, out_of_phase})
         for (std::uint64_t i = 0; i < 30; ++i) {
             const double speed = drawnSpeed(i, 1200, 6000), limit = limitAt(modes, speed);
             const double share = i % 2 == 0 ? 0.9 : 1.1;
@@ -93,7 +94,7 @@ TEST(Simulation, ThePublishedRelationAgreesAtFewPoints)
 
 TEST(Simulation, GrowthIsThatOfTheRightmostRoot)
 {
-    for (const std::vector<Mode>& modes : {one, three})
+    for (const std::vector<Mode>& modes : {one, three, out_of_phase})
         for (std::uint64_t i = 0; i < 20; ++i) {
             const double speed = drawnSpeed(i, 600, 6000), depth = 0.1 + randomUniform(7, 3, i);
             SimulationParameters p = cutting(speed, depth);

@@ -1,10 +1,11 @@
-#include "widgets/chatter_common/model_facts.h"
+#include "widgets/chatter_common/model_inputs.h"
 
 #include <QCoreApplication>
 
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::chatter_common {
@@ -15,6 +16,24 @@ struct ModelFacts {
 };
 
 }  // namespace
+
+InputRole inputRole(const char* role, Text label, Text hint, const io::FileKind& kind, const char* item)
+{
+    InputRole input;
+    input.role = role;
+    input.label = label;
+    input.hint = hint;
+    input.kinds = {&kind};
+    input.item_kind = item;
+    return input;
+}
+
+void assignModels(project::PanelState& state, const std::vector<FoundFile>& files)
+{
+    for (const FoundFile& file : files)
+        state.inputs[file.kind == &receptance::shaftFiles() ? shaftRole : spindleRole] =
+            newSource(QString::fromStdString(file.path));
+}
 
 QString understoodModel(const std::string& role, const project::Source& source, Stores& stores)
 {

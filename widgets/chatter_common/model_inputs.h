@@ -1,0 +1,24 @@
+// Shafts and spindles as inputs of the panels of Chatter.
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "engine/project/project.h"
+#include "widgets/core/files/kind_finder.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/core/panel/panel_facts.h"
+
+namespace lathelier::chatter_common {
+
+/// An input that is a file of this kind or an item.
+InputRole inputRole(const char* role, Text label, Text hint, const io::FileKind& kind, const char* item);
+
+/// Gives files of shafts and spindles to their inputs.
+void assignModels(project::PanelState& state, const std::vector<FoundFile>& files);
+
+/// What was understood of the file of the input `role`, shaftRole or spindleRole, in the language of the screen; empty
+/// when it was not read.
+QString understoodModel(const std::string& role, const project::Source& source, Stores& stores);
+
+}  // namespace lathelier::chatter_common

@@ -229,7 +229,7 @@ void OperatorKeys::relabel()
     const QStringList names{tr("Decimal mark"), tr("Erase one sign"), tr("Clear the value"), tr("Next value"),
                             tr("Take over")};
     for (int i = 0; i < others.size(); ++i) {
-        QPushButton* key = keys_[static_cast<std::size_t>(10 + i)];
+        QPushButton* key = keys_[std::size_t{10} + static_cast<std::size_t>(i)];
         key->setText(others[i]);
         key->setToolTip(names[i]);
         key->setAccessibleName(names[i]);

@@ -19,6 +19,8 @@ constexpr int stripFrom_chars = 105;  // narrower, and the small views become ta
 constexpr double stripShare = 0.27;   // of the width
 constexpr int leastStrip_chars = 26;
 constexpr int mostStrip_chars = 60;
+constexpr double flattest = 0.36;     // height of a small view with its caption to the width of the strip, at least
+constexpr double twoColumns = 1.5;    // width of a strip of two columns to that of one
 constexpr double smallAspect = 0.78;  // height of a small view to its width, at most
 
 }  // namespace
@@ -184,17 +186,23 @@ void HeroViews::arrange()
         }
         return;
     }
-    const int strip =
+    int strip =
         std::clamp(static_cast<int>(stripShare * room.width()), leastStrip_chars * chars, mostStrip_chars * chars);
-    place(hero_, QRect(0, room.top(), room.width() - strip - gap_px, room.height()));
     const int count = static_cast<int>(all.size()) - 1;
-    const int most = static_cast<int>(smallAspect * strip) + hero_->captionHeight();
-    const int each = std::min(most, (room.height() - gap_px * (count - 1)) / count);
-    int y = room.top();
+    const auto heightIn = [&](int rows) { return (room.height() - gap_px * (rows - 1)) / rows; };
+    // Charts that would be too flat to show their shape stand in two columns.
+    const int columns = heightIn(count) < flattest * strip ? 2 : 1;
+    if (columns == 2) strip = static_cast<int>(twoColumns * strip);
+    place(hero_, QRect(0, room.top(), room.width() - strip - gap_px, room.height()));
+    const int width = (strip - gap_px * (columns - 1)) / columns;
+    const int most = static_cast<int>(smallAspect * width) + hero_->captionHeight();
+    const int each = std::min(most, heightIn((count + columns - 1) / columns));
+    int number = 0;
     for (ViewFrame* frame : all) {
         if (frame == hero_) continue;
-        place(frame, QRect(room.width() - strip, y, strip, each));
-        y += each + gap_px;
+        place(frame, QRect(room.width() - strip + number % columns * (width + gap_px),
+                           room.top() + number / columns * (each + gap_px), width, each));
+        ++number;
     }
 }
 

@@ -98,7 +98,9 @@ SpeedPicture speedPicture(const project::PanelState& state, Stores& stores, cons
 
 report::Document reportOf(const SpeedPicture& picture, const Language& language)
 {
-    report::Document document = speedReport(*picture.speed, *picture.frf, picture.used, language);
+    stability::SpeedResult speed = *picture.speed;
+    speed.notes = picture.notes;  // those of the files as well
+    report::Document document = speedReport(speed, *picture.frf, picture.used, language);
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic;
     document.results = {

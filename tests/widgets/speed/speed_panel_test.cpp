@@ -4,10 +4,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/io/file.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/stability/stability_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
@@ -87,7 +89,13 @@ private slots:
         QVERIFY(std::abs(speed.frequency_hz - 223.0 * std::sqrt(1.06)) < 2);
         QCOMPARE(reading(), QString("%1 1/min").arg(std::round(speed.recommended_rpm)));
         QVERIFY(line().contains("1592"));
-        QVERIFY(panel_->reportDocument().has_value());
+        const auto document = panel_->reportDocument();
+        QVERIFY(document.has_value());
+        const auto& blocks = document->sections.at(0).blocks;
+        QVERIFY(std::any_of(blocks.begin(), blocks.end(), [](const report::Block& block) {
+            const Notes* const notes = std::get_if<Notes>(&block);
+            return notes && contains(*notes, notes::publishedRelation);
+        }));
         QCOMPARE(panel_->result()->used.empty(), false);  // steel is assumed, and said
     }
 

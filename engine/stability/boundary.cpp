@@ -11,6 +11,10 @@ namespace lathelier::stability {
 namespace {
 
 constexpr std::size_t fewestLines = 4;
+constexpr double straightDepth = 2e-5;   ///< of the depth
+constexpr double straightTurns = 1e-6;   ///< of the phase, in turns
+constexpr double straightSpeed = 1e-6;   ///< of the speed
+constexpr std::size_t mostLeftOut = 64;  ///< of points in a row, and one more
 
 void check(const Frf& frf)
 {
@@ -32,6 +36,17 @@ std::complex<double> cubic(const Frf& frf, std::size_t i, double f)
         sum += weight * frf.value[a];
     }
     return sum;
+}
+
+/// Is the response between line i and the next one straight, as far as a limiting depth tells?
+bool isStraight(const Frf& frf, std::size_t i)
+{
+    const std::complex<double> a = frf.value[i], b = frf.value[i + 1];
+    const std::complex<double> bend =
+        cubic(frf, i, (frf.frequency_hz[i] + frf.frequency_hz[i + 1]) / 2) - (a + b) / 2.0;
+    // A line is straight in G, depth and phase are not: their own bend goes with the square of the change.
+    const double least = std::min(std::abs(a.real()), std::abs(b.real()));
+    return std::abs(bend) < straightDepth * least && std::norm(b - a) < straightDepth * least * least;
 }
 
 /// ε/2π of G with a negative real part. ψ runs from -3π/2 to -π/2, through -π for a real G.
@@ -67,6 +82,7 @@ Boundary boundaryOf(const Frf& frf, double factor, int steps)
         take(frf.frequency_hz[i], factor * frf.value[i]);
         if (i + 1 == frf.frequency_hz.size()) break;
         const double width = frf.frequency_hz[i + 1] - frf.frequency_hz[i];
+        if (steps > 1 && isStraight(frf, i)) continue;
         for (int step = 1; step < steps; ++step) {
             const double f = frf.frequency_hz[i] + width * step / steps;
             take(f, factor * cubic(frf, i, f));
@@ -74,6 +90,39 @@ Boundary boundaryOf(const Frf& frf, double factor, int steps)
     }
     std::erase_if(boundary, [](const auto& stretch) { return stretch.size() < 2; });
     return boundary;
+}
+
+std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch)
+{
+    const auto isLine = [&](std::size_t from, std::size_t to) {
+        const BoundaryPoint& a = stretch[from];
+        const BoundaryPoint& b = stretch[to];
+        const double depth_a = 1 / a.compliance_mm_N, depth_b = 1 / b.compliance_mm_N;
+        // Speeds are f/(k + turns): straight only where one of the two hardly changes. k = 0 is the worst.
+        const double bend = std::abs(b.phase_turns - a.phase_turns) / std::min(a.phase_turns, b.phase_turns) *
+                            (b.frequency_hz / a.frequency_hz - 1) / 4;
+        if (!(bend < straightSpeed)) return false;
+        for (std::size_t i = from + 1; i < to; ++i) {
+            const BoundaryPoint& p = stretch[i];
+            const double share = (p.frequency_hz - a.frequency_hz) / (b.frequency_hz - a.frequency_hz);
+            const double depth = depth_a + share * (depth_b - depth_a);
+            const double turns = a.phase_turns + share * (b.phase_turns - a.phase_turns);
+            if (std::abs(depth * p.compliance_mm_N - 1) > straightDepth ||
+                std::abs(turns - p.phase_turns) > straightTurns)
+                return false;
+        }
+        return true;
+    };
+    std::vector<BoundaryPoint> kept;
+    if (stretch.empty()) return kept;
+    kept.push_back(stretch.front());
+    for (std::size_t i = 0; i + 1 < stretch.size();) {
+        std::size_t step = mostLeftOut;
+        while (step > 1 && (i + step >= stretch.size() || !isLine(i, i + step))) step /= 2;
+        i += step;
+        kept.push_back(stretch[i]);
+    }
+    return kept;
 }
 
 LeastRealPart leastRealPart(const Frf& frf, double factor)

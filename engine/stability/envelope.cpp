@@ -94,6 +94,27 @@ LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation)
     return curve;
 }
 
+LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation, const Interval& speed_rpm)
+{
+    LobeCurve curve{k, {}};
+    // The turns of a point are k to k + 1.
+    const double low = speed_rpm.from * k / 60;
+    const double high = speed_rpm.to * (relation == SpeedRelation::Published ? k : k + 1) / 60;
+    for (const auto& stretch : boundary) {
+        auto from = std::lower_bound(stretch.begin(), stretch.end(), low,
+                                     [](const BoundaryPoint& p, double f) { return p.frequency_hz < f; });
+        auto to = std::upper_bound(from, stretch.end(), high,
+                                   [](double f, const BoundaryPoint& p) { return f < p.frequency_hz; });
+        if (from != stretch.begin()) --from;
+        if (to != stretch.end()) ++to;
+        if (to - from < 2) continue;
+        std::vector<CurvePoint>& points = curve.stretches.emplace_back();
+        points.reserve(static_cast<std::size_t>(to - from));
+        for (; from != to; ++from) points.push_back(curvePoint(*from, k, relation));
+    }
+    return curve;
+}
+
 LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points)
 {
     LowerEnvelope limit(speed_rpm, points);

@@ -31,6 +31,9 @@ LobeRange lobesWithin(const Boundary& boundary, SpeedRelation relation, const In
 /// Lobe k without process damping.
 LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation);
 
+/// The part of it that may reach the speeds, with a point more at either end.
+LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation, const Interval& speed_rpm);
+
 /// The least of all curves at evenly spaced speeds, as envelope() has it.
 LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points);
 

@@ -72,7 +72,7 @@ std::vector<LobeCurve> curvesOf(const Boundary& boundary, SpeedRelation relation
     parallelFor(curves.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int k = all.first + static_cast<int>(i);
-            curves[i] = beta > 0 ? dampedLobeCurve(boundary, k, beta) : lobeCurve(boundary, k, relation);
+            curves[i] = beta > 0 ? dampedLobeCurve(boundary, k, beta) : lobeCurve(boundary, k, relation, speed_rpm);
         }
     });
     return curves;
@@ -84,10 +84,12 @@ LobeLimit scaled(LobeLimit limit, double factor)
     return limit;
 }
 
-/// With points between the lines of a response where they are few.
+/// With points between the lines of a response where they are few, without those that say nothing.
 Boundary denseBoundary(const Frf& frf, double factor)
 {
-    return boundaryOf(frf, factor, frf.frequency_hz.size() > denseEnough ? 1 : stepsOfMeasured);
+    Boundary boundary = boundaryOf(frf, factor, frf.frequency_hz.size() > denseEnough ? 1 : stepsOfMeasured);
+    for (auto& stretch : boundary) stretch = thinned(stretch);
+    return boundary;
 }
 
 LobeLimit limitIn(const Boundary& boundary, const LobeParameters& p, double beta, double per_N_mm,

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/core/core_codes.h"
+#include "engine/stability/boundary.h"
+#include "engine/stability/envelope.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/modes.h"
 #include "engine/stability/speed_choice.h"
@@ -105,6 +107,45 @@ TEST(Lobes, AReceptanceOfLinesGivesWhatItsModesGive)
     EXPECT_NEAR(*a.frequency_of_minimum_hz, *b.frequency_of_minimum_hz, 0.01);
     for (std::size_t i = 0; i < a.limit.depth_mm.size(); ++i)
         EXPECT_NEAR(a.limit.depth_mm[i] / b.limit.depth_mm[i], 1, 2e-3) << a.limit.speed_rpm[i];
+}
+
+TEST(Lobes, PointsThatSayNothingAreLeftOut)
+{
+    const std::vector<Mode> modes{{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
+    const auto lines = [&](int per_hz) {
+        Frf frf;
+        for (int i = 20 * per_hz; i <= 3000 * per_hz; ++i) {
+            frf.frequency_hz.push_back(static_cast<double>(i) / per_hz);
+            frf.value.push_back(receptanceOf(modes, frf.frequency_hz.back()));
+        }
+        return frf;
+    };
+    const Boundary all = boundaryOf(lines(8), 1, 1);
+    const Boundary dense = boundaryOf(lines(1), 1, 8);
+    Boundary few = dense;
+    for (auto& stretch : few) stretch = thinned(stretch);
+    const auto countOf = [](const Boundary& boundary) {
+        std::size_t count = 0;
+        for (const auto& stretch : boundary) count += stretch.size();
+        return count;
+    };
+    EXPECT_LT(5 * countOf(few), countOf(all));
+    for (const SpeedRelation relation : {SpeedRelation::Exact, SpeedRelation::Published}) {
+        const LobeLimit one = envelope(all, relation, {800, 6000}, 500);
+        const LobeLimit whole = envelope(dense, relation, {800, 6000}, 500);
+        const LobeLimit other = envelope(few, relation, {800, 6000}, 500);
+        std::vector<LobeCurve> curves;
+        for (int k = 0; k < 300; ++k)
+            if (relation == SpeedRelation::Exact || k > 0) curves.push_back(lobeCurve(few, k, relation, {800, 6000}));
+        const LobeLimit of_curves = envelopeOf(curves, {800, 6000}, 500);
+        for (std::size_t i = 0; i < 500; ++i) {
+            ASSERT_EQ(one.k[i] < 0, other.k[i] < 0) << one.speed_rpm[i];
+            if (one.k[i] < 0) continue;
+            EXPECT_NEAR(other.depth_mm[i] / whole.depth_mm[i], 1, 2e-4) << one.speed_rpm[i];
+            EXPECT_NEAR(other.depth_mm[i] / one.depth_mm[i], 1, 2e-3) << one.speed_rpm[i];  // steep flanks
+            EXPECT_EQ(of_curves.depth_mm[i], other.depth_mm[i]) << one.speed_rpm[i];
+        }
+    }
 }
 
 TEST(Lobes, ScaleAsTheirDimensionsSay)

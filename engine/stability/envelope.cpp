@@ -32,6 +32,15 @@ public:
 
     bool isEmpty() const { return !(step_ > 0); }
 
+    void add(const LobeCurve& curve)
+    {
+        for (const auto& stretch : curve.stretches)
+            for (std::size_t i = 1; i < stretch.size(); ++i) add(stretch[i - 1], stretch[i], curve.k);
+    }
+
+    LobeLimit take() { return std::move(limit_); }
+
+private:
     void add(const CurvePoint& a, const CurvePoint& b, int k)
     {
         const double low = std::min(a.speed_rpm, b.speed_rpm), high = std::max(a.speed_rpm, b.speed_rpm);
@@ -51,9 +60,6 @@ public:
         }
     }
 
-    LobeLimit take() { return std::move(limit_); }
-
-private:
     double from_, to_, step_, last_;
     LobeLimit limit_;
 };
@@ -119,9 +125,7 @@ LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed
 {
     LowerEnvelope limit(speed_rpm, points);
     if (limit.isEmpty()) return limit.take();
-    for (const LobeCurve& curve : curves)
-        for (const auto& stretch : curve.stretches)
-            for (std::size_t i = 1; i < stretch.size(); ++i) limit.add(stretch[i - 1], stretch[i], curve.k);
+    for (const LobeCurve& curve : curves) limit.add(curve);
     return limit.take();
 }
 
@@ -129,17 +133,8 @@ LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Inter
 {
     LowerEnvelope limit(speed_rpm, points);
     if (limit.isEmpty()) return limit.take();
-    for (const auto& stretch : boundary) {
-        const LobeRange range = lobesWithin(stretch, relation, speed_rpm);
-        for (int k = range.first; k <= range.last; ++k) {
-            CurvePoint next = curvePoint(stretch.front(), k, relation);
-            for (std::size_t i = 1; i < stretch.size(); ++i) {
-                const CurvePoint last = next;
-                next = curvePoint(stretch[i], k, relation);
-                limit.add(last, next, k);
-            }
-        }
-    }
+    const LobeRange range = lobesWithin(boundary, relation, speed_rpm);
+    for (int k = range.first; k <= range.last; ++k) limit.add(lobeCurve(boundary, k, relation, speed_rpm));
     return limit.take();
 }
 

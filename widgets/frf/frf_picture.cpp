@@ -101,9 +101,7 @@ std::string takeComputed(FrfPicture& picture, const project::PanelState& state, 
     const Shaft held = chatter_common::noted(picture, *shaft);
     const auto spindle = chatter_common::takeSpindle(state, stores, progress.part(0.1, 0.2));
     std::optional<receptance::SpindleReceptance> machine;
-    if (spindle) {
-        machine = chatter_common::noted(picture, *spindle);
-    }
+    if (spindle) machine = chatter_common::noted(picture, *spindle);
     receptance::ReceptanceParameters computing = picture.question.computing;
     chooseLines(computing, picture);
     std::string key = shaft->input.sha256 + (spindle ? spindle->input.sha256 : "") + toJson(toValues(computing)).dump();

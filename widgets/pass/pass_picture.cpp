@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/json.h"
 #include "engine/report/result_json.h"
 #include "engine/stability/stability_codes.h"
@@ -31,7 +32,14 @@ PassPicture passPicture(const project::PanelState& state, Stores& stores, const 
         key, progress.part(0.1, 1, LT_TEXT("Engine", "Finding lobes")), [&](const Progress& part) {
             return lobesOverPass(shaft, picture.question.pass, asked, spindle, picture.question.lobes, part);
         });
+    const std::vector<double>& speeds = picture.pass->speed_rpm;
     picture.speed_rpm = picture.question.operating_speed_rpm.value_or(bestOfPass(*picture.pass).speed_rpm);
+    if (picture.speed_rpm < speeds.front() || picture.speed_rpm > speeds.back())
+        throw Error(errors::valueOutOfRange, {{"parameter", speedKey},
+                                              {"found", picture.speed_rpm},
+                                              {"expected", LT_TEXT("Engine", "a number")},
+                                              {"minimum", speeds.front()},
+                                              {"maximum", speeds.back()}});
     picture.notes.insert(picture.notes.end(), picture.pass->notes.begin(), picture.pass->notes.end());
     if (picture.question.lobes.relation == stability::SpeedRelation::Published)
         picture.notes.push_back({notes::publishedRelation, {}});

@@ -41,7 +41,7 @@ PanelFacts speedPanelFacts()
     facts.title = LT_TEXT("Engine", "Speed");
     facts.icon = "speed";
     facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
-    facts.kinds = {&receptance::spindleFiles()};
+    facts.kinds = {&receptance::spindleFiles(), &receptance::shaftFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,

@@ -89,8 +89,8 @@ SpeedPicture speedPicture(const project::PanelState& state, Stores& stores, cons
     } catch (const Error& error) {
         picture.problem = error;
     }
-    picture.lobes =
-        std::make_shared<const stability::LobeResult>(findLobes(*picture.frf, shownLobes(picture), progress));
+    picture.lobes = std::make_shared<const stability::LobeResult>(
+        findLobes(*picture.frf, shownLobes(picture), progress.part(0.8, 1)));
     if (contains(picture.lobes->notes, notes::publishedRelation))
         picture.notes.push_back({notes::publishedRelation, {}});
     return picture;

@@ -56,10 +56,11 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
 struct PassPoint {
     double speed_rpm = 0;                                            ///< nearest column of the result
     double limit_mm = std::numeric_limits<double>::quiet_NaN();      ///< least limit over the pass; NaN: none
-    double z_mm = std::numeric_limits<double>::quiet_NaN();          ///< where it is
-    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< of the chatter there
+    double z_mm = std::numeric_limits<double>::quiet_NaN();          ///< where it is, at that column
+    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< of the chatter there, likewise
     bool stable = true;                                              ///< the depth of the pass is below the limit
 };
+/// The limit is linear between columns. Precondition: the speed lies within those of the result.
 PassPoint pointOfPass(const PassResult& result, double speed_rpm);
 
 /// The speed whose least limit over the pass is highest.

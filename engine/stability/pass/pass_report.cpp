@@ -6,6 +6,7 @@
 #include "engine/core/texts.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/stability/envelope.h"
 #include "engine/stability/pass/lobes_over_pass.h"
 #include "engine/stability/stability_plots.h"
 #include "engine/stability/stability_verification.h"
@@ -54,7 +55,12 @@ PassPoint pointOfPass(const PassResult& result, double speed_rpm)
     auto column = static_cast<std::size_t>(after - result.speed_rpm.begin());
     if (column == result.speed_rpm.size()) --column;
     if (column > 0 && speed_rpm - result.speed_rpm[column - 1] < result.speed_rpm[column] - speed_rpm) --column;
-    return pointAt(result, column);
+    PassPoint point = pointAt(result, column);
+    const double between = depthAt(result.worst, speed_rpm);  // NaN beside a speed without a limit
+    if (std::isnan(between)) return point;
+    point.limit_mm = between;
+    point.stable = *result.parameters.pass_depth_mm < between;
+    return point;
 }
 
 PassPoint bestOfPass(const PassResult& result)

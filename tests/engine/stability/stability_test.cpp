@@ -136,7 +136,7 @@ TEST(Lobes, PointsThatSayNothingAreLeftOut)
         const LobeLimit other = envelope(few, relation, {800, 6000}, 500);
         std::vector<LobeCurve> curves;
         for (int k = 0; k < 300; ++k)
-            if (relation == SpeedRelation::Exact || k > 0) curves.push_back(lobeCurve(few, k, relation, {800, 6000}));
+            if (relation == SpeedRelation::Exact || k > 0) curves.push_back(lobeCurve(few, k, relation));
         const LobeLimit of_curves = envelopeOf(curves, {800, 6000}, 500);
         for (std::size_t i = 0; i < 500; ++i) {
             ASSERT_EQ(one.k[i] < 0, other.k[i] < 0) << one.speed_rpm[i];

@@ -129,6 +129,17 @@ private slots:
         QCOMPARE(*panel_->result()->question.pass.pass_depth_mm, 2.0);
     }
 
+    void aSpeedThatIsNotLookedThroughIsRefused()
+    {
+        askForAPass();
+        set(speedKey, 9000.0);
+        QTRY_VERIFY(!panel_->isBusy() && panel_->error().has_value());
+        QCOMPARE(std::string(panel_->error()->code().key), std::string("value_out_of_range"));
+        set(speedKey, 3000.0);
+        settle();
+        QCOMPARE(panel_->result()->speed_rpm, 3000.0);
+    }
+
     void aPassBeyondTheShaftIsRefused()
     {
         askForAPass();

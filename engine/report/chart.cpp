@@ -143,6 +143,11 @@ Interval shownY(const Plot& plot)
     return extent.interval(yAir, upright ? namesAir * yAir : yAir, bars);
 }
 
+DeviationColours coloursOf(const ColourMap& map)
+{
+    return {map.limit, map.tolerance, map.steps, map.marked};
+}
+
 double ColourMap::at(double x_place, double y_place) const
 {
     const double u = (x_place - x_from) / (x_to - x_from) * columns;

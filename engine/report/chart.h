@@ -81,28 +81,6 @@ struct Handle {
 /// The handle's own way: inside its ranges, and a line only across itself.
 void moveHandle(Handle& handle, double x, double y);
 
-struct Plot {
-    Caption title{};                ///< above the chart, and by which a chart is known again
-    Caption remark{};               ///< beside the title: "error × 200"
-    Axis x{};                       ///< across
-    Axis y{};                       ///< upwards
-    Axis along{};                   ///< of curves that have it
-    bool equal_scales = false;      ///< a length along x is as long along y: a circle looks like one
-    std::vector<Curve> curves{};    ///< drawn in this order
-    std::vector<Region> regions{};  ///< drawn below the curves
-    std::vector<Limit> limits{};    ///< drawn above the curves
-    std::vector<Mark> marks{};      ///< drawn above the curves
-    std::vector<Handle> handles{};  ///< drawn on top
-};
-
-/// A number with a place on a sheet: finite, and not so large that differences overflow.
-bool isDrawable(double value);
-
-/// What is shown at first: the axis' own range, or all there is with some air. Never of no width; on a logarithmic axis
-/// above zero.
-Interval shownX(const Plot& plot);
-Interval shownY(const Plot& plot);
-
 /// A map of values on a regular grid in a diverging colour scale; x and y are the axes, their ranges are the grid's.
 struct ColourMap {
     Caption title{};
@@ -117,10 +95,38 @@ struct ColourMap {
     int steps = 0;                                      ///< contours on each side of 0; 0: colours run over
     std::optional<double> marked{};                     ///< shown in the scale
 
+    static constexpr double groundOpacity = 0.6;  ///< below the curves of a chart, which have to stand out
+
     bool empty() const { return columns <= 0 || rows <= 0; }
     /// The value of the cell at a place; NaN outside and where there are no data.
     double at(double x_place, double y_place) const;
 };
+
+struct Plot {
+    Caption title{};                    ///< above the chart, and by which a chart is known again
+    Caption remark{};                   ///< beside the title: "error × 200"
+    Axis x{};                           ///< across
+    Axis y{};                           ///< upwards
+    Axis along{};                       ///< of curves that have it
+    bool equal_scales = false;          ///< a length along x is as long along y: a circle looks like one
+    std::optional<ColourMap> ground{};  ///< colours below everything, of which only the grid and its values count
+    std::vector<Curve> curves{};        ///< drawn in this order
+    std::vector<Region> regions{};      ///< drawn below the curves
+    std::vector<Limit> limits{};        ///< drawn above the curves
+    std::vector<Mark> marks{};          ///< drawn above the curves
+    std::vector<Handle> handles{};      ///< drawn on top
+};
+
+/// A number with a place on a sheet: finite, and not so large that differences overflow.
+bool isDrawable(double value);
+
+/// What is shown at first: the axis' own range, or all there is with some air. Never of no width; on a logarithmic axis
+/// above zero.
+Interval shownX(const Plot& plot);
+Interval shownY(const Plot& plot);
+
+/// The colours of its values.
+DeviationColours coloursOf(const ColourMap& map);
 
 /// Deviations of closed profiles from a circle, drawn around it with a stated magnification.
 struct PolarPlot {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/report/map_image.h"
 #include "engine/report/plot_paths.h"
 
 namespace lathelier::report {
@@ -18,6 +19,8 @@ constexpr double bandOpacity = 0.3;
 constexpr double barOpacity = 0.6;
 constexpr double regionOpacity = 0.14;
 constexpr double pointRadius = 2.5;
+constexpr int groundColumns = 320;
+constexpr int groundRows = 160;
 constexpr double handleRadius = 6;
 
 std::string limitColour()
@@ -48,6 +51,29 @@ PlotFrame frameOf(const Plot& plot, const Language& language)
     else
         widen(frame.y, width / ratio);
     return frame;
+}
+
+/// The part of the ground that the frame shows, paler than a map of its own.
+void drawGround(Svg& svg, const PlotFrame& frame, const ColourMap& ground)
+{
+    ColourMap part = ground;
+    part.columns = groundColumns;
+    part.rows = groundRows;
+    part.values.clear();
+    part.values.reserve(static_cast<std::size_t>(groundColumns) * groundRows);
+    const auto middle = [](const Interval& range, int i, int count) {
+        return range.from + (range.to - range.from) * (i + 0.5) / count;
+    };
+    for (int row = 0; row < groundRows; ++row)
+        for (int column = 0; column < groundColumns; ++column)
+            part.values.push_back(static_cast<float>(
+                ground.at(middle(frame.x, column, groundColumns), middle(frame.y, row, groundRows))));
+    IndexedImage image = imageOf(part);
+    const auto pale = [](std::uint8_t c) {
+        return static_cast<std::uint8_t>(std::lround(255 - ColourMap::groundOpacity * (255 - c)));
+    };
+    for (Rgb& colour : image.palette) colour = {pale(colour.red), pale(colour.green), pale(colour.blue)};
+    svg.png(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, encodePng(image));
 }
 
 void drawCurve(Svg& svg, const PlotFrame& frame, const Curve& curve, const std::string& colour)
@@ -182,6 +208,7 @@ std::string toSvg(const Plot& plot, const Language& language)
                             axisLabel(plot.y, language)};
     Svg svg(sheetWidth, plotHeight, titles.title);
     const PlotFrame frame = frameOf(plot, language);
+    if (plot.ground && isDrawable(*plot.ground)) drawGround(svg, frame, *plot.ground);
     for (std::size_t i = 0; i < plot.regions.size(); ++i) {
         const std::string data = regionPath(frame, plot.regions[i]);
         if (!data.empty()) svg.path(data, "none", 0, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);

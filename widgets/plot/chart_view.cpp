@@ -6,6 +6,7 @@
 #include "engine/report/chart_csv.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/chart_parts.h"
+#include "widgets/plot/grid_picture.h"
 
 namespace lathelier::plot {
 namespace {
@@ -117,6 +118,12 @@ void ChartView::build()
         else
             named = true;
     };
+    if (c.data.ground) {
+        auto* ground = new GridPicture(plot().xAxis, plot().yAxis);
+        ground->setLayer("background");
+        ground->setOpacity(report::ColourMap::groundOpacity);
+        ground->set(*c.data.ground, report::coloursOf(*c.data.ground));
+    }
     for (const report::Region& region : c.data.regions) {
         c.regions.push_back(new RegionFill(plot().xAxis, plot().yAxis, region));
         add(c.regions.back(), region.name);

@@ -1,54 +1,15 @@
 #include "widgets/plot/map_view.h"
 
-#include <qcustomplot.h>
-
 #include <array>
 #include <cmath>
 
 #include "engine/report/chart_csv.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/colour_legend.h"
+#include "widgets/plot/grid_picture.h"
 
 namespace lathelier::plot {
 namespace {
-
-/// A picture stretched over a rectangle of plot coordinates, cells kept sharp.
-class GridPicture : public QCPAbstractPlottable {
-public:
-    GridPicture(QCPAxis* x, QCPAxis* y) : QCPAbstractPlottable(x, y) { removeFromLegend(); }
-
-    void set(QImage image, const QRectF& place)
-    {
-        image_ = std::move(image);
-        place_ = place;
-    }
-    double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
-    QCPRange getKeyRange(bool& found, QCP::SignDomain) const override
-    {
-        found = !image_.isNull();
-        return {place_.left(), place_.right()};
-    }
-    QCPRange getValueRange(bool& found, QCP::SignDomain, const QCPRange&) const override
-    {
-        found = !image_.isNull();
-        return {place_.top(), place_.bottom()};
-    }
-
-protected:
-    void draw(QCPPainter* painter) override
-    {
-        if (image_.isNull()) return;
-        const QPointF low = coordsToPixels(place_.left(), place_.top());
-        const QPointF high = coordsToPixels(place_.right(), place_.bottom());
-        painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
-        painter->drawImage(QRectF(QPointF(low.x(), high.y()), QPointF(high.x(), low.y())), image_);
-    }
-    void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
-
-private:
-    QImage image_;
-    QRectF place_;
-};
 
 /// The colour scale, drawn into the right margin of the axes.
 class LegendInMargin : public QCPLayerable {
@@ -159,18 +120,7 @@ void MapView::setCounts(ScaleCounts counts)
 void MapView::recolour()
 {
     const report::ColourMap& d = content_->data;
-    if (d.empty()) return content_->picture->set({}, {});
-    QImage image(d.columns, d.rows, QImage::Format_ARGB32_Premultiplied);
-    for (int row = 0; row < d.rows; ++row) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(d.rows - 1 - row));
-        for (int column = 0; column < d.columns; ++column) {
-            const float value = d.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(d.columns) +
-                                         static_cast<std::size_t>(column)];
-            const report::Rgb c = content_->colours(static_cast<double>(value));
-            line[column] = std::isnan(value) ? 0 : qRgb(c.red, c.green, c.blue);
-        }
-    }
-    content_->picture->set(image, QRectF(d.x_from, d.y_from, d.x_to - d.x_from, d.y_to - d.y_from));
+    content_->picture->set(d, content_->colours);
 }
 
 QColor MapView::colourAt(double x, double y) const

@@ -21,9 +21,9 @@ using Cube = std::array<std::int32_t, 3>;
 constexpr double kEdge_mm = 0.5;   // the scanner's spot smears what lies nearer to an edge
 constexpr double kTurns = 0.8;     // cosine between normals: more is an edge, where it happens within a cell
 constexpr double kSameSide = 0.7;  // cosine between normals of cells that may be averaged
-constexpr double kNear = 1.55;     // sizes of a cell: a window of about 9 cells
-constexpr double kFar = 2.3;       // the same of about 21
-constexpr double kRound = 1.77;    // √π: from the radius of a circle to the side of a square of its area
+// Radius of windows, in sizes of a cell: of about 9, 13 and 21 cells.
+constexpr std::array<double, 3> kWindows = {1.6, 2.1, 2.5};
+constexpr double kRound = 1.77;  // √π: from the radius of a circle to the side of a square of its area
 constexpr int kMostLevels = 12;
 constexpr std::uint32_t kNone = CellPoints::kOutside;
 
@@ -148,7 +148,7 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
 {
     const std::size_t count = level.cells.size();
     struct Found {
-        std::vector<std::uint32_t> near, far;
+        std::array<std::vector<std::uint32_t>, kWindows.size()> rings;
         std::array<std::array<std::uint32_t, 2>, 3> row{};
     };
     std::vector<Found> found(count);
@@ -165,10 +165,10 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
                     const SurfaceCell& there = level.cells[other];
                     if (here.normal.dot(there.normal) < kSameSide * here.normal.norm() * there.normal.norm()) continue;
                     const double distance = (here.place_mm - there.place_mm).norm();
-                    if (distance < kNear * cubes.size_mm || other == c)
-                        mine.near.push_back(other);
-                    else if (distance < kFar * cubes.size_mm)
-                        mine.far.push_back(other);
+                    const auto ring =
+                        std::upper_bound(kWindows.begin(), kWindows.end(), other == c ? 0 : distance / cubes.size_mm);
+                    if (ring != kWindows.end())
+                        mine.rings[static_cast<std::size_t>(ring - kWindows.begin())].push_back(other);
                 }
             };
             for (int x = -2; x <= 2; ++x)
@@ -184,12 +184,14 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
             }
         }
     });
+    for (const double radius : kWindows) level.window_mm.push_back(kRound * radius * cubes.size_mm);
     level.first.push_back(0);
     for (std::uint32_t c = 0; c < count; ++c) {
         const Found& mine = found[c];
-        level.neighbours.insert(level.neighbours.end(), mine.near.begin(), mine.near.end());
-        level.neighbours.insert(level.neighbours.end(), mine.far.begin(), mine.far.end());
-        level.near.push_back(static_cast<std::uint32_t>(mine.near.size()));
+        for (const std::vector<std::uint32_t>& ring : mine.rings) {
+            level.neighbours.insert(level.neighbours.end(), ring.begin(), ring.end());
+            level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - level.first.back()));
+        }
         level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
         for (std::size_t a = 0; a < 3; ++a)
             if (static_cast<int>(a) != cubes.side[c] / 2 && mine.row[a][0] != kNone && mine.row[a][1] != kNone)
@@ -312,8 +314,6 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
     for (int k = 0; k < kMostLevels; ++k) {
         CellLevel& level = levels.back();
         level.size_mm = kept.size_mm;
-        level.near_mm = kRound * kNear * kept.size_mm;
-        level.far_mm = kRound * kFar * kept.size_mm;
         joinCubes(kept, level, progress);
         CubeLevel next;
         next.size_mm = 2 * kept.size_mm;

@@ -80,6 +80,7 @@ private:
 
     void join(CellLevel& level) const
     {
+        level.window_mm = {0, 0};
         level.first.push_back(0);
         level.neighbours.reserve(level.cells.size() * 21);
         std::vector<std::uint32_t> far;
@@ -91,8 +92,9 @@ private:
                 const std::uint32_t found = number_[place];
                 if (found != kOutside) (is_near ? level.neighbours : far).push_back(found);
             });
-            level.near.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
+            level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
             level.neighbours.insert(level.neighbours.end(), far.begin(), far.end());
+            level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
             level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
             const auto inRow = [&](std::size_t direction, std::size_t before, std::size_t after) {
                 const std::uint32_t a = number_[before];

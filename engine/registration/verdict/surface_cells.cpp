@@ -85,18 +85,28 @@ double alikeAt(const CellLevel& level, double scatter_mm)
     return alike;
 }
 
-/// What counts at each level: what is seen there and at the two next, for what varies together may be larger than a
-/// cell.
+/// What is seen at each level; where it has too few cells, at the one before.
 std::vector<double> alikeOf(const std::vector<CellLevel>& levels, double scatter_mm)
 {
-    std::vector<double> seen(levels.size(), 0);
+    std::vector<double> seen(levels.size(), 1);
     if (scatter_mm > 0)
         for (std::size_t k = 0; k < levels.size(); ++k) seen[k] = alikeAt(levels[k], scatter_mm);
     for (std::size_t k = 1; k < seen.size(); ++k)
-        if (seen[k] == 0) seen[k] = seen[k - 1];  // too few cells to tell
-    std::vector<double> alike(levels.size(), 1);
-    for (std::size_t k = 0; k < levels.size(); ++k)
-        for (std::size_t j = k; j < std::min(k + 3, levels.size()); ++j) alike[k] = std::max(alike[k], seen[j]);
+        if (seen[k] == 0) seen[k] = seen[k - 1];
+    for (double& alike : seen) alike = std::max(alike, 1.0);
+    return seen;
+}
+
+/// What counts for a window of so many sizes of a cell of this level: the most that is seen at sizes up to its own, for
+/// what varies together may be larger than a cell. Between two levels it lies on a straight line over the logarithm.
+double alikeOfWindow(const std::vector<double>& seen, std::size_t level, double sizes)
+{
+    const double last = static_cast<double>(seen.size() - 1);
+    const double at = std::min(static_cast<double>(level) + std::max(0.0, std::log2(sizes)), last);
+    const auto below = static_cast<std::size_t>(at);
+    double alike = seen[below];
+    if (below + 1 < seen.size()) alike += (at - static_cast<double>(below)) * (seen[below + 1] - seen[below]);
+    for (std::size_t k = level; k <= below; ++k) alike = std::max(alike, seen[k]);
     return alike;
 }
 
@@ -258,9 +268,9 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
     return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
 }
 
-double allowanceOfWorst(std::size_t windows, int sides)
+double allowanceOfWorst(std::size_t windows, std::size_t about, int sides)
 {
-    const double independent = std::max(2.0, static_cast<double>(windows) / 3);
+    const double independent = std::max(2.0, 2 * static_cast<double>(windows) / static_cast<double>(3 * about));
     const double single = -std::expm1(std::log1p(-kFamily) / independent);
     return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(2 * single / sides));
 }
@@ -287,34 +297,38 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
     result.alike.clear();
     for (std::size_t k = 0; k < levels.size(); ++k) result.alike.emplace_back(levels[k].size_mm, alike[k]);
 
-    std::vector<std::size_t> start;  // of each level: where its windows begin, two for each cell
+    const std::size_t about = levels.front().window_mm.size();
+    result.about = about;
+    std::vector<std::size_t> start;  // of each level: where its windows begin
     std::size_t count = 0;
     for (const CellLevel& level : levels) {
         start.push_back(count);
-        count += 2 * level.cells.size();
+        count += about * level.cells.size();
     }
     result.windows.resize(count);
-    result.factor = allowanceOfWorst(count, 2);
+    result.factor = allowanceOfWorst(count, about, 2);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const CellLevel& level = levels[k];
         parallelFor(level.cells.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c) {
                 SurfaceCell sum;
-                const std::uint32_t from = level.first[c];
-                const std::uint32_t to = level.first[c + 1];
-                const std::size_t place = start[k] + 2 * c;
-                for (std::uint32_t i = from; i < from + level.near[c]; ++i) sum.add(level.cells[level.neighbours[i]]);
-                const auto sizeOf = [&](double fixed, std::uint32_t cells) {
-                    return fixed > 0 ? fixed : level.size_mm * std::sqrt(static_cast<double>(cells));
-                };
-                result.windows[place] = windowOf(sum, sizeOf(level.near_mm, level.near[c]), alike[k], result);
-                for (std::uint32_t i = from + level.near[c]; i < to; ++i) sum.add(level.cells[level.neighbours[i]]);
-                result.windows[place + 1] = windowOf(sum, sizeOf(level.far_mm, to - from), alike[k], result);
-                result.windows[place].wider = static_cast<std::uint32_t>(place + 1);
+                const std::size_t place = start[k] + about * c;
+                std::uint32_t next = level.first[c];
+                for (std::size_t w = 0; w < about; ++w) {
+                    const std::uint32_t cells_held = level.counts[about * c + w];
+                    while (next < level.first[c] + cells_held) sum.add(level.cells[level.neighbours[next++]]);
+                    const double fixed = level.window_mm[w];
+                    const double size_mm =
+                        fixed > 0 ? fixed : level.size_mm * std::sqrt(static_cast<double>(cells_held));
+                    result.windows[place + w] =
+                        windowOf(sum, size_mm, alikeOfWindow(alike, k, size_mm / level.size_mm), result);
+                    if (w + 1 < about)
+                        result.windows[place + w].wider = static_cast<std::uint32_t>(place + w + 1);
+                    else if (k + 1 < levels.size())
+                        result.windows[place + w].wider =
+                            static_cast<std::uint32_t>(start[k + 1] + about * std::size_t{level.parent[c]});
+                }
                 result.windows[place].smallest = k == 0;
-                if (k + 1 < levels.size())
-                    result.windows[place + 1].wider =
-                        static_cast<std::uint32_t>(start[k + 1] + 2 * std::size_t{level.parent[c]});
             }
         });
     }

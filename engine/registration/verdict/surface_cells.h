@@ -34,13 +34,12 @@ double cellSize_mm(double points, double area_mm2);
 /// Cells of one size.
 struct CellLevel {
     double size_mm = 0;                     ///< side of a cell
-    double near_mm = 0;                     ///< size of windows of the nearest cells; 0: by their number
-    double far_mm = 0;                      ///< the same of all neighbours
+    std::vector<double> window_mm;          ///< size of each window about a cell, from small to large; 0: by its cells
     std::vector<SurfaceCell> cells;         ///< with points only
     std::vector<std::uint32_t> parent;      ///< of each cell: its place in the next level; empty in the last
     std::vector<std::uint32_t> first;       ///< neighbours of cell i: from first[i] to first[i + 1] - 1
-    std::vector<std::uint32_t> near;        ///< of each cell: how many of them are the nearest 9, itself included
-    std::vector<std::uint32_t> neighbours;  ///< the nearest first
+    std::vector<std::uint32_t> neighbours;  ///< the nearest first, itself included
+    std::vector<std::uint32_t> counts;      ///< of each window of each cell: how many of its neighbours it holds
     /// Three cells in a row, in each of up to three directions: their second differences show the noise of means.
     std::array<std::vector<std::array<std::uint32_t, 3>>, 3> rows;
 };
@@ -79,8 +78,9 @@ private:
 };
 
 /// Allowance for the worst of so many windows, in standard uncertainties: Šidák's, of errors to one side or both.
-/// Neighbouring windows overlap: a third of them counts as independent, and two at least.
-double allowanceOfWorst(std::size_t windows, int sides);
+/// Neighbouring windows overlap, and those about one place hold the same points: of `about` windows about each place
+/// two thirds of a window count as independent, and two at least in all.
+double allowanceOfWorst(std::size_t windows, std::size_t about, int sides);
 
 /// Scatter about the local means, how alike neighbours are, and the windows of all levels with their uncertainty from
 /// noise, reference and registration. Everything else of `result` has to be there.

@@ -198,7 +198,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
         if (beyond + all.factor * sigma > 0) may_be_out.push_back({beyond, &window});
     }
     // Each of them may be out on one side only: the other limit is four standard uncertainties further off at least.
-    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size(), 1)) : all.factor;
+    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size(), all.about, 1)) : all.factor;
     for (const MayBeOut& one : may_be_out) {
         const SurfaceWindow& window = *one.window;
         const double excess = one.beyond - result.factor * static_cast<double>(window.sigma_mm);

@@ -59,7 +59,8 @@ struct SurfaceRow {
 
 /// What is kept of a comparison for judging it against any limits.
 struct SurfaceWindows {
-    std::vector<SurfaceWindow> windows;  ///< two about each place, a nearer and a wider one; the smallest places first
+    std::vector<SurfaceWindow> windows;  ///< `about` of them about each place, from small to large; the smallest first
+    std::size_t about = 2;               ///< number of windows about a place
     double scatter_mm = 0;               ///< standard deviation of the points about their local means
     /// How much larger the variance of a mean over cells of a size is than that of as many independent points.
     std::vector<std::pair<double, double>> alike;  ///< size in mm and that number, from small to large
@@ -83,7 +84,7 @@ struct SurfaceWindows {
 template <class F>
 void forEachSmallest(const SurfaceWindows& all, const F& take)
 {
-    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) take(all.windows[i]);
+    for (std::size_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += all.about) take(all.windows[i]);
 }
 
 }  // namespace lathelier::registration

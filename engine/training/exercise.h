@@ -59,7 +59,7 @@ Text questionOf(ExerciseKind kind);
 Values valuesOf(const std::vector<NamedNumber>& numbers);
 
 /// A cut on the hidden machine, three seconds of it. Error valueOutOfRange for a speed outside exercise.speed_rpm or a
-/// depth that is not above 0 and at most hidden.greatest_depth_mm. Throws Cancelled.
+/// depth outside 0.001 mm to hidden.greatest_depth_mm. Throws Cancelled.
 stability::SimulationResult listen(const Exercise& exercise, double speed_rpm, double depth_mm,
                                    const Progress& progress = {});
 

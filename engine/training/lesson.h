@@ -80,7 +80,7 @@ inline constexpr std::size_t mostChecks = 20;  ///< of a step
 /// keyOutOfRange.
 Lesson readLesson(std::string_view bytes, const std::string& name);
 
-/// Is this condition met? An unknown number meets none.
+/// Is this condition met? An unknown number meets none; numbers are equal when they look so with the decimals shown.
 bool isMet(const Check& check, const LessonState& state);
 
 /// Are all checks of the step met?

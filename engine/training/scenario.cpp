@@ -6,9 +6,10 @@
 namespace lathelier::training {
 namespace {
 
-constexpr int shownPoints = 3001;    ///< of the limit over the speeds
-constexpr double beyondEnds = 0.03;  ///< of the speeds shown, at either end
-constexpr double narrow = 1e-6;      ///< width of "one speed", relative
+constexpr int shownPoints = 3001;      ///< of the limit over the speeds
+constexpr double beyondEnds = 0.03;    ///< of the speeds shown, at either end
+constexpr double narrow = 1e-6;        ///< width of "one speed", relative
+constexpr double stepsPerPeriod = 96;  ///< of the highest mode
 constexpr double mostRevolutions = 1e5;
 
 stability::LobeParameters lobesAt(const Scenario& scenario, stability::SpeedRelation relation,
@@ -36,7 +37,7 @@ const std::vector<Scenario>& scenarios()
          40,
          0.1,
          {1000, 4000},
-         4,
+         5,
          2400,
          1},
         {"slender",
@@ -72,7 +73,7 @@ const std::vector<Scenario>& scenarios()
          40,
          0.1,
          {1000, 4000},
-         2,
+         2.5,
          2400,
          0.3}};
     return all;
@@ -104,12 +105,34 @@ stability::SimulationParameters cutOf(const Scenario& scenario, double speed_rpm
     return parameters;
 }
 
+stability::Growth growthOf(const Scenario& scenario, double speed_rpm, double depth_mm)
+{
+    const double revolution_s = 60 / speed_rpm;
+    const stability::CutForces forces{scenario.cutting_coefficient_N_mm2 * depth_mm};
+    stability::GrowthEffort effort;
+    effort.steps = static_cast<int>(stability::stepsOfRevolution(scenario.modes, revolution_s, stepsPerPeriod));
+    return stability::growthsOf(scenario.modes, {&forces, 1}, revolution_s, effort).front();
+}
+
 double limit_mm(const Scenario& scenario, double speed_rpm, stability::SpeedRelation relation)
 {
     const Interval one{speed_rpm, speed_rpm * (1 + narrow)};
     const stability::LobeLimit limit =
         stability::limitOf(stability::frfOf(scenario.modes, one.to), lobesAt(scenario, relation, one, 2));
     return std::isnan(limit.depth_mm.front()) ? HUGE_VAL : limit.depth_mm.front();
+}
+
+double leastAbout(const stability::LobeLimit& limit, double speed_rpm, double share)
+{
+    const std::vector<double>& speeds = limit.speed_rpm;
+    const auto from = std::lower_bound(speeds.begin(), speeds.end(), speed_rpm * (1 - share));
+    const auto to = std::upper_bound(from, speeds.end(), speed_rpm * (1 + share));
+    double least = HUGE_VAL;
+    for (auto at = from; at != to; ++at) {
+        const double depth = limit.depth_mm[static_cast<std::size_t>(at - speeds.begin())];
+        if (depth < least) least = depth;
+    }
+    return least;
 }
 
 Limits limitsOf(const Scenario& scenario, const Progress& progress)

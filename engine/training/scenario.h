@@ -15,6 +15,7 @@
 #include "engine/core/value.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/modes.h"
+#include "engine/stability/simulation/growth.h"
 #include "engine/stability/simulation/simulation.h"
 
 namespace lathelier::training {
@@ -33,6 +34,9 @@ struct Scenario {
     double start_depth_mm = 0;             ///< likewise
 };
 
+/// Key of a scenario that is none of scenarios(): the shop's own machine.
+inline constexpr const char* ownScenario = "own";
+
 /// In the order in which a class meets them: rigid, slender, tailstock, worn_bearing.
 const std::vector<Scenario>& scenarios();
 
@@ -45,8 +49,14 @@ stability::LobeParameters lobesOf(const Scenario& scenario, stability::SpeedRela
 /// One cut, simulated for at least `seconds`.
 stability::SimulationParameters cutOf(const Scenario& scenario, double speed_rpm, double depth_mm, double seconds = 1);
 
+/// Growth and frequency of one cut, without its waveform (about 1 ms).
+stability::Growth growthOf(const Scenario& scenario, double speed_rpm, double depth_mm);
+
 /// The limiting depth at one speed; infinite where no lobe limits.
 double limit_mm(const Scenario& scenario, double speed_rpm, stability::SpeedRelation relation);
+
+/// The least limit within ±share of a speed; infinite where no lobe limits.
+double leastAbout(const stability::LobeLimit& limit, double speed_rpm, double share);
 
 /// Both limits over the speeds shown, computed once for a scenario (about 10 ms).
 struct Limits {

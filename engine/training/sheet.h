@@ -55,6 +55,6 @@ const std::vector<QuantityOf<PupilTotal>>& quantitiesOf(const PupilTotal*);
 /// pupil, exercise, seed, answer, expected, correct, points, needed_s; decimal point, comma.
 std::string sheetCsv(const Sheet& sheet);
 
-report::Document sheetReport(const Sheet& sheet, const Language& language = {});
+report::Document sheetReport(const Sheet& sheet);
 
 }  // namespace lathelier::training

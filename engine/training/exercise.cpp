@@ -160,8 +160,8 @@ Text explanationOf(ExerciseKind kind)
                 "and a phase ε of {phase_deg:0}°.");
         case ExerciseKind::Damping:
             return LT_TEXT("Engine",
-                           "Over {periods:0} periods the amplitude falls from {first_mm:3} mm to {last_mm:3} mm: "
-                           "δ = ln({first_mm:3}/{last_mm:3})/{periods:0} = {decrement:3}, and "
+                           "Over {periods:0} periods the amplitude falls from {first_mm:4} mm to {last_mm:4} mm: "
+                           "δ = ln({first_mm:4}/{last_mm:4})/{periods:0} = {decrement:3}, and "
                            "ζ = δ/√(4π² + δ²) = {damping_percent:2} %.");
         case ExerciseKind::ChatterFrequency:
             return LT_TEXT("Engine",

@@ -1,4 +1,5 @@
-// Exercises with hidden parameters, repeatable by seed: the same kind and seed give the same bits on every machine.
+// Exercises with hidden parameters, repeatable by seed: the same kind and seed give the same exercise, bit by bit for
+// any number of threads.
 //
 //   SafeSpeed         a depth is given; three cuts may be listened to; find a speed at which it is stable
 //   LobeNumber        count the waves of a revolution on the surface that a chattering cut leaves: k whole waves
@@ -51,7 +52,7 @@ struct Exercise {
     std::vector<Text> choices;        ///< the answer is an index into them; empty: it is a number
 };
 
-/// About 30 ms.
+/// A few milliseconds.
 Exercise makeExercise(ExerciseKind kind, std::uint32_t seed);
 
 /// What the pupil is asked, with {keys} of the givens: fill(text(question), valuesOf(givens)).

@@ -52,7 +52,7 @@ Scenario machineOf(Draw& draw, const Interval& frequency_hz, const Interval& dam
 }
 
 /// The frequency of the least real part: chatter at the bottom of a lobe.
-double bottomFrequency_hz(const Scenario& machine)
+double bottomFrequency(const Scenario& machine)
 {
     const stability::Mode& mode = machine.modes.front();
     return mode.frequency_hz * std::sqrt(1 + 2 * mode.damping_ratio);
@@ -73,7 +73,9 @@ bool drawSafeSpeed(Draw& draw, Exercise& exercise)
     machine = machineOf(draw, {160, 300}, {2, 4});
     const double f = machine.modes.front().frequency_hz;
     const int j = static_cast<int>(std::ceil(60 * f / highestSpeed_rpm + 1.1)) + draw.whole(0, 1);
-    exercise.speed_rpm = {rounded(60 * f / (j + 0.9), 10), rounded(60 * f / (j - 1.1), 10)};
+    // The best speed is not to lie at the upper end always.
+    exercise.speed_rpm.from = rounded(60 * f / (j + draw.between(0.5, 0.9)), 10);
+    exercise.speed_rpm.to = rounded(60 * f / (j - draw.between(1.1, 1.6)), 10);
     machine.speed_rpm = exercise.speed_rpm;
     const stability::LobeLimit limit = limitOver(machine, exercise.speed_rpm);
     const double least = *std::min_element(limit.depth_mm.begin(), limit.depth_mm.end());
@@ -89,7 +91,7 @@ bool drawChatter(Draw& draw, Exercise& exercise, const Interval& frequency_hz, c
 {
     Scenario& machine = exercise.hidden;
     machine = machineOf(draw, frequency_hz, {2, 4});
-    const double f = bottomFrequency_hz(machine);
+    const double f = bottomFrequency(machine);
     const int first = std::max(2, static_cast<int>(std::ceil(60 * f / highestSpeed_rpm - 0.75)));
     const int k = first + draw.whole(0, 3);
     const double speed = rounded(60 * f / (k + 0.75 + draw.between(-0.1, 0.12)), 10);
@@ -111,7 +113,7 @@ bool drawPrediction(Draw& draw, Exercise& exercise)
 {
     Scenario& machine = exercise.hidden;
     machine = machineOf(draw, {160, 300}, {2, 4});
-    const double f = bottomFrequency_hz(machine);
+    const double f = bottomFrequency(machine);
     const int k = std::max(3, static_cast<int>(std::ceil(60 * f / highestSpeed_rpm))) + draw.whole(0, 1);
     const double waves = draw.whole(0, 1) == 0 ? k + draw.between(-0.04, 0.04) : k - 0.25 + draw.between(-0.06, 0.06);
     const double speed = rounded(60 * f / waves, 10);

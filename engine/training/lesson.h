@@ -17,7 +17,8 @@
 // check: QUANTITY COMPARISON VALUE, where QUANTITY is a key of LessonState, COMPARISON one of < <= > >= = !=, VALUE a
 // number, another quantity or a multiple of one ("1.5 * minimum_depth_mm"), or for scenario, verdict (stable, chatter,
 // undecided), relation (exact, published) and view a word.
-// set: scenario, speed_rpm, depth_mm, relation, and exercise with seed (exercise.h).
+// set: scenario (own: the shop's machine, where there is one), speed_rpm, depth_mm, relation, and exercise with seed
+// (exercise.h).
 #pragma once
 
 #include <cstdint>
@@ -55,12 +56,12 @@ struct Setting {
 };
 
 struct Step {
-    std::string heading;        ///< plain text
-    std::string body;           ///< Markdown; {keys} of LessonState may be filled in (texts.h)
-    std::string task;           ///< plain text; empty: the step is read only
-    std::string hint;           ///< plain text; empty: none
-    Setting set;                ///< at its beginning
-    std::vector<View> show;     ///< at its beginning, the first in front; empty: as it is
+    std::string heading;     ///< plain text
+    std::string body;        ///< Markdown; fill(body, describedValues(state), language) puts numbers in place of {keys}
+    std::string task;        ///< plain text; empty: the step is read only
+    std::string hint;        ///< plain text; empty: none
+    Setting set;             ///< at its beginning
+    std::vector<View> show;  ///< at its beginning, the first in front; empty: as it is
     std::vector<Check> checks;  ///< all have to be met; none: the step counts as done when it was read
 };
 

@@ -116,7 +116,7 @@ const std::vector<QuantityOf<PupilTotal>>& quantitiesOf(const PupilTotal*)
                        quantity<T>("answers", &T::answers, {LT_TEXT("Engine", "Answers"), {}, 0}),
                        quantity<T>("correct", &T::correct, {LT_TEXT("Engine", "Correct"), {}, 0}),
                        quantity<T>("points", &T::points, {LT_TEXT("Engine", "Points"), {}, 0}),
-                       quantity<T>("most_points", &T::most_points, {LT_TEXT("Engine", "Of"), {}, 0}),
+                       quantity<T>("most_points", &T::most_points, {LT_TEXT("Engine", "Most points"), {}, 0}),
                        quantity<T>("needed_s", &T::needed_s, {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s"), 0}));
     return all;
 }

@@ -43,7 +43,8 @@ struct Sheet {
     PupilTotal whole;                ///< of the class; its name is empty
 };
 
-/// So many exercises, every kind in turn, with seeds that follow from one seed: the same test for everyone who has it.
+/// So many exercises (at most 100), every kind in turn, with seeds that follow from one seed: the same test for
+/// everyone who has it.
 std::vector<Exercise> makeTest(std::uint32_t seed, int count);
 
 /// Makes and grades every exercise again. Throws Cancelled.

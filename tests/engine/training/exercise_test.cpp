@@ -123,6 +123,8 @@ TEST(Exercise, ASafeSpeedIsFoundByThreeCuts)
         stable_share += wide / (to - from) / seeds;
         EXPECT_EQ(grade(exercise, given(exercise, "depth_mm")).points, 0);
         const double best = right.numbers[3].value;
+        const double best_waves = right.numbers.back().value;
+        EXPECT_LT(std::abs(best_waves - std::round(best_waves)), 0.2) << seed;  // "close to a whole number"
         EXPECT_EQ(grade(exercise, best).points, 10) << seed;
         expectFailed(exercise, from * 0.9);
         expectFailed(exercise, to * 1.1);

@@ -97,5 +97,40 @@ TEST(Scenario, TheStateOfACutHasItsPhase)
     EXPECT_GT(whole.lost_contact_percent, 0);
 }
 
+/// Lengths, forces and times in other units: every number of the state scales by its own exponent.
+TEST(Scenario, TheStateHasItsDimensions)
+{
+    const double length = 3, force = 7, time = 0.5;
+    const Scenario& tailstock = *findScenario("tailstock");
+    Scenario scaled = tailstock;
+    for (stability::Mode& mode : scaled.modes) {
+        mode.frequency_hz /= time;
+        mode.stiffness_N_mm *= force / length;
+    }
+    scaled.cutting_coefficient_N_mm2 *= force / (length * length);
+    scaled.feed_mm_rev *= length;
+    scaled.diameter_mm *= length;
+    scaled.speed_rpm = {tailstock.speed_rpm.from / time, tailstock.speed_rpm.to / time};
+    const auto at = [](const Scenario& scenario, double speed_rpm, double depth_mm) {
+        return stateOf(scenario, limitsOf(scenario), SpeedRelation::Exact,
+                       stability::simulate(scenario.modes, cutOf(scenario, speed_rpm, depth_mm, 6000 / speed_rpm)));
+    };
+    const LessonState a = at(tailstock, 2700, 1.3), b = at(scaled, 2700 / time, 1.3 * length);
+    const auto expect = [](double value, double other, double factor) {
+        EXPECT_NEAR(other, value * factor, 1e-6 * std::abs(value * factor));
+    };
+    expect(a.growth_per_revolution, b.growth_per_revolution, 1);
+    expect(a.frequency_hz, b.frequency_hz, 1 / time);
+    expect(a.natural_frequency_hz, b.natural_frequency_hz, 1 / time);
+    expect(a.amplitude_mm, b.amplitude_mm, length);
+    expect(a.lost_contact_percent, b.lost_contact_percent, 1);
+    expect(a.waves_per_revolution, b.waves_per_revolution, 1);
+    expect(a.phase_deg, b.phase_deg, 1);
+    EXPECT_NEAR(b.limit_mm, a.limit_mm * length, 1e-3 * b.limit_mm);  // lines of the response are not scaled
+    EXPECT_NEAR(b.published_limit_mm, a.published_limit_mm * length, 1e-3 * b.published_limit_mm);
+    EXPECT_NEAR(b.robust_limit_mm, a.robust_limit_mm * length, 1e-3 * b.robust_limit_mm);
+    EXPECT_NEAR(b.minimum_depth_mm, a.minimum_depth_mm * length, 1e-3 * b.minimum_depth_mm);
+}
+
 }  // namespace
 }  // namespace lathelier::training

@@ -10,14 +10,17 @@
 namespace lathelier::training {
 namespace {
 
-Lesson tour(const std::string& language)
+std::string contentOf(const std::string& name)
 {
-    const std::filesystem::path path =
-        std::filesystem::path(LATHELIER_SOURCE_DIR) / "resources/training" / language / "tour.md";
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(std::filesystem::path(LATHELIER_SOURCE_DIR) / "resources/training" / name, std::ios::binary);
     std::ostringstream bytes;
     bytes << file.rdbuf();
-    return readLesson(bytes.str(), path.filename().string());
+    return bytes.str();
+}
+
+Lesson tour(const std::string& language)
+{
+    return readLesson(contentOf(language + "/tour.md"), "tour.md");
 }
 
 int wordsIn(const std::string& text)
@@ -102,6 +105,22 @@ TEST(Tour, TheHintsAreTrue)
     // The worn bearing is no answer to the question for a better machine.
     EXPECT_FALSE(isDone(lesson.steps[8], stateAfter(lesson.steps[8], "worn_bearing", 2700, 0.92)));
     EXPECT_TRUE(isDone(lesson.steps[8], stateAfter(lesson.steps[8], "rigid", 2700, 0.92)));
+}
+
+/// What schools are told: the example is a lesson, and no key is left out.
+TEST(Tour, TheGuideForSchoolsIsTrue)
+{
+    const std::string guide = contentOf("README.md");
+    const std::size_t begin = guide.find("```\n") + 4, end = guide.find("```\n", begin);
+    const Lesson example = readLesson(guide.substr(begin, end - begin), "README.md");
+    ASSERT_EQ(example.steps.size(), 1U);
+    EXPECT_TRUE(isDone(example.steps[0], stateAfter(example.steps[0], "slender", 2800, 0.4)));
+    std::vector<std::string> keys;
+    for (const QuantityOf<LessonState>& quantity : quantities<LessonState>()) keys.push_back(quantity.info.key);
+    for (const auto* choices : {&viewChoices(), &relationChoices(), &exerciseChoices()})
+        for (const FieldChoice& choice : *choices) keys.push_back(choice.key);
+    for (const Scenario& scenario : scenarios()) keys.push_back(scenario.key);
+    for (const std::string& key : keys) EXPECT_NE(guide.find("`" + key + "`"), std::string::npos) << key;
 }
 
 }  // namespace

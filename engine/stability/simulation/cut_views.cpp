@@ -15,6 +15,7 @@ namespace {
 
 constexpr int mostColumns = 720;  ///< of the unrolled surface
 constexpr double umPerMm = 1000;
+constexpr double leastAmplitude_um = 1e-4;  ///< less is nothing to be seen
 
 /// Calls `take` with each revolution up to `last`: its number, the surface before the tool, the surface behind it.
 template <class Take>
@@ -125,6 +126,39 @@ report::ColourMap surfaceMap(const SimulationResult& result, int last, int revol
     });
     map.limit = largest > 0 ? largest : 1;
     return map;
+}
+
+report::Plot amplitudePlot(const SimulationResult& result)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Amplitude from revolution to revolution");
+    plot.x = {LT_TEXT("Engine", "Revolution"), Text{}, report::Axis::Scale::Whole};
+    plot.y = {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "µm"), report::Axis::Scale::Logarithmic};
+    report::Curve found{LT_TEXT("Engine", "simulated")};
+    found.style = report::Curve::Style::Points;
+    for (int revolution = 0; revolution < revolutionsOf(result); ++revolution) {
+        const auto begin =
+            result.deflection_mm.begin() + static_cast<std::ptrdiff_t>(revolution) * result.steps_per_revolution;
+        const auto [least, largest] = std::minmax_element(begin, begin + result.steps_per_revolution);
+        const double amplitude = umPerMm * (*largest - *least) / 2;
+        if (amplitude < leastAmplitude_um) break;
+        found.x.push_back(revolution + 1);
+        found.y.push_back(amplitude);
+    }
+    if (found.y.empty()) return plot;
+    // From the third revolution on: the first ones hold the shock of the entry as well.
+    const std::size_t from = std::min<std::size_t>(2, found.y.size() - 1);
+    report::Curve alone{LT_TEXT("Engine", "by the growth alone"), {}, {}, report::Curve::Style::Dashed};
+    const double top = 3 * *std::max_element(found.y.begin(), found.y.end());
+    for (std::size_t i = from; i < found.y.size(); ++i) {
+        const double amplitude =
+            found.y[from] * std::pow(result.growth_per_revolution, static_cast<double>(i) - static_cast<double>(from));
+        if (amplitude > top || amplitude < leastAmplitude_um) break;
+        alone.x.push_back(found.x[i]);
+        alone.y.push_back(amplitude);
+    }
+    plot.curves = {std::move(found), std::move(alone)};
+    return plot;
 }
 
 report::Plot spectrumPlot(const SimulationResult& result, double highest_hz, const Language& language)

@@ -29,6 +29,10 @@ report::Plot wavesPlot(const SimulationResult& result, const WavePair& waves, co
 /// revolutions up to and with `last`, at most `revolutions` of them.
 report::ColourMap surfaceMap(const SimulationResult& result, int last, int revolutions = 40);
 
+/// Amplitude of the vibration in each revolution, and where the growth alone would take it: until the tool leaves the
+/// cut both run together.
+report::Plot amplitudePlot(const SimulationResult& result);
+
 /// Amplitude of the deflection over the frequency, of the last half of the waveform (Hann's window), up to
 /// `highest_hz`; the frequency of the dominant vibration is marked.
 report::Plot spectrumPlot(const SimulationResult& result, double highest_hz, const Language& language = {});

@@ -57,7 +57,8 @@ private:
     static std::vector<std::uint32_t> numbersOf(const SurfaceWindows& all, bool with_faces)
     {
         std::vector<std::uint32_t> numbers;
-        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2) {
+        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest;
+             i += static_cast<std::uint32_t>(all.about)) {
             const std::int32_t stretch = all.windows[i].stretch;
             if (with_faces || stretch < 0 || !all.stretches[static_cast<std::size_t>(stretch)].isFace())
                 numbers.push_back(i);

@@ -1,0 +1,97 @@
+#include "widgets/training/training_question.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier::training_panel {
+namespace {
+
+constexpr double usualCoefficient_N_mm2 = 2000;  ///< of a machine of which nothing else is known
+constexpr double usualFeed_mm_rev = 0.1;
+constexpr double usualDiameter_mm = 40;
+constexpr double shownDepth = 5;    ///< of the least limit
+constexpr double startDepth = 0.8;  ///< of the least limit
+
+/// 1 + K a G (1 - e^{-iωT}) = 0 has its least depth where Re G is least: -1/(2 K Re G).
+double leastLimit(const training::Scenario& scenario)
+{
+    double least = 0;
+    for (const stability::Mode& mode : scenario.modes)
+        for (double share = 0.5; share < 2; share += 1e-3)
+            least = std::min(least, receptanceOf(scenario.modes, share * mode.frequency_hz).real());
+    return least < 0 ? -1 / (2 * scenario.cutting_coefficient_N_mm2 * least) : 1;
+}
+
+}  // namespace
+
+const std::vector<Field<TrainingQuestion>>& fieldsOf(const TrainingQuestion*)
+{
+    using Q = TrainingQuestion;
+    static const std::vector<Field<Q>> all = [] {
+        std::vector<FieldChoice> parts;
+        for (const training::Scenario& scenario : training::scenarios()) parts.push_back({scenario.key, scenario.name});
+        return std::vector<Field<Q>>{
+            field("scenario", &Q::part, parts,
+                  Label{LT_TEXT("Engine", "Part and machine"),
+                        LT_TEXT("Engine", "A machine with known modes; a response or modes of your own take its "
+                                          "place.")}),
+            field("operating_speed_rpm", &Q::speed_rpm, Range{30, 1e6},
+                  Label{LT_TEXT("Engine", "Spindle speed"),
+                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."),
+                        LT_TEXT("Engine", "1/min")}),
+            field("operating_depth", &Q::depth_mm, Range{1e-4, 1e3},
+                  Label{LT_TEXT("Engine", "Depth of cut"),
+                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "mm")}),
+            field("relation", &Q::relation, training::relationChoices(),
+                  Label{LT_TEXT("Engine", "Speed relation"),
+                        LT_TEXT("Engine", "Exact keeps the phase of the regeneration; the papers set it to zero.")}),
+            field("hide_chart", &Q::hide_chart,
+                  Label{LT_TEXT("Engine", "Teacher mode: hide the chart"),
+                        LT_TEXT("Engine", "The class hears the cut and sees its wave, but neither limit nor verdict.")}),
+            field("cutting_coefficient_N_mm2", &Q::cutting_coefficient_N_mm2, Range{1e-3, 1e6},
+                  Label{LT_TEXT("Engine", "Cutting coefficient K_r"),
+                        LT_TEXT("Engine", "Force along the chip thickness over its area."),
+                        LT_TEXT("Engine", "N/mm²"), true}),
+            field("feed_mm_rev", &Q::feed_mm_rev, Range{1e-4, 10},
+                  Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Chip thickness without vibration."),
+                        LT_TEXT("Engine", "mm/rev"), true}),
+            field("speed_rpm", &Q::range_rpm, Range{30, 1e5},
+                  Label{LT_TEXT("Engine", "Speeds"), LT_TEXT("Engine", "Range that is shown, 1000:4000."),
+                        LT_TEXT("Engine", "1/min"), true}),
+            rows("modes", &Q::modes, Range{0, 6},
+                 Label{LT_TEXT("Engine", "Modes"),
+                       LT_TEXT("Engine", "Of a machine of your own, where there is no measured frequency response."),
+                       {},
+                       true})};
+    }();
+    return all;
+}
+
+training::Scenario scenarioOf(const TrainingQuestion& question, const std::vector<stability::Mode>& own)
+{
+    training::Scenario scenario = training::scenarios()[static_cast<std::size_t>(question.part)];
+    if (!own.empty()) {
+        scenario.key = training::ownScenario;
+        scenario.name = LT_TEXT("Engine", "own machine");
+        scenario.description = LT_TEXT("Engine", "The machine and part of the shop.");
+        scenario.modes = own;
+        scenario.cutting_coefficient_N_mm2 = usualCoefficient_N_mm2;
+        scenario.feed_mm_rev = usualFeed_mm_rev;
+        scenario.diameter_mm = usualDiameter_mm;
+    }
+    if (question.cutting_coefficient_N_mm2) scenario.cutting_coefficient_N_mm2 = *question.cutting_coefficient_N_mm2;
+    if (question.feed_mm_rev) scenario.feed_mm_rev = *question.feed_mm_rev;
+    if (!question.range_rpm.empty()) {
+        scenario.speed_rpm = question.range_rpm.front();
+        scenario.start_speed_rpm =
+            std::clamp(scenario.start_speed_rpm, scenario.speed_rpm.from, scenario.speed_rpm.to);
+    }
+    if (!own.empty() || question.cutting_coefficient_N_mm2) {
+        const double least = leastLimit(scenario);
+        scenario.greatest_depth_mm = shownDepth * least;
+        scenario.start_depth_mm = startDepth * least;
+    }
+    return scenario;
+}
+
+}  // namespace lathelier::training_panel

@@ -46,7 +46,7 @@ const Scenario* findScenario(std::string_view key);
 /// Its lobes over the speeds shown, and a little beyond at both ends so that a speed's neighbours are known.
 stability::LobeParameters lobesOf(const Scenario& scenario, stability::SpeedRelation relation);
 
-/// One cut, simulated for at least `seconds`.
+/// One cut, simulated for at least `seconds`. Precondition: speed_rpm > 0.
 stability::SimulationParameters cutOf(const Scenario& scenario, double speed_rpm, double depth_mm, double seconds = 1);
 
 /// Growth and frequency of one cut, without its waveform (about 1 ms).

@@ -10,6 +10,7 @@
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
 #include "widgets/spindle_machine/machine_panel.h"
+#include "widgets/training/training_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 
 namespace lathelier {
@@ -26,7 +27,8 @@ const std::vector<PanelFacts>& panelTable()
                                                frf_panel::frfPanelFacts(),
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),
-                                               speed_panel::speedPanelFacts()};
+                                               speed_panel::speedPanelFacts(),
+                                               training_panel::trainingPanelFacts()};
     return table;
 }
 

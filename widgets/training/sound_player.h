@@ -27,11 +27,11 @@ public:
     void moveTo(double speed_rpm, double depth_mm);
 
     bool isOn() const { return on_; }
-    void setOn(bool on);          ///< off at first
-    double volume() const;        ///< of 0 to `loudest`
+    void setOn(bool on);    ///< off at first
+    double volume() const;  ///< of 0 to `loudest`
     void setVolume(double volume);
-    double level() const;         ///< largest size of the last samples, of 0 to 1
-    double heard_s() const;       ///< seconds that were played since the part was set or resetHeard()
+    double level() const;    ///< largest size of the last samples, of 0 to 1
+    double heard_s() const;  ///< seconds that were played since the part was set or resetHeard()
     void resetHeard();
 
 signals:

@@ -14,9 +14,9 @@
 namespace lathelier::training_panel {
 namespace {
 
-constexpr double drawnWave = 0.12;    ///< of the radius: the largest vibration
-constexpr double sweep_deg = 270;     ///< of the dial
-constexpr int divisions = 10;         ///< of the dial, to each side
+constexpr double drawnWave = 0.12;  ///< of the radius: the largest vibration
+constexpr double sweep_deg = 270;   ///< of the dial
+constexpr int divisions = 10;       ///< of the dial, to each side
 constexpr double umPerMm = 1000;
 constexpr std::size_t mostCorners = 720;
 

@@ -20,7 +20,7 @@
 namespace lathelier::training_panel {
 namespace {
 
-constexpr int reportColumns = 120;  ///< of the map on paper, and rows
+constexpr int reportColumns = 120;   ///< of the map on paper, and rows
 constexpr double shownSpectrum = 3;  ///< of the highest natural frequency
 
 /// What a drag of the operating point does not change.
@@ -92,9 +92,8 @@ TrainingPicture trainingPicture(const project::PanelState& state, Stores& stores
     for (const stability::Mode& mode : scenario.modes) basis += toJson(toValues(mode)).dump();
     for (const double number : {scenario.cutting_coefficient_N_mm2, scenario.speed_rpm.from, scenario.speed_rpm.to})
         basis += Json(number).dump() + ' ';
-    picture.limits =
-        stores.of<LimitsMemo>()->find(basis, progress.part(0.4, 0.7, LT_TEXT("Engine", "Finding lobes")),
-                                      [&](const Progress& p) { return training::limitsOf(scenario, p); });
+    picture.limits = stores.of<LimitsMemo>()->find(basis, progress.part(0.4, 0.7, LT_TEXT("Engine", "Finding lobes")),
+                                                   [&](const Progress& p) { return training::limitsOf(scenario, p); });
     picture.frf = std::make_shared<const Frf>(stability::frfOf(scenario.modes, scenario.speed_rpm.to));
     picture.point = {question.speed_rpm.value_or(scenario.start_speed_rpm),
                      question.depth_mm.value_or(scenario.start_depth_mm)};
@@ -140,9 +139,10 @@ report::Answer answer(const TrainingPicture& picture, const Language& language)
     }
     answer.sentence =
         std::isfinite(state.limit_mm)
-            ? LT_TEXT("Engine",
-                      "{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, "
-                      "ε = {phase}°")
+            ? LT_TEXT(
+                  "Engine",
+                  "{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, "
+                  "ε = {phase}°")
             : LT_TEXT("Engine", "{speed} 1/min · depth {depth_mm:3} mm, no lobe limits here · {frequency} Hz");
     return answer;
 }
@@ -173,19 +173,18 @@ report::Document reportOf(const TrainingPicture& picture, const Language& langua
     if (!picture.notes.empty()) first.blocks.emplace_back(picture.notes);
     document.sections.push_back(std::move(first));
     const double highest = shownSpectrum * picture.scenario.modes.back().frequency_hz;
+    document.sections.push_back({LT_TEXT("Engine", "The cut"),
+                                 {report::quantityTable(LT_TEXT("Engine", "Simulated cut"), cut,
+                                                        {"verdict_words", "growth_per_revolution", "frequency_hz",
+                                                         "wave_turns", "amplitude_mm", "lost_contact_percent"}),
+                                  waveformPlot(cut), amplitudePlot(cut), wavesPlot(cut, cut.waves, language),
+                                  surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highest, language)}});
     document.sections.push_back(
-        {LT_TEXT("Engine", "The cut"),
-         {report::quantityTable(LT_TEXT("Engine", "Simulated cut"), cut,
-                                {"verdict_words", "growth_per_revolution", "frequency_hz", "wave_turns", "amplitude_mm",
-                                 "lost_contact_percent"}),
-          waveformPlot(cut), amplitudePlot(cut), wavesPlot(cut, cut.waves, language),
-          surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highest, language)}});
-    document.sections.push_back({LT_TEXT("Engine", "Published relation against the exact one"),
-                                 {comparisonChart(picture.limits->exact, picture.limits->published, &raster,
-                                                  picture.point, language)}});
-    document.sections.push_back({LT_TEXT("Engine", "Method and parameters"),
-                                 {report::parametersTable(picture.question, language),
-                                  report::parametersTable(cut.parameters, language)}});
+        {LT_TEXT("Engine", "Published relation against the exact one"),
+         {comparisonChart(picture.limits->exact, picture.limits->published, &raster, picture.point, language)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Method and parameters"),
+         {report::parametersTable(picture.question, language), report::parametersTable(cut.parameters, language)}});
     return document;
 }
 

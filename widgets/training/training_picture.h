@@ -6,6 +6,7 @@
 #include "engine/core/frf.h"
 #include "engine/core/input_file.h"
 #include "engine/report/document.h"
+#include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_plots.h"
 #include "engine/training/lesson_state.h"
 #include "widgets/chatter_common/frf_files.h"

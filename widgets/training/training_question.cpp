@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/training/lesson_state.h"
+
 namespace lathelier::training_panel {
 namespace {
 
@@ -33,25 +35,27 @@ const std::vector<Field<TrainingQuestion>>& fieldsOf(const TrainingQuestion*)
         return std::vector<Field<Q>>{
             field("scenario", &Q::part, parts,
                   Label{LT_TEXT("Engine", "Part and machine"),
-                        LT_TEXT("Engine", "A machine with known modes; a response or modes of your own take its "
-                                          "place.")}),
-            field("operating_speed_rpm", &Q::speed_rpm, Range{30, 1e6},
-                  Label{LT_TEXT("Engine", "Spindle speed"),
-                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."),
-                        LT_TEXT("Engine", "1/min")}),
+                        LT_TEXT("Engine",
+                                "A machine with known modes; a response or modes of your own take its "
+                                "place.")}),
+            field(
+                "operating_speed_rpm", &Q::speed_rpm, Range{30, 1e6},
+                Label{LT_TEXT("Engine", "Spindle speed"),
+                      LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "1/min")}),
             field("operating_depth", &Q::depth_mm, Range{1e-4, 1e3},
                   Label{LT_TEXT("Engine", "Depth of cut"),
                         LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "mm")}),
             field("relation", &Q::relation, training::relationChoices(),
                   Label{LT_TEXT("Engine", "Speed relation"),
                         LT_TEXT("Engine", "Exact keeps the phase of the regeneration; the papers set it to zero.")}),
-            field("hide_chart", &Q::hide_chart,
-                  Label{LT_TEXT("Engine", "Teacher mode: hide the chart"),
-                        LT_TEXT("Engine", "The class hears the cut and sees its wave, but neither limit nor verdict.")}),
+            field(
+                "hide_chart", &Q::hide_chart,
+                Label{LT_TEXT("Engine", "Teacher mode: hide the chart"),
+                      LT_TEXT("Engine", "The class hears the cut and sees its wave, but neither limit nor verdict.")}),
             field("cutting_coefficient_N_mm2", &Q::cutting_coefficient_N_mm2, Range{1e-3, 1e6},
                   Label{LT_TEXT("Engine", "Cutting coefficient K_r"),
-                        LT_TEXT("Engine", "Force along the chip thickness over its area."),
-                        LT_TEXT("Engine", "N/mm²"), true}),
+                        LT_TEXT("Engine", "Force along the chip thickness over its area."), LT_TEXT("Engine", "N/mm²"),
+                        true}),
             field("feed_mm_rev", &Q::feed_mm_rev, Range{1e-4, 10},
                   Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Chip thickness without vibration."),
                         LT_TEXT("Engine", "mm/rev"), true}),
@@ -83,8 +87,7 @@ training::Scenario scenarioOf(const TrainingQuestion& question, const std::vecto
     if (question.feed_mm_rev) scenario.feed_mm_rev = *question.feed_mm_rev;
     if (!question.range_rpm.empty()) {
         scenario.speed_rpm = question.range_rpm.front();
-        scenario.start_speed_rpm =
-            std::clamp(scenario.start_speed_rpm, scenario.speed_rpm.from, scenario.speed_rpm.to);
+        scenario.start_speed_rpm = std::clamp(scenario.start_speed_rpm, scenario.speed_rpm.from, scenario.speed_rpm.to);
     }
     if (!own.empty() || question.cutting_coefficient_N_mm2) {
         const double least = leastLimit(scenario);

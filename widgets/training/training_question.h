@@ -12,9 +12,9 @@ namespace lathelier::training_panel {
 enum class Part { Rigid, Slender, Tailstock, WornBearing };  ///< in the order of training::scenarios()
 
 struct TrainingQuestion {
-    Part part = Part::Slender;                        ///< where neither a response nor modes are given
-    std::optional<double> speed_rpm;                  ///< operating point; none: that of the scenario
-    std::optional<double> depth_mm;                   ///< operating point; none: that of the scenario
+    Part part = Part::Slender;        ///< where neither a response nor modes are given
+    std::optional<double> speed_rpm;  ///< operating point; none: that of the scenario
+    std::optional<double> depth_mm;   ///< operating point; none: that of the scenario
     stability::SpeedRelation relation = stability::SpeedRelation::Exact;  ///< of the lobes in the chart
     bool hide_chart = false;                          ///< teacher mode: the class hears and does not see the limit
     std::optional<double> cutting_coefficient_N_mm2;  ///< K_r; none: that of the scenario

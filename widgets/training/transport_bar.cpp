@@ -60,8 +60,8 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
     : QWidget(parent),
       player_(player),
       play_(makeButton("play", "play")),
-      back_(makeButton("stepBack", "undo")),
-      forth_(makeButton("stepForth", "redo")),
+      back_(makeButton("stepBack", "step_back")),
+      forth_(makeButton("stepForth", "step_forth")),
       pace_(new QComboBox),
       place_(new QSlider(Qt::Horizontal)),
       words_(new QLabel),
@@ -91,9 +91,7 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
     connect(play_, &QToolButton::clicked, this, [this] { setPlaying(!isPlaying()); });
     connect(back_, &QToolButton::clicked, this, [this] { step(-1); });
     connect(forth_, &QToolButton::clicked, this, [this] { step(1); });
-    connect(place_, &QSlider::valueChanged, this, [this](int value) {
-        setTime(length_s_ * value / places);
-    });
+    connect(place_, &QSlider::valueChanged, this, [this](int value) { setTime(length_s_ * value / places); });
     connect(sound_, &QToolButton::toggled, &player_, &SoundPlayer::setOn);
     connect(volume_, &QSlider::valueChanged, this,
             [this](int value) { player_.setVolume(SoundPlayer::loudest * value / 100); });
@@ -147,9 +145,8 @@ void TransportBar::showTime()
 {
     const QSignalBlocker quiet(place_);
     place_->setValue(static_cast<int>(std::lround(places * time_s_ / length_s_)));
-    words_->setText(tr("revolution %L1 · %L2 s")
-                        .arg(static_cast<int>(time_s_ / revolution_s_) + 1)
-                        .arg(time_s_, 0, 'f', 3));
+    words_->setText(
+        tr("revolution %L1 · %L2 s").arg(static_cast<int>(time_s_ / revolution_s_) + 1).arg(time_s_, 0, 'f', 3));
 }
 
 void TransportBar::retranslate()

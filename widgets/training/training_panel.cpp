@@ -1,0 +1,339 @@
+#include "widgets/training/training_panel.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/frf_item.h"
+#include "engine/core/json.h"
+#include "engine/io/file.h"
+#include "engine/report/html.h"
+#include "engine/stability/simulation/simulation_files.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+
+namespace lathelier::training_panel {
+namespace {
+
+constexpr int listening_ms = 500;
+constexpr int demonstrationFrames = 250;  ///< ten seconds of film
+
+InputRole responseRole()
+{
+    InputRole role;
+    role.role = frfRole;
+    role.label = LT_TEXT("Engine", "Frequency response");
+    role.hint = LT_TEXT("Engine", "Of a machine of your own, in place of the scenario: UFF, CSV or MAT.");
+    role.kinds = {&io::frfFiles()};
+    role.item_kind = frfItem;
+    role.required = false;
+    return role;
+}
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = {responseRole()};
+    inputs.fields = infos<TrainingQuestion>();
+    inputs.defaults = toValues(TrainingQuestion{});
+    inputs.invitation = LT_TEXT("Engine", "Choose a scenario, or drop a frequency response of your own here.");
+    return inputs;
+}
+
+bool isTouched(const project::PanelState& state)
+{
+    const Value* const speed = find(state.parameters, "operating_speed_rpm");
+    return state.inputs.count(frfRole) > 0 || (speed && !std::holds_alternative<std::monostate>(*speed));
+}
+
+}  // namespace
+
+PanelFacts trainingPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "training";
+    facts.title = LT_TEXT("Engine", "Training");
+    facts.icon = "training";
+    facts.workspaces = {{"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    facts.roles = panelInputs().roles;
+    facts.item_inputs = {{frfItem, frfRole}};
+    facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
+    facts.missing = [](const project::PanelState&) { return std::vector<Text>{}; };
+    facts.hasWork = isTouched;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) {
+        return reportOf(trainingPicture(state, stores, progress.part(0, 0.5)), language, progress.part(0.5, 1));
+    };
+    return facts;
+}
+
+TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
+    : Panel(owner, trainingPanelFacts(), panelInputs(), parent),
+      views_(new TrainingViews),
+      tour_(new TourPane),
+      exercises_(new ExercisePane),
+      panes_(new QTabWidget),
+      transport_(new TransportBar(player_))
+{
+    panes_->setObjectName("panes");
+    panes_->addTab(tour_, {});
+    panes_->addTab(exercises_, {});
+    auto* split = new QSplitter(Qt::Horizontal);
+    split->setChildrenCollapsible(true);
+    split->addWidget(views_);
+    split->addWidget(panes_);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 1);
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(split, 1);
+    layout->addWidget(transport_);
+    setViews(page, views_->heroes());
+    connect(views_, &TrainingViews::pointMoved, this, &TrainingPanel::movePoint);
+    connect(views_, &TrainingViews::notWritten, this, &TrainingPanel::sayNotWritten);
+    connect(views_->heroes(), &HeroViews::heroChanged, this, &TrainingPanel::tellTour);
+    connect(transport_, &TransportBar::timeChanged, views_, &TrainingViews::setTime);
+    connect(tour_, &TourPane::settingWanted, this, &TrainingPanel::takeSetting);
+    connect(tour_, &TourPane::viewsWanted, this,
+            [this](const QStringList& keys) { views_->heroes()->setHero(keys.front()); });
+    connect(tour_, &TourPane::stepBegun, this, [this] {
+        player_.resetHeard();
+        score_ = training::LessonState::unknown;
+    });
+    connect(tour_, &TourPane::lessonWanted, this, &TrainingPanel::askForLesson);
+    connect(exercises_, &ExercisePane::begun, this, [this] {
+        views_->clearExercise();
+        panes_->setCurrentWidget(exercises_);
+    });
+    connect(exercises_, &ExercisePane::cutHeard, this,
+            [this](const std::shared_ptr<const stability::SimulationResult>& cut) {
+                views_->setListened(cut);
+                playCut(*cut, exercises_->exercise()->hidden.modes);
+            });
+    connect(exercises_, &ExercisePane::blowHeard, views_, &TrainingViews::setBlow);
+    connect(exercises_, &ExercisePane::graded, this, [this](double points) {
+        score_ = points;
+        playPicture();
+        tellTour();
+    });
+    connect(exercises_, &ExercisePane::refused, this, [this](const Error& error) {
+        emit messageRaised({error, facts().title});
+    });
+    connect(exercises_, &ExercisePane::sheetWanted, this, &TrainingPanel::askForSheet);
+    connect(&frames_, &FrameWriter::notWritten, this, &TrainingPanel::sayNotWritten);
+    listening_.setInterval(listening_ms);
+    connect(&listening_, &QTimer::timeout, this, &TrainingPanel::tellTour);
+    listening_.start();
+}
+
+void TrainingPanel::setPresenting(bool presenting)
+{
+    panes_->setVisible(!presenting);
+    Panel::setPresenting(presenting);
+}
+
+void TrainingPanel::movePoint(double speed_rpm, double depth_mm, bool dropped)
+{
+    constexpr double least = 1e-3;  // a depth that is cut; also the step
+    depth_mm = std::max(least, std::round(depth_mm / least) * least);
+    player_.moveTo(speed_rpm, depth_mm);  // heard before it is seen
+    editState(
+        tr("Move the operating point"),
+        [&](project::PanelState& state) {
+            lathelier::set(state.parameters, "operating_speed_rpm", std::round(speed_rpm));
+            lathelier::set(state.parameters, "operating_depth", depth_mm);
+        },
+        QString("training/operating_point/%1").arg(gesture_));
+    gesture_ += dropped;
+}
+
+void TrainingPanel::takeSetting(const training::Setting& setting)
+{
+    const bool is_own = setting.scenario == training::ownScenario;
+    editState(tr("Step of the tour"), [&](project::PanelState& state) {
+        if (!setting.scenario.empty() && !is_own) {
+            lathelier::set(state.parameters, "scenario", setting.scenario);
+            lathelier::set(state.parameters, "modes", Rows{});
+            state.inputs.erase(frfRole);
+            for (const char* key :
+                 {"operating_speed_rpm", "operating_depth", "cutting_coefficient_N_mm2", "feed_mm_rev"})
+                lathelier::set(state.parameters, key, Value());
+        }
+        if (setting.speed_rpm) lathelier::set(state.parameters, "operating_speed_rpm", *setting.speed_rpm);
+        if (setting.depth_mm) lathelier::set(state.parameters, "operating_depth", *setting.depth_mm);
+        if (setting.relation)
+            lathelier::set(state.parameters, "relation",
+                           std::string(*setting.relation == stability::SpeedRelation::Exact ? "exact" : "published"));
+    });
+    if (setting.exercise) {
+        exercises_->begin(*setting.exercise, setting.seed.value_or(1));
+        panes_->setCurrentWidget(tour_);
+    }
+}
+
+void TrainingPanel::tellTour()
+{
+    if (!result()) return;
+    training::LessonState state = result()->state;
+    const auto& views = training::viewChoices();
+    const std::string hero = views_->heroes()->hero().toStdString();
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (views[i].key == hero) state.view = static_cast<training::View>(i);
+    state.heard_s = player_.isOn() ? player_.heard_s() : 0;
+    state.score = score_;
+    tour_->setState(state);
+}
+
+void TrainingPanel::playCut(const stability::SimulationResult& cut, const std::vector<stability::Mode>& modes)
+{
+    const stability::SimulationParameters& p = cut.parameters;
+    stability::StreamParameters stream;
+    stream.speed_rpm = *p.speed_rpm;
+    stream.depth_mm = *p.depth_mm;
+    stream.cutting_coefficient_N_mm2 = *p.cutting_coefficient_N_mm2;
+    stream.feed_mm_rev = p.feed_mm_rev;
+    stream.direction_factor = p.direction_factor;
+    player_.setCut(modes, stream);
+    sounding_.clear();
+}
+
+/// The machine on screen; while it stays the same the sound only moves along.
+void TrainingPanel::playPicture()
+{
+    const TrainingPicture& picture = *result();
+    Json machine = {picture.scenario.cutting_coefficient_N_mm2, picture.scenario.feed_mm_rev};
+    for (const stability::Mode& mode : picture.scenario.modes) machine.push_back(toJson(toValues(mode)));
+    std::string name = machine.dump();
+    if (name != sounding_) playCut(*picture.cut, picture.scenario.modes);
+    player_.moveTo(picture.point.speed_rpm, picture.point.depth_mm);
+    sounding_ = std::move(name);
+}
+
+TrainingPanel::Compute TrainingPanel::compute(const project::PanelState& state) const
+{
+    fromValues<TrainingQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return trainingPicture(state, *stores, progress);
+    };
+}
+
+QString TrainingPanel::understood(const InputRole&, const project::Source& source) const
+{
+    const auto loaded = session().stores().of<chatter_common::FrfStore>()->known(source);
+    if (!loaded) return {};
+    const auto& frfs = loaded->file.frfs;
+    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
+    return understoodText(loaded->file.facts, tr("%L1 lines").arg(lines));
+}
+
+void TrainingPanel::showResult(const std::shared_ptr<const TrainingPicture>& picture)
+{
+    views_->setPicture(picture);
+    transport_->setCut(picture->cut->seconds(), picture->cut->step_s * picture->cut->steps_per_revolution);
+    playPicture();
+    tellTour();
+}
+
+report::Answer TrainingPanel::answer(const TrainingPicture& picture) const
+{
+    return training_panel::answer(picture, screenLanguage());
+}
+
+report::Document TrainingPanel::document(const TrainingPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> TrainingPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    auto* const self = const_cast<TrainingPanel*>(this);
+    return {{tr("Sound of the cut (WAV)…"), tr("Sound (*.wav)"), "wav",
+             [picture](const QString& path) {
+                 io::writeFile(path.toStdString(), stability::soundOf(*picture->cut).bytes);
+             }},
+            {tr("Waveform (CSV)…"), tr("Table (*.csv)"), "csv",
+             [picture](const QString& path) {
+                 io::writeFile(path.toStdString(),
+                               [&](const io::Append& append) { writeWaveform(*picture->cut, append); });
+             }},
+            {tr("Demonstration (sound and a folder of pictures)…"), tr("Sound (*.wav)"), "wav",
+             [self](const QString& path) { self->writeDemonstration(path); }},
+            {tr("Pictures of all views (SVG)…"), tr("Pictures (*.svg)"), "svg", [self](const QString& path) {
+                 const QFileInfo file(path);
+                 for (const auto& [key, view] : self->views_->plots())
+                     if (self->views_->heroes()->keys().contains(key))
+                         view->savePicture(file.dir().filePath(file.completeBaseName() + "_" + key + ".svg"));
+             }}};
+}
+
+/// The large view in slow motion, and the sound beside it.
+void TrainingPanel::writeDemonstration(const QString& path)
+{
+    io::writeFile(path.toStdString(), stability::soundOf(*result()->cut).bytes);
+    const QFileInfo file(path);
+    QWidget* view = views_->heroes();
+    transport_->setPlaying(false);
+    const double length_s = result()->cut->seconds();
+    frames_.begin(*view, file.dir().filePath(file.completeBaseName() + "_frames"), demonstrationFrames,
+                  [this, length_s](int frame) { transport_->setTime(length_s * frame / demonstrationFrames); });
+}
+
+void TrainingPanel::askForLesson()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a lesson"), {}, tr("Lesson (*.md)"));
+    if (path.isEmpty()) return;
+    try {
+        tour_->open(path);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+void TrainingPanel::askForSheet()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Sheet of results"), tr("results") + ".html",
+                                                      tr("Report (*.html);;Table (*.csv)"));
+    if (path.isEmpty()) return;
+    try {
+        const training::Sheet sheet = training::sheetOf(exercises_->answers());
+        io::writeFile(path.toStdString(), path.endsWith(".csv", Qt::CaseInsensitive)
+                                              ? sheetCsv(sheet)
+                                              : report::toHtml(sheetReport(sheet), screenLanguage()));
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+Values TrainingPanel::view() const
+{
+    return {{"tour_step", std::int64_t{tour_->step()}}};
+}
+
+void TrainingPanel::restoreView(const Values& kept)
+{
+    const Value* const step = lathelier::find(kept, "tour_step");
+    const auto* const number = step ? std::get_if<std::int64_t>(step) : nullptr;
+    const QSignalBlocker quiet(tour_);  // the project holds what the step has set
+    tour_->goTo(number ? static_cast<int>(std::clamp<std::int64_t>(*number, -1, tour_->steps() - 1)) : -1);
+}
+
+void TrainingPanel::retranslate()
+{
+    panes_->setTabText(0, tr("Tour"));
+    panes_->setTabText(1, tr("Exercises"));
+    views_->retranslate();
+    transport_->retranslate();
+    tour_->retranslate();
+    exercises_->retranslate();
+}
+
+}  // namespace lathelier::training_panel

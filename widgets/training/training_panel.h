@@ -1,0 +1,68 @@
+// The panel "Training": a class sees, hears and computes why a lathe chatters.
+#pragma once
+
+#include <QTabWidget>
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/training/exercise_pane.h"
+#include "widgets/training/frame_writer.h"
+#include "widgets/training/sound_player.h"
+#include "widgets/training/tour_pane.h"
+#include "widgets/training/training_picture.h"
+#include "widgets/training/training_views.h"
+#include "widgets/training/transport_bar.h"
+
+namespace lathelier::training_panel {
+
+/// The panel's line of the panel table.
+PanelFacts trainingPanelFacts();
+
+class TrainingPanel : public Panel<TrainingPicture> {
+    Q_OBJECT
+
+public:
+    explicit TrainingPanel(Session& session, QWidget* parent = nullptr);
+
+    TrainingViews& views() const { return *views_; }
+    TourPane& tour() const { return *tour_; }
+    ExercisePane& exercises() const { return *exercises_; }
+    TransportBar& transport() const { return *transport_; }
+    SoundPlayer& player() { return player_; }
+    void setPresenting(bool presenting) override;
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const TrainingPicture>& picture) override;
+    report::Answer answer(const TrainingPicture& picture) const override;
+    Notes notes(const TrainingPicture& picture) const override { return picture.notes; }
+    report::Document document(const TrainingPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    void retranslate() override;
+
+private:
+    void movePoint(double speed_rpm, double depth_mm, bool dropped);
+    void takeSetting(const training::Setting& setting);
+    void tellTour();
+    void playCut(const stability::SimulationResult& cut, const std::vector<stability::Mode>& modes);
+    void playPicture();
+    void askForLesson();
+    void askForSheet();
+    void writeDemonstration(const QString& path);
+
+    SoundPlayer player_;
+    FrameWriter frames_;
+    TrainingViews* views_;
+    TourPane* tour_;
+    ExercisePane* exercises_;
+    QTabWidget* panes_;
+    TransportBar* transport_;
+    QTimer listening_;                               ///< tells the tour what was heard meanwhile
+    std::string sounding_;                           ///< the machine that is heard
+    double score_ = training::LessonState::unknown;  ///< of the last exercise since the step began
+    int gesture_ = 0;                                ///< drags of the operating point so far: one undo step each
+};
+
+}  // namespace lathelier::training_panel

@@ -1,0 +1,217 @@
+#include "widgets/training/training_views.h"
+
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "engine/receptance/frf_plots.h"
+#include "engine/stability/simulation/cut_views.h"
+#include "engine/stability/simulation/growth_chart.h"
+#include "engine/stability/simulation/simulation_report.h"
+#include "engine/stability/simulation/why.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::training_panel {
+namespace {
+
+constexpr double shownSpectrum = 3;  ///< of the highest natural frequency
+
+QString escaped(const std::string& text)
+{
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
+/// The response with a line at the frequency of the vibration.
+report::Plot responseAt(const Frf& frf, double frequency_hz, const Language& language)
+{
+    report::Plot plot = receptance::magnitudePlot(frf);
+    plot.limits.push_back({report::Limit::Direction::Vertical, frequency_hz,
+                           fill(text(LT_TEXT("Engine", "the cut vibrates at {frequency} Hz"), language),
+                                {{"frequency", fixed(frequency_hz, 1, language)}}, language)});
+    return plot;
+}
+
+}  // namespace
+
+TrainingViews::TrainingViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      lobes_(new plot::ChartView),
+      growth_(new plot::ChartView),
+      waveform_(new plot::ChartView),
+      waves_(new plot::ChartView),
+      surface_(new plot::MapView),
+      frf_(new plot::ChartView),
+      spindle_(new SpindleView),
+      spectrum_(new plot::ChartView),
+      comparison_(new plot::ChartView),
+      why_(new QTextBrowser),
+      exercise_(new QWidget),
+      heardWave_(new plot::ChartView),
+      heardTurn_(new plot::ChartView)
+{
+    why_->setObjectName("why");
+    why_->setFrameShape(QFrame::NoFrame);
+    exercise_->setObjectName("exercise");
+    auto* heard = new QVBoxLayout(exercise_);
+    heard->setContentsMargins(0, 0, 0, 0);
+    heard->addWidget(heardWave_, 1);
+    heard->addWidget(heardTurn_, 1);
+    QWidget* const views[] = {lobes_, growth_,  waveform_, waves_,      surface_,
+                              frf_,   spindle_, spectrum_, comparison_, why_};
+    for (std::size_t i = 0; i < std::size(views); ++i)
+        heroes_->add(QString::fromStdString(training::viewChoices()[i].key), views[i]);
+    heroes_->add("exercise", exercise_);
+    heroes_->setAvailable("exercise", false);
+    for (const auto& [key, view] : plots()) {
+        view->setObjectName("training_" + key);
+        connect(view, &plot::PlotWidget::notWritten, this, &TrainingViews::notWritten);
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(heroes_, 1);
+    for (plot::ChartView* chart : {lobes_, comparison_})
+        connect(chart, &plot::ChartView::handleMoved, this,
+                [this](const QString& key, double speed_rpm, double depth_mm, bool dropped) {
+                    if (key == stability::operatingPointKey) emit pointMoved(speed_rpm, depth_mm, dropped);
+                });
+    connect(surface_, &plot::MapView::limitEdited, this,
+            [this](double upper_um, double) { surface_->setColours(report::DeviationColours{upper_um}); });
+    connect(&filler_, &RasterFiller::filled, this, &TrainingViews::showLobes);
+    retranslate();
+}
+
+std::vector<std::pair<QString, plot::PlotWidget*>> TrainingViews::plots() const
+{
+    return {{"lobes", lobes_},        {"growth", growth_},         {"waveform", waveform_},
+            {"waves", waves_},        {"surface", surface_},       {"frf", frf_},
+            {"spectrum", spectrum_},  {"comparison", comparison_}, {"heardWave", heardWave_},
+            {"heardTurn", heardTurn_}};
+}
+
+void TrainingViews::setPicture(const std::shared_ptr<const TrainingPicture>& picture)
+{
+    picture_ = picture;
+    const bool open = !picture->question.hide_chart;
+    for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) heroes_->setAvailable(key, open);
+    if (open) filler_.ask(picture->scenario.modes, rasterOf(*picture));
+    show();
+}
+
+void TrainingViews::setTime(double time_s)
+{
+    time_s_ = time_s;
+    if (!picture_) return;
+    waveform_->setMarker(time_s);
+    spindle_->setTime(time_s);
+    showRevolution();
+}
+
+void TrainingViews::setListened(std::shared_ptr<const stability::SimulationResult> cut)
+{
+    listened_ = std::move(cut);
+    blow_.reset();
+    heroes_->setAvailable("exercise", true);
+    heroes_->setHero("exercise");
+    showListened();
+}
+
+void TrainingViews::setBlow(const training::Decay& blow)
+{
+    listened_.reset();
+    blow_ = blow;
+    heroes_->setAvailable("exercise", true);
+    heroes_->setHero("exercise");
+    showListened();
+}
+
+void TrainingViews::clearExercise()
+{
+    listened_.reset();
+    blow_.reset();
+    heroes_->setAvailable("exercise", false);
+}
+
+void TrainingViews::show()
+{
+    if (!picture_) return;
+    const stability::SimulationResult& cut = *picture_->cut;
+    showLobes();
+    growth_->setData(amplitudePlot(cut));
+    waveform_->setData(waveformPlot(cut));
+    frf_->setData(responseAt(*picture_->frf, cut.frequency_hz, screenLanguage()));
+    spectrum_->setData(
+        spectrumPlot(cut, shownSpectrum * picture_->scenario.modes.back().frequency_hz, screenLanguage()));
+    spindle_->setCut(picture_->cut);
+    revolution_ = -1;
+    setTime(time_s_);
+    showWhy();
+}
+
+void TrainingViews::showLobes()
+{
+    if (!picture_) return;
+    const bool is_map_of_this = !picture_->question.hide_chart;
+    const stability::RasterResult* const raster = is_map_of_this ? filler_.raster() : nullptr;
+    const auto within = [&](report::Plot plot) {
+        plot.x.range = picture_->scenario.speed_rpm;
+        plot.y.range = Interval{0, picture_->scenario.greatest_depth_mm};
+        for (report::Handle& handle : plot.handles) {
+            handle.x_range = plot.x.range;
+            handle.y_range = plot.y.range;
+        }
+        return plot;
+    };
+    const Language language = screenLanguage();
+    lobes_->setData(within(growthChart(picture_->lobes(), raster, picture_->point, language)));
+    comparison_->setData(within(
+        comparisonChart(picture_->limits->exact, picture_->limits->published, raster, picture_->point, language)));
+}
+
+/// Waves and surface of the revolution that the time lies in.
+void TrainingViews::showRevolution()
+{
+    const stability::SimulationResult& cut = *picture_->cut;
+    const int revolution = static_cast<int>(time_s_ / (cut.step_s * cut.steps_per_revolution));
+    if (revolution == revolution_) return;
+    revolution_ = revolution;
+    waves_->setData(wavesPlot(cut, wavesOf(cut, revolution), screenLanguage()));
+    report::ColourMap map = surfaceMap(cut, revolution);
+    surface_->setColours(report::coloursOf(map));
+    surface_->setData(std::move(map));
+}
+
+void TrainingViews::showListened()
+{
+    if (blow_) heardWave_->setData(decayPlot(*blow_));
+    heardTurn_->setVisible(listened_ != nullptr);
+    if (!listened_) return;
+    heardWave_->setData(waveformPlot(*listened_));
+    report::Plot turn = wavesPlot(*listened_, listened_->waves, screenLanguage());
+    turn.remark = report::Caption{};  // it would tell what is to be counted
+    heardTurn_->setData(std::move(turn));
+}
+
+void TrainingViews::showWhy()
+{
+    const Language language = screenLanguage();
+    QString html;
+    for (const stability::WhyLine& line : whyOf(*picture_->cut, picture_->limits->exact, *picture_->frf, language))
+        html += QString(
+                    "<p style='margin-bottom:2px'>%1</p><p style='margin-left:24px;margin-top:0px'><b>%2</b>"
+                    "<br/>%3</p>")
+                    .arg(escaped(text(line.idea, language)), escaped(line.formula), escaped(line.numbers));
+    why_->setHtml(html);
+}
+
+void TrainingViews::retranslate()
+{
+    for (const FieldChoice& view : training::viewChoices())
+        heroes_->setTitle(QString::fromStdString(view.key), screenText(view.label));
+    heroes_->setTitle("exercise", tr("Cut of the exercise"));
+    why_->setAccessibleName(tr("Why?"));
+    spindle_->retranslate();
+    show();
+    showListened();
+}
+
+}  // namespace lathelier::training_panel

@@ -38,4 +38,31 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>lathelier::training_panel::ExercisePane</name>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n answer</numerusform>
+            <numerusform>%n answers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Listen (%n left)</source>
+        <translation>
+            <numerusform>Listen (%n left)</numerusform>
+            <numerusform>Listen (%n left)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::TourPane</name>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

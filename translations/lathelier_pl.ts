@@ -6647,6 +6647,522 @@
         <source>Beyond the limit</source>
         <translation>Ponad granicę</translation>
     </message>
+    <message>
+        <source>Outer and inner wave</source>
+        <translation>Fala zewnętrzna i wewnętrzna</translation>
+    </message>
+    <message>
+        <source>{whole} whole waves, ε = {phase}°</source>
+        <translation>{whole} całych fal, ε = {phase}°</translation>
+    </message>
+    <message>
+        <source>chip</source>
+        <translation>wiór</translation>
+    </message>
+    <message>
+        <source>Turned surface, unrolled</source>
+        <translation>Toczona powierzchnia, rozwinięta</translation>
+    </message>
+    <message>
+        <source>Along the axis</source>
+        <translation>Wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Wysokość</translation>
+    </message>
+    <message>
+        <source>Amplitude from revolution to revolution</source>
+        <translation>Amplituda z obrotu na obrót</translation>
+    </message>
+    <message>
+        <source>Revolution</source>
+        <translation>Obrót</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>symulacja</translation>
+    </message>
+    <message>
+        <source>by the growth alone</source>
+        <translation>z samego wzrostu</translation>
+    </message>
+    <message>
+        <source>Spectrum of the deflection</source>
+        <translation>Widmo ugięcia</translation>
+    </message>
+    <message>
+        <source>red: the vibration grows, blue: it dies out</source>
+        <translation>czerwony: drganie rośnie, niebieski: gaśnie</translation>
+    </message>
+    <message>
+        <source>Published relation against the exact one</source>
+        <translation>Zależność opublikowana a dokładna</translation>
+    </message>
+    <message>
+        <source>exact limit</source>
+        <translation>granica dokładna</translation>
+    </message>
+    <message>
+        <source>limit as published, N = 60 f/k</source>
+        <translation>granica opublikowana, N = 60 f/k</translation>
+    </message>
+    <message>
+        <source>One revolution later the tool meets the wave that it left.</source>
+        <translation>Po jednym obrocie narzędzie spotyka falę, którą zostawiło.</translation>
+    </message>
+    <message>
+        <source>The chip is as thick as the feed and both waves make it; the force follows it.</source>
+        <translation>Grubość wióra wynika z posuwu i obu fal, a siła idzie za nią.</translation>
+    </message>
+    <message>
+        <source>Between two revolutions lie whole waves and a rest, the phase ε.</source>
+        <translation>Między dwoma obrotami mieszczą się całe fale i reszta, faza ε.</translation>
+    </message>
+    <message>
+        <source>The wave comes back larger after every revolution: it grows to chatter.</source>
+        <translation>Fala wraca po każdym obrocie większa: rośnie i przechodzi w drgania samowzbudne.</translation>
+    </message>
+    <message>
+        <source>The wave comes back smaller after every revolution: it dies out.</source>
+        <translation>Fala wraca po każdym obrocie mniejsza: gaśnie.</translation>
+    </message>
+    <message>
+        <source>At this speed the limit follows from the real part of the receptance there.</source>
+        <translation>Przy tej prędkości granica wynika z części rzeczywistej receptancji.</translation>
+    </message>
+    <message>
+        <source>A lobe ties speed and frequency by whole waves and phase.</source>
+        <translation>Krzywa workowa wiąże prędkość z częstotliwością przez całe fale i fazę.</translation>
+    </message>
+    <message>
+        <source>The published relation leaves the phase out and moves every lobe.</source>
+        <translation>Opublikowana zależność pomija fazę i przesuwa każdą krzywą.</translation>
+    </message>
+    <message>
+        <source>Decay after a blow</source>
+        <translation>Zanikanie po uderzeniu</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Najniższa prędkość</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Najwyższa prędkość</translation>
+    </message>
+    <message>
+        <source>Cuts that may be listened to</source>
+        <translation>Skrawania, których można posłuchać</translation>
+    </message>
+    <message>
+        <source>Whole waves k</source>
+        <translation>Całe fale k</translation>
+    </message>
+    <message>
+        <source>Frequency of the chatter</source>
+        <translation>Częstotliwość drgań samowzbudnych</translation>
+    </message>
+    <message>
+        <source>Frequency of the chatter at the least limit</source>
+        <translation>Częstotliwość drgań przy najmniejszej granicy</translation>
+    </message>
+    <message>
+        <source>Limit at every speed</source>
+        <translation>Granica przy każdej prędkości</translation>
+    </message>
+    <message>
+        <source>The cut is</source>
+        <translation>Skrawanie jest</translation>
+    </message>
+    <message>
+        <source>A safe speed</source>
+        <translation>Bezpieczna prędkość</translation>
+    </message>
+    <message>
+        <source>Counting waves</source>
+        <translation>Liczenie fal</translation>
+    </message>
+    <message>
+        <source>Damping from a decay</source>
+        <translation>Tłumienie z zanikania</translation>
+    </message>
+    <message>
+        <source>Stable or chatter?</source>
+        <translation>Stabilnie czy z drganiami?</translation>
+    </message>
+    <message>
+        <source>The cut is to be {depth_mm:2} mm deep. Find a spindle speed between {from_rpm:0} and {to_rpm:0} 1/min at which it does not chatter. You may listen to {cuts:0} cuts first.</source>
+        <translation>Głębokość skrawania ma wynosić {depth_mm:2} mm. Znajdź prędkość wrzeciona między {from_rpm:0} a {to_rpm:0} 1/min, przy której nie ma drgań. Najpierw możesz posłuchać skrawań: {cuts:0}.</translation>
+    </message>
+    <message>
+        <source>This cut at {speed_rpm:0} 1/min chatters. Count the waves on the surface over one revolution: how many whole waves are there?</source>
+        <translation>To skrawanie przy {speed_rpm:0} 1/min drga. Policz fale na powierzchni jednego obrotu: ile jest całych fal?</translation>
+    </message>
+    <message>
+        <source>The tool was hit once with a hammer and rings out. Read two amplitudes some periods apart: how large is the damping ratio in per cent?</source>
+        <translation>Narzędzie uderzono raz młotkiem i wybrzmiewa. Odczytaj dwie amplitudy odległe o kilka okresów: ile procent wynosi stopień tłumienia?</translation>
+    </message>
+    <message>
+        <source>Listen to this cut at {speed_rpm:0} 1/min and look at its waveform: how many times a second does the tool swing?</source>
+        <translation>Posłuchaj tego skrawania przy {speed_rpm:0} 1/min i obejrzyj jego przebieg: ile razy na sekundę wychyla się narzędzie?</translation>
+    </message>
+    <message>
+        <source>Every cut of less than {least_mm:2} mm is stable; at the least limit the chatter has {bottom_hz:1} Hz. Predict: is a cut of {depth_mm:2} mm at {speed_rpm:0} 1/min stable, or does it chatter? The exact relation and the shortcut of the papers disagree here.</source>
+        <translation>Każde skrawanie płytsze niż {least_mm:2} mm jest stabilne; przy najmniejszej granicy drgania mają {bottom_hz:1} Hz. Przewidź: czy skrawanie {depth_mm:2} mm przy {speed_rpm:0} 1/min jest stabilne, czy drga? Zależność dokładna i skrót z publikacji dają tu różne odpowiedzi.</translation>
+    </message>
+    <message>
+        <source>At {speed_rpm:0} 1/min the limit is {limit_mm:2} mm, {depth_mm:2} mm were to be cut. The best speed is {best_rpm:0} 1/min with at least {best_mm:2} mm even if the speed is 1 % off: there 60 f/N with the natural frequency f = {natural_hz:0} Hz is {best_waves:2}, close to a whole number, and the wave is met almost in step.</source>
+        <translation>Przy {speed_rpm:0} 1/min granica wynosi {limit_mm:2} mm, a miało być {depth_mm:2} mm. Najlepsza prędkość to {best_rpm:0} 1/min z granicą co najmniej {best_mm:2} mm, nawet gdy prędkość odbiega o 1 %: 60 f/N z częstotliwością własną f = {natural_hz:0} Hz wynosi tam {best_waves:2}, blisko liczby całkowitej, i fala spotykana jest niemal zgodnie.</translation>
+    </message>
+    <message>
+        <source>60 f/N = 60 · {frequency_hz:1} Hz / {speed_rpm:0} 1/min = {waves:2} waves: {k:0} whole waves and a phase ε of {phase_deg:0}°.</source>
+        <translation>60 f/N = 60 · {frequency_hz:1} Hz / {speed_rpm:0} 1/min = {waves:2} fali: {k:0} całych fal i faza ε równa {phase_deg:0}°.</translation>
+    </message>
+    <message>
+        <source>Over {periods:0} periods the amplitude falls from {first_mm:4} mm to {last_mm:4} mm: δ = ln({first_mm:4}/{last_mm:4})/{periods:0} = {decrement:3}, and ζ = δ/√(4π² + δ²) = {damping_percent:2} %.</source>
+        <translation>Przez {periods:0} okresów amplituda spada z {first_mm:4} mm do {last_mm:4} mm: δ = ln({first_mm:4}/{last_mm:4})/{periods:0} = {decrement:3}, a ζ = δ/√(4π² + δ²) = {damping_percent:2} %.</translation>
+    </message>
+    <message>
+        <source>Ten swings last {ten_ms:1} ms: f = {frequency_hz:1} Hz. The natural frequency is {natural_hz:1} Hz; chatter lies a little above it.</source>
+        <translation>Dziesięć wychyleń trwa {ten_ms:1} ms: f = {frequency_hz:1} Hz. Częstotliwość własna to {natural_hz:1} Hz; drgania samowzbudne leżą nieco wyżej.</translation>
+    </message>
+    <message>
+        <source>60 f/N = {waves:2} waves. The exact limit at this speed is {limit_mm:2} mm, that of the shortcut N = 60 f/k {published_mm:2} mm, the depth {depth_mm:2} mm. The simulation decides: from revolution to revolution the vibration changes by the factor {growth:3}.</source>
+        <translation>60 f/N = {waves:2} fali. Dokładna granica przy tej prędkości wynosi {limit_mm:2} mm, ze skrótu N = 60 f/k {published_mm:2} mm, a głębokość {depth_mm:2} mm. Rozstrzyga symulacja: z obrotu na obrót drganie zmienia się {growth:3} razy.</translation>
+    </message>
+    <message>
+        <source>Hidden machine</source>
+        <translation>Ukryta maszyna</translation>
+    </message>
+    <message>
+        <source>A machine of an exercise: one mode, which is to be found out.</source>
+        <translation>Maszyna z ćwiczenia: jedna postać drgań, którą trzeba odgadnąć.</translation>
+    </message>
+    <message>
+        <source>Speed answered</source>
+        <translation>Podana prędkość</translation>
+    </message>
+    <message>
+        <source>Best speed</source>
+        <translation>Najlepsza prędkość</translation>
+    </message>
+    <message>
+        <source>Least limit within 1 % of it</source>
+        <translation>Najmniejsza granica w zakresie 1 % od niej</translation>
+    </message>
+    <message>
+        <source>60 f/N there</source>
+        <translation>60 f/N przy niej</translation>
+    </message>
+    <message>
+        <source>Phase ε between the waves</source>
+        <translation>Faza ε między falami</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Okresy</translation>
+    </message>
+    <message>
+        <source>Amplitude before</source>
+        <translation>Amplituda na początku</translation>
+    </message>
+    <message>
+        <source>Amplitude after</source>
+        <translation>Amplituda na końcu</translation>
+    </message>
+    <message>
+        <source>Logarithmic decrement δ</source>
+        <translation>Logarytmiczny dekrement tłumienia δ</translation>
+    </message>
+    <message>
+        <source>Ten swings</source>
+        <translation>Dziesięć wychyleń</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Limit at this speed as published</source>
+        <translation>Granica przy tej prędkości według publikacji</translation>
+    </message>
+    <message>
+        <source>a title: “# Title”</source>
+        <translation>tytuł: „# Tytuł”</translation>
+    </message>
+    <message>
+        <source>a step: “## Heading”</source>
+        <translation>krok: „## Nagłówek”</translation>
+    </message>
+    <message>
+        <source>the end of the block: “```”</source>
+        <translation>koniec bloku: „```”</translation>
+    </message>
+    <message>
+        <source>a heading</source>
+        <translation>nagłówek</translation>
+    </message>
+    <message>
+        <source>one title only; a step begins with “## ”</source>
+        <translation>tylko jeden tytuł; krok zaczyna się od „## ”</translation>
+    </message>
+    <message>
+        <source>fewer steps</source>
+        <translation>mniej kroków</translation>
+    </message>
+    <message>
+        <source>only one of its kind in a step</source>
+        <translation>tylko jeden taki w kroku</translation>
+    </message>
+    <message>
+        <source>each only once</source>
+        <translation>każdy tylko raz</translation>
+    </message>
+    <message>
+        <source>“key = value”</source>
+        <translation>„klucz = wartość”</translation>
+    </message>
+    <message>
+        <source>an exercise with the seed</source>
+        <translation>ćwiczenie z numerem</translation>
+    </message>
+    <message>
+        <source>fewer checks</source>
+        <translation>mniej warunków</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, or a quantity that is one</source>
+        <translation>liczba z kropką dziesiętną albo wielkość liczbowa</translation>
+    </message>
+    <message>
+        <source>a task beside the check: “task: …”</source>
+        <translation>zadanie obok warunku: „task: …”</translation>
+    </message>
+    <message>
+        <source>a lesson in Markdown</source>
+        <translation>lekcja w formacie Markdown</translation>
+    </message>
+    <message>
+        <source>a lesson of at most 1 MiB</source>
+        <translation>lekcja o wielkości najwyżej 1 MiB</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wzrost</translation>
+    </message>
+    <message>
+        <source>Inner and outer wave</source>
+        <translation>Fala wewnętrzna i zewnętrzna</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Widmo</translation>
+    </message>
+    <message>
+        <source>Paper against exact</source>
+        <translation>Publikacja a dokładna</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Dlaczego?</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Jak w publikacji</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenariusz</translation>
+    </message>
+    <message>
+        <source>Lobe k</source>
+        <translation>Krzywa k</translation>
+    </message>
+    <message>
+        <source>Natural frequency next to it</source>
+        <translation>Najbliższa częstotliwość własna</translation>
+    </message>
+    <message>
+        <source>Least limit within 2 % of the speed</source>
+        <translation>Najmniejsza granica w zakresie 2 % prędkości</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Widok</translation>
+    </message>
+    <message>
+        <source>Heard</source>
+        <translation>Słuchano</translation>
+    </message>
+    <message>
+        <source>Points of the exercise</source>
+        <translation>Punkty za ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Short stiff part</source>
+        <translation>Krótka sztywna część</translation>
+    </message>
+    <message>
+        <source>A short part in a good chuck: it bends little, and takes a deep cut before it chatters.</source>
+        <translation>Krótka część w dobrym uchwycie: mało się ugina i znosi głębokie skrawanie, zanim zacznie drgać.</translation>
+    </message>
+    <message>
+        <source>Slender part</source>
+        <translation>Smukła część</translation>
+    </message>
+    <message>
+        <source>A long thin part held at one end: one weak mode at 223 Hz, the example of the published papers.</source>
+        <translation>Długa cienka część zamocowana z jednej strony: jedna słaba postać 223 Hz, przykład z publikacji.</translation>
+    </message>
+    <message>
+        <source>Slender part with tailstock</source>
+        <translation>Smukła część z konikiem</translation>
+    </message>
+    <message>
+        <source>The same part with a centre in its end: two modes, each much stiffer than the one before.</source>
+        <translation>Ta sama część podparta kłem: dwie postacie, każda o wiele sztywniejsza niż poprzednio.</translation>
+    </message>
+    <message>
+        <source>Worn spindle bearing</source>
+        <translation>Zużyte łożysko wrzeciona</translation>
+    </message>
+    <message>
+        <source>The short part again, in a spindle whose worn bearing is loose and damps little: the spindle chatters now.</source>
+        <translation>Znów krótka część, lecz zużyte łożysko wrzeciona ma luz i słabo tłumi: teraz drga wrzeciono.</translation>
+    </message>
+    <message>
+        <source>Pupil</source>
+        <translation>Uczeń</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numer</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Odpowiedź</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Poprawna</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Poprawne</translation>
+    </message>
+    <message>
+        <source>Most points</source>
+        <translation>Punktów najwyżej</translation>
+    </message>
+    <message>
+        <source>Training: results</source>
+        <translation>Szkolenie: wyniki</translation>
+    </message>
+    <message>
+        <source>All answers</source>
+        <translation>Wszystkie odpowiedzi</translation>
+    </message>
+    <message>
+        <source>By pupil</source>
+        <translation>Według uczniów</translation>
+    </message>
+    <message>
+        <source>By exercise</source>
+        <translation>Według ćwiczeń</translation>
+    </message>
+    <message>
+        <source>Every exercise follows from its kind and number alone: the same number gives the same exercise, which was graded again for this sheet.</source>
+        <translation>Każde ćwiczenie wynika z samego rodzaju i numeru: ten sam numer daje to samo ćwiczenie, a do tego arkusza oceniono je ponownie.</translation>
+    </message>
+    <message>
+        <source>Of a machine of your own, in place of the scenario: UFF, CSV or MAT.</source>
+        <translation>Własnej maszyny, zamiast scenariusza: UFF, CSV lub MAT.</translation>
+    </message>
+    <message>
+        <source>Choose a scenario, or drop a frequency response of your own here.</source>
+        <translation>Wybierz scenariusz albo upuść tu własną charakterystykę częstotliwościową.</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Szkolenie</translation>
+    </message>
+    <message>
+        <source>Does it chatter?</source>
+        <translation>Czy są drgania?</translation>
+    </message>
+    <message>
+        <source>listen</source>
+        <translation>posłuchaj</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · depth {depth_mm:3} mm</source>
+        <translation>{speed} 1/min · głębokość {depth_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, ε = {phase}°</source>
+        <translation>{speed} 1/min · głębokość {depth_mm:3} mm, granica {limit_mm:3} mm · {frequency} Hz · {k} całych fal, ε = {phase}°</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · depth {depth_mm:3} mm, no lobe limits here · {frequency} Hz</source>
+        <translation>{speed} 1/min · głębokość {depth_mm:3} mm, nic jej tu nie ogranicza · {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Training: a cut and its chatter</source>
+        <translation>Szkolenie: skrawanie i jego drgania</translation>
+    </message>
+    <message>
+        <source>The cut</source>
+        <translation>Skrawanie</translation>
+    </message>
+    <message>
+        <source>Part and machine</source>
+        <translation>Część i maszyna</translation>
+    </message>
+    <message>
+        <source>A machine with known modes; a response or modes of your own take its place.</source>
+        <translation>Maszyna o znanych postaciach drgań; własna charakterystyka lub postacie ją zastępują.</translation>
+    </message>
+    <message>
+        <source>Teacher mode: hide the chart</source>
+        <translation>Tryb nauczyciela: ukryj wykres</translation>
+    </message>
+    <message>
+        <source>The class hears the cut and sees its wave, but neither limit nor verdict.</source>
+        <translation>Klasa słyszy skrawanie i widzi falę, ale nie granicę ani ocenę.</translation>
+    </message>
+    <message>
+        <source>Chip thickness without vibration.</source>
+        <translation>Grubość wióra bez drgań.</translation>
+    </message>
+    <message>
+        <source>Range that is shown, 1000:4000.</source>
+        <translation>Pokazany zakres, 1000:4000.</translation>
+    </message>
+    <message>
+        <source>Of a machine of your own, where there is no measured frequency response.</source>
+        <translation>Własnej maszyny, gdy nie ma zmierzonej charakterystyki.</translation>
+    </message>
+    <message>
+        <source>own machine</source>
+        <translation>własna maszyna</translation>
+    </message>
+    <message>
+        <source>The machine and part of the shop.</source>
+        <translation>Maszyna i część z warsztatu.</translation>
+    </message>
+    <message>
+        <source>the cut vibrates at {frequency} Hz</source>
+        <translation>skrawanie drga z {frequency} Hz</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -8690,6 +9206,264 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Stable speeds</source>
         <translation>Prędkości stabilne</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::ExercisePane</name>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n odpowiedź</numerusform>
+            <numerusform>%n odpowiedzi</numerusform>
+            <numerusform>%n odpowiedzi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 z %2 punktów</translation>
+    </message>
+    <message numerus="yes">
+        <source>Listen (%n left)</source>
+        <translation>
+            <numerusform>Posłuchaj (zostało %n)</numerusform>
+            <numerusform>Posłuchaj (zostały %n)</numerusform>
+            <numerusform>Posłuchaj (zostało %n)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ Right.</source>
+        <translation>✓ Dobrze.</translation>
+    </message>
+    <message>
+        <source>✗ Not right.</source>
+        <translation>✗ Źle.</translation>
+    </message>
+    <message>
+        <source>%1 of 10 points. Right: %2.</source>
+        <translation>%1 z 10 punktów. Poprawnie: %2.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Imię</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numer</translation>
+    </message>
+    <message>
+        <source>The same number gives the same exercise to everyone</source>
+        <translation>Ten sam numer daje każdemu to samo ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Begin the exercise</source>
+        <translation>Zacznij ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Speed (1/min)</source>
+        <translation>Prędkość (1/min)</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Odpowiedź</translation>
+    </message>
+    <message>
+        <source>Sheet of results…</source>
+        <translation>Arkusz wyników…</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::SpindleView</name>
+    <message>
+        <source>The turning part and a dial gauge at the tool</source>
+        <translation>Obracająca się część i czujnik zegarowy przy narzędziu</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::TourPane</name>
+    <message>
+        <source>Step %1 of %2 · %3 done</source>
+        <translation>Krok %1 z %2 · zrobione %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n krok</numerusform>
+            <numerusform>%n kroki</numerusform>
+            <numerusform>%n kroków</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Zrobione.</translation>
+    </message>
+    <message>
+        <source>Task:</source>
+        <translation>Zadanie:</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Zacznij</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Pomiń</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Podpowiedź</translation>
+    </message>
+    <message>
+        <source>Another lesson…</source>
+        <translation>Inna lekcja…</translation>
+    </message>
+    <message>
+        <source>A lesson of your own, written in Markdown</source>
+        <translation>Własna lekcja, napisana w formacie Markdown</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Tekst kroku</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::TrainingPanel</name>
+    <message>
+        <source>Move the operating point</source>
+        <translation>Przesuń punkt pracy</translation>
+    </message>
+    <message>
+        <source>Step of the tour</source>
+        <translation>Krok przewodnika</translation>
+    </message>
+    <message>
+        <source>%L1 lines</source>
+        <translation>%L1 linii</translation>
+    </message>
+    <message>
+        <source>Sound of the cut (WAV)…</source>
+        <translation>Dźwięk skrawania (WAV)…</translation>
+    </message>
+    <message>
+        <source>Sound (*.wav)</source>
+        <translation>Dźwięk (*.wav)</translation>
+    </message>
+    <message>
+        <source>Waveform (CSV)…</source>
+        <translation>Przebieg (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Demonstration (sound and a folder of pictures)…</source>
+        <translation>Pokaz (dźwięk i folder obrazów)…</translation>
+    </message>
+    <message>
+        <source>Pictures of all views (SVG)…</source>
+        <translation>Obrazy wszystkich widoków (SVG)…</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg)</source>
+        <translation>Obrazy (*.svg)</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Otwórz lekcję</translation>
+    </message>
+    <message>
+        <source>Lesson (*.md)</source>
+        <translation>Lekcja (*.md)</translation>
+    </message>
+    <message>
+        <source>Sheet of results</source>
+        <translation>Arkusz wyników</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>wyniki</translation>
+    </message>
+    <message>
+        <source>Report (*.html);;Table (*.csv)</source>
+        <translation>Raport (*.html);;Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Przewodnik</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Ćwiczenia</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::TrainingViews</name>
+    <message>
+        <source>Cut of the exercise</source>
+        <translation>Skrawanie z ćwiczenia</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Dlaczego?</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::training_panel::TransportBar</name>
+    <message>
+        <source>revolution %L1 · %L2 s</source>
+        <translation>obrót %L1 · %L2 s</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Wstrzymaj</translation>
+    </message>
+    <message>
+        <source>Play in slow motion</source>
+        <translation>Odtwórz w zwolnionym tempie</translation>
+    </message>
+    <message>
+        <source>One revolution back</source>
+        <translation>Obrót wstecz</translation>
+    </message>
+    <message>
+        <source>One revolution on</source>
+        <translation>Obrót dalej</translation>
+    </message>
+    <message>
+        <source>Slow motion</source>
+        <translation>Zwolnione tempo</translation>
+    </message>
+    <message>
+        <source>Time in the cut</source>
+        <translation>Czas skrawania</translation>
+    </message>
+    <message>
+        <source>Sound of the cut</source>
+        <translation>Dźwięk skrawania</translation>
+    </message>
+    <message>
+        <source>Sound of the cut: this computer has no device for it; the meter shows it, and Export writes it as a file</source>
+        <translation>Dźwięk skrawania: ten komputer nie ma urządzenia dźwiękowego; pokazuje go wskaźnik, a Eksport zapisuje do pliku</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Głośność</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Poziom dźwięku</translation>
     </message>
 </context>
 <context>

@@ -57,8 +57,7 @@ private:
     static std::vector<std::uint32_t> numbersOf(const SurfaceWindows& all, bool with_faces)
     {
         std::vector<std::uint32_t> numbers;
-        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest;
-             i += static_cast<std::uint32_t>(all.about)) {
+        for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += all.about) {
             const std::int32_t stretch = all.windows[i].stretch;
             if (with_faces || stretch < 0 || !all.stretches[static_cast<std::size_t>(stretch)].isFace())
                 numbers.push_back(i);
@@ -195,7 +194,7 @@ std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uin
 {
     // Each of the smallest windows once, though many places lie in it.
     std::vector<float> mean(all.windows.size(), kNothing);
-    for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += 2)
+    for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += all.about)
         mean[i] = meanOf(all, i, sure_mm);
     std::vector<float> means(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) means[i] = places[i] == kNoWindow ? kNothing : mean[places[i]];
@@ -205,9 +204,9 @@ std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uin
 double formReach_mm(const SurfaceWindows& all, double share)
 {
     std::uint32_t smallest = 0;
-    while (smallest < all.windows.size() && all.windows[smallest].smallest) smallest += 2;
+    while (smallest < all.windows.size() && all.windows[smallest].smallest) smallest += all.about;
     // Some thousands of places tell a quantile, and this is asked for at every drag of a limit.
-    const std::uint32_t step = 2 * std::max(1U, smallest / 2 / kReachPlaces);
+    const std::uint32_t step = all.about * std::max(1U, smallest / all.about / kReachPlaces);
     // From coarse to fine, until the means are sure against what they reach themselves.
     double reach_mm = 0;
     std::vector<float> sizes;

@@ -138,6 +138,9 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                              {"speed_rpm", std::vector<Interval>{{1200, 4800}}},
                              {"operating_speed_rpm", 2016.0}};
     content.panels["pass"] = std::move(pass_panel);
+    SamplePanel training_panel;
+    training_panel.parameters = {{"scenario", "slender"}, {"operating_speed_rpm", 2885.0}, {"operating_depth", 0.45}};
+    content.panels["training"] = std::move(training_panel);
     SamplePanel speed_panel;
     speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
     speed_panel.parameters = {

@@ -141,10 +141,7 @@ void ExercisePane::give(double answer)
 QString ExercisePane::explained(Text pattern, const std::vector<training::NamedNumber>& numbers) const
 {
     const Language language = screenLanguage();
-    Values values;
-    for (const training::NamedNumber& number : numbers)
-        values.emplace_back(number.key, fixed(number.value, number.decimals, language));
-    return QString::fromStdString(fill(text(pattern, language), values, language));
+    return QString::fromStdString(fill(text(pattern, language), training::valuesOf(numbers), language));
 }
 
 QString ExercisePane::expected() const

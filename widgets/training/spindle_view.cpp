@@ -90,20 +90,20 @@ void SpindleView::paintEvent(QPaintEvent*)
     const plot::PlotStyle style(palette(), font());
     painter.fillRect(rect(), style.background);
     if (!cut_) return;
-    const double side = std::min(width() * 0.5, static_cast<double>(height()));
-    const QPointF middle(width() * 0.3, height() * 0.5);
-    const double radius = 0.36 * side;
+    const double radius = std::min(0.17 * width(), 0.38 * height());
+    const double gauge = std::min(0.38 * width(), 0.86 * height());
+    const double air = (width() - 3.2 * radius - gauge) / 3;  // part, tool and gauge side by side
+    const QPointF middle(air + 1.2 * radius, height() * 0.5);
     drawPart(painter, middle, radius);
     const double tool = radius * (1 + drawnWave * (largest_mm_ > 0 ? deflection_mm() / largest_mm_ : 0));
     QPolygonF insert;  // its corner touches the part at three o'clock
     const QPointF tip = middle + QPointF(tool, 0);
-    insert << tip << tip + QPointF(0.30 * radius, -0.16 * radius) << tip + QPointF(1.0 * radius, -0.16 * radius)
-           << tip + QPointF(1.0 * radius, 0.16 * radius) << tip + QPointF(0.30 * radius, 0.16 * radius);
+    insert << tip << tip + QPointF(0.30 * radius, -0.16 * radius) << tip + QPointF(0.8 * radius, -0.16 * radius)
+           << tip + QPointF(0.8 * radius, 0.16 * radius) << tip + QPointF(0.30 * radius, 0.16 * radius);
     painter.setPen(QPen(style.text, style.lineWidth));
     painter.setBrush(style.colour(report::ColourRole::Mark));
     painter.drawPolygon(insert);
-    const double gauge = std::min(0.42 * width(), 0.86 * height());
-    drawGauge(painter, QRectF(width() - gauge - 0.03 * width(), (height() - gauge) / 2, gauge, gauge));
+    drawGauge(painter, QRectF(width() - gauge - air, (height() - gauge) / 2, gauge, gauge));
 }
 
 void SpindleView::drawPart(QPainter& painter, const QPointF& middle, double radius) const
@@ -159,7 +159,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
         painter.drawLine(onCircle(middle, (is_long ? 0.80 : 0.86) * radius, angleOf(share)),
                          onCircle(middle, 0.93 * radius, angleOf(share)));
         if (!is_long) continue;
-        const QString number = plot::readable(share * full_um * factor, full_um * factor / 5, QLocale());
+        const QString number = QLocale().toString(share * full_um * factor, 'g', 3);
         const QPointF at = onCircle(middle, 0.64 * radius, angleOf(share));
         const QRectF box = QFontMetricsF(small).boundingRect(number);
         painter.drawText(at - QPointF(box.width() / 2, -0.35 * box.height()), number);

@@ -70,6 +70,7 @@ TourPane::TourPane(QWidget* parent)
     connect(help_, &QPushButton::clicked, this, [this] { hint_->setVisible(!hint_->isVisible()); });
     connect(other_, &QPushButton::clicked, this, &TourPane::lessonWanted);
     open({});
+    retranslate();
 }
 
 void TourPane::open(const QString& path)

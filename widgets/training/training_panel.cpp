@@ -60,6 +60,7 @@ PanelFacts trainingPanelFacts()
     facts.title = LT_TEXT("Engine", "Training");
     facts.icon = "training";
     facts.workspaces = {{"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
     facts.item_inputs = {{frfItem, frfRole}};
     facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
@@ -131,6 +132,7 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     listening_.setInterval(listening_ms);
     connect(&listening_, &QTimer::timeout, this, &TrainingPanel::tellTour);
     listening_.start();
+    TrainingPanel::retranslate();
 }
 
 void TrainingPanel::setPresenting(bool presenting)
@@ -180,7 +182,7 @@ void TrainingPanel::takeSetting(const training::Setting& setting)
 
 void TrainingPanel::tellTour()
 {
-    if (!result()) return;
+    if (!isCurrent()) return;  // a step that has just begun is not done by what was before it
     training::LessonState state = result()->state;
     const auto& views = training::viewChoices();
     const std::string hero = views_->heroes()->hero().toStdString();

@@ -20,7 +20,7 @@ class TransportBar : public QWidget {
 public:
     explicit TransportBar(SoundPlayer& player, QWidget* parent = nullptr);
 
-    /// The cut that is gone through: its length and one revolution of it. The time stays.
+    /// The cut that is gone through: its length and one revolution of it. The time stays, at the end at first.
     void setCut(double length_s, double revolution_s);
     double time_s() const { return time_s_; }
     void setTime(double time_s);  ///< within the cut
@@ -51,6 +51,7 @@ private:
     double length_s_ = 1;
     double revolution_s_ = 0.03;
     double time_s_ = 0;
+    bool at_end_ = true;  ///< and stays there when the cut changes
 };
 
 }  // namespace lathelier::training_panel

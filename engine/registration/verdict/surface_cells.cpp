@@ -298,7 +298,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
     for (std::size_t k = 0; k < levels.size(); ++k) result.alike.emplace_back(levels[k].size_mm, alike[k]);
 
     const std::size_t about = levels.front().window_mm.size();
-    result.about = about;
+    result.about = static_cast<std::uint32_t>(about);
     std::vector<std::size_t> start;  // of each level: where its windows begin
     std::size_t count = 0;
     for (const CellLevel& level : levels) {

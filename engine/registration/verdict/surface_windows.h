@@ -60,7 +60,7 @@ struct SurfaceRow {
 /// What is kept of a comparison for judging it against any limits.
 struct SurfaceWindows {
     std::vector<SurfaceWindow> windows;  ///< `about` of them about each place, from small to large; the smallest first
-    std::size_t about = 2;               ///< number of windows about a place
+    std::uint32_t about = 2;             ///< number of windows about a place
     double scatter_mm = 0;               ///< standard deviation of the points about their local means
     /// How much larger the variance of a mean over cells of a size is than that of as many independent points.
     std::vector<std::pair<double, double>> alike;  ///< size in mm and that number, from small to large

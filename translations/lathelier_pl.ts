@@ -6456,10 +6456,6 @@
         <translation>skrawanie bez drgań</translation>
     </message>
     <message>
-        <source>Outer and inner wave of the last revolution</source>
-        <translation>Fala zewnętrzna i wewnętrzna ostatniego obrotu</translation>
-    </message>
-    <message>
         <source>Height above the bottom of the steady cut</source>
         <translation>Wysokość nad dnem skrawania bez drgań</translation>
     </message>
@@ -7162,6 +7158,10 @@
     <message>
         <source>the cut vibrates at {frequency} Hz</source>
         <translation>skrawanie drga z {frequency} Hz</translation>
+    </message>
+    <message>
+        <source>Its rest slants the marks on the surface and repeats them along the axis.</source>
+        <translation>Jej reszta pochyla ślady na powierzchni i powtarza je wzdłuż osi.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8133,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>%L1 segments · %2</source>
         <translation>segmentów: %L1 · %2</translation>
     </message>
+    <message>
+        <source>%L1 lines</source>
+        <translation>%L1 linii</translation>
+    </message>
+    <message>
+        <source>%L1 responses · %2</source>
+        <translation>%L1 charakterystyk · %2</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::ComparePanel</name>
@@ -8474,14 +8482,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>%1, model modalny</translation>
     </message>
     <message>
-        <source>%L1 lines</source>
-        <translation>Linii: %L1</translation>
-    </message>
-    <message>
-        <source>%L1 responses · %2</source>
-        <translation>Charakterystyk: %L1 · %2</translation>
-    </message>
-    <message>
         <source>Response (CSV)…</source>
         <translation>Charakterystyka (CSV)…</translation>
     </message>
@@ -8558,10 +8558,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Move the operating point</source>
         <translation>Przesunięcie punktu pracy</translation>
-    </message>
-    <message>
-        <source>%L1 lines</source>
-        <translation>prążki: %L1</translation>
     </message>
     <message>
         <source>Limit and lobes (CSV)…</source>
@@ -9348,10 +9344,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Krok przewodnika</translation>
     </message>
     <message>
-        <source>%L1 lines</source>
-        <translation>%L1 linii</translation>
-    </message>
-    <message>
         <source>Sound of the cut (WAV)…</source>
         <translation>Dźwięk skrawania (WAV)…</translation>
     </message>
@@ -9464,6 +9456,14 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Loudness</source>
         <translation>Poziom dźwięku</translation>
+    </message>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>obraz %1 z %2</translation>
+    </message>
+    <message>
+        <source>Stop writing pictures</source>
+        <translation>Przerwij zapis obrazów</translation>
     </message>
 </context>
 <context>

@@ -71,12 +71,4 @@ report::Plot decayPlot(const Decay& decay)
     return plot;
 }
 
-stability::Sound soundOf(const Decay& decay)
-{
-    stability::SimulationResult waveform;
-    waveform.step_s = decay.step_s;
-    waveform.deflection_mm = decay.deflection_mm;
-    return stability::soundOf(waveform);
-}
-
 }  // namespace lathelier::training

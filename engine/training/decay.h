@@ -11,7 +11,6 @@
 
 #include "engine/report/chart.h"
 #include "engine/stability/modes.h"
-#include "engine/stability/simulation/simulation_files.h"
 
 namespace lathelier::training {
 
@@ -41,8 +40,5 @@ double dampingRatio(double log_decrement);
 
 /// Deflection over the time.
 report::Plot decayPlot(const Decay& decay);
-
-/// 16-bit PCM, mono, 44.1 kHz (simulation_files.h).
-stability::Sound soundOf(const Decay& decay);
 
 }  // namespace lathelier::training

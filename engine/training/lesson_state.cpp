@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/stability/simulation/cut_views.h"
 #include "engine/stability/simulation/simulation_report.h"
 
 namespace lathelier::training {
@@ -37,8 +38,9 @@ LessonState stateAt(const Scenario& scenario, const Limits& limits, stability::S
     state.relation = relation;
     state.frequency_hz = frequency_hz;
     state.waves_per_revolution = 60 * frequency_hz / speed_rpm;
-    state.k = std::floor(state.waves_per_revolution);
-    state.phase_deg = 360 * (state.waves_per_revolution - state.k);
+    const stability::WavePhase phase = stability::phaseOf(frequency_hz, speed_rpm, scenario.feed_mm_rev);
+    state.k = phase.whole;
+    state.phase_deg = phase.phase_deg;
     if (!scenario.modes.empty()) state.natural_frequency_hz = naturalFrequencyNextTo(scenario.modes, frequency_hz);
     state.limit_mm = limitAt(limits.exact, speed_rpm);
     state.published_limit_mm = limitAt(limits.published, speed_rpm);

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "engine/core/frf_item.h"
+#include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/form/input_box.h"
@@ -26,6 +28,24 @@ InputRole inputRole(const char* role, Text label, Text hint, const io::FileKind&
     input.kinds = {&kind};
     input.item_kind = item;
     return input;
+}
+
+InputRole responseRole(Text hint)
+{
+    InputRole role = inputRole(frfRole, LT_TEXT("Engine", "Frequency response"), hint, io::frfFiles(), frfItem);
+    role.required = false;
+    return role;
+}
+
+QString understoodResponse(const project::Source& source, Stores& stores)
+{
+    const auto loaded = stores.of<FrfStore>()->known(source);
+    if (!loaded) return {};
+    const auto& frfs = loaded->file.frfs;
+    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
+    const QString amount = ModelFacts::tr("%L1 lines").arg(lines);
+    return understoodText(loaded->file.facts,
+                          frfs.size() > 1 ? ModelFacts::tr("%L1 responses · %2").arg(frfs.size()).arg(amount) : amount);
 }
 
 void assignModels(project::PanelState& state, const std::vector<FoundFile>& files)

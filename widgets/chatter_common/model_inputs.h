@@ -14,6 +14,12 @@ namespace lathelier::chatter_common {
 /// An input that is a file of this kind or an item.
 InputRole inputRole(const char* role, Text label, Text hint, const io::FileKind& kind, const char* item);
 
+/// An input that is a frequency response, measured or made by another panel; not required.
+InputRole responseRole(Text hint);
+
+/// What was understood of the file of a response, in the language of the screen; empty when it was not read.
+QString understoodResponse(const project::Source& source, Stores& stores);
+
 /// Gives files of shafts and spindles to their inputs.
 void assignModels(project::PanelState& state, const std::vector<FoundFile>& files);
 

@@ -8,7 +8,10 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project_codes.h"
+#include "engine/receptance/frf_checks.h"
 #include "engine/receptance/spindle_item.h"
+#include "engine/stability/stability_codes.h"
+#include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/shaft_files.h"
 
 namespace lathelier::chatter_common {
@@ -79,6 +82,28 @@ std::optional<Taken<Frf>> takeResponseItem(const project::PanelState& state)
     const project::Source* const source = sourceOf(state, frfRole);
     if (!source || source->item.empty()) return std::nullopt;
     return takenItem<Frf>(state, frfRole, frfItem, frfOf);
+}
+
+std::optional<TakenResponse> takeResponse(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    const project::Source* const source = sourceOf(state, frfRole);
+    if (!source) return std::nullopt;
+    if (auto item = takeResponseItem(state)) {
+        std::string basis = item->input.sha256;
+        return TakenResponse{*std::move(item), std::move(basis)};
+    }
+    const auto loaded = stores.of<FrfStore>()->load(*source, progress);
+    const io::MeasuredFrf& first = loaded->file.frfs.front();
+    TakenResponse found{{io::toReceptance(first.frf), loaded->inputs.front(), loaded->file.notes,
+                         source->synthetic || contains(loaded->file.notes, notes::syntheticData)},
+                        loaded->digest() + toJson(source->import).dump()};
+    Notes& said = found.taken.notes;
+    const Notes checked = receptance::checkResponse(first, source->path);
+    said.insert(said.end(), checked.begin(), checked.end());
+    if (const std::size_t count = loaded->file.frfs.size(); count > 1)
+        said.push_back(
+            {notes::severalResponses, {{"path", source->path}, {"count", static_cast<std::int64_t>(count)}}});
+    return found;
 }
 
 }  // namespace lathelier::chatter_common

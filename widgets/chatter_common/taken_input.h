@@ -54,4 +54,14 @@ receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters as
 /// counts is the panel's to say. Error itemNotThere.
 std::optional<Taken<Frf>> takeResponseItem(const project::PanelState& state);
 
+/// A receptance with what tells it from another one.
+struct TakenResponse {
+    Taken<Frf> taken;
+    std::string basis;  ///< the same for the same bytes, read in the same way
+};
+
+/// The item, or the first response of the file, with notes on what its shape says and on the others in the file.
+/// Nothing when the input is not given. Errors: readFrf(); itemNotThere. Safe from any thread.
+std::optional<TakenResponse> takeResponse(const project::PanelState& state, Stores& stores, const Progress& progress);
+
 }  // namespace lathelier::chatter_common

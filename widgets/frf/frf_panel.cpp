@@ -162,13 +162,7 @@ Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
 QString FrfPanel::understood(const InputRole& role, const project::Source& source) const
 {
     if (role.role != frfRole) return chatter_common::understoodModel(role.role, source, session().stores());
-    const auto loaded = session().stores().of<FrfStore>()->known(source);
-    if (!loaded) return {};
-    const auto& frfs = loaded->file.frfs;
-    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
-    const QString amount = tr("%L1 lines").arg(lines);
-    return understoodText(loaded->file.facts,
-                          frfs.size() > 1 ? tr("%L1 responses · %2").arg(frfs.size()).arg(amount) : amount);
+    return chatter_common::understoodResponse(source, session().stores());
 }
 
 void FrfPanel::showResult(const std::shared_ptr<const FrfPicture>& picture)

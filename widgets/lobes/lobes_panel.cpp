@@ -10,7 +10,7 @@
 #include "engine/report/result_json.h"
 #include "engine/stability/stability_quantities.h"
 #include "engine/stability/stability_report.h"
-#include "widgets/core/form/input_box.h"
+#include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/lobes/lobes_views.h"
@@ -18,23 +18,12 @@
 namespace lathelier::lobes_panel {
 namespace {
 
-InputRole responseRole()
-{
-    InputRole role;
-    role.role = frfRole;
-    role.label = LT_TEXT("Engine", "Frequency response");
-    role.hint = LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT.");
-    role.kinds = {&io::frfFiles()};
-    role.item_kind = frfItem;
-    role.required = false;
-    role.takes_next = true;
-    return role;
-}
-
 PanelInputs panelInputs()
 {
     PanelInputs inputs;
-    inputs.roles = {responseRole()};
+    inputs.roles = {chatter_common::responseRole(
+        LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT."))};
+    inputs.roles.front().takes_next = true;
     inputs.fields = infos<LobesQuestion>();
     inputs.defaults = toValues(LobesQuestion{});
     inputs.invitation =
@@ -135,11 +124,7 @@ Worker::Job LobesPanel::makeReadingJob(const project::PanelState& state) const
 
 QString LobesPanel::understood(const InputRole&, const project::Source& source) const
 {
-    const auto loaded = session().stores().of<FrfStore>()->known(source);
-    if (!loaded) return {};
-    const auto& frfs = loaded->file.frfs;
-    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
-    return understoodText(loaded->file.facts, tr("%L1 lines").arg(lines));
+    return chatter_common::understoodResponse(source, session().stores());
 }
 
 void LobesPanel::showResult(const std::shared_ptr<const LobesPicture>& picture)

@@ -6,7 +6,6 @@
 
 #include "engine/core/json.h"
 #include "engine/io/io_codes.h"
-#include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/core/task/memo.h"
 
@@ -38,22 +37,6 @@ void recommend(LobesPicture& picture)
     }
 }
 
-void takeFile(LobesPicture& picture, const project::Source& source, Stores& stores, const Progress& progress,
-              std::string& basis)
-{
-    const auto loaded = stores.of<FrfStore>()->load(source, progress);
-    picture.frf = std::make_shared<const Frf>(io::toReceptance(loaded->file.frfs.front().frf));
-    picture.inputs = {loaded->inputs.front()};
-    basis = loaded->digest() + toJson(source.import).dump();
-    picture.notes = loaded->file.notes;
-    const Notes checked = receptance::checkResponse(loaded->file.frfs.front(), source.path);
-    picture.notes.insert(picture.notes.end(), checked.begin(), checked.end());
-    if (const std::size_t count = loaded->file.frfs.size(); count > 1)
-        picture.notes.push_back(
-            {notes::severalResponses, {{"path", source.path}, {"count", static_cast<std::int64_t>(count)}}});
-    picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
-}
-
 }  // namespace
 
 LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
@@ -63,13 +46,10 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
     picture.question.lobes.diameter_mm = picture.question.speed.diameter_mm;  // one surface is turned
     const LobesQuestion& question = picture.question;
     std::string basis;  // tells responses apart
-    if (const auto item = chatter_common::takeResponseItem(state)) {
-        picture.frf = std::make_shared<const Frf>(item->value);
-        picture.inputs = {item->input};
-        picture.synthetic = item->synthetic;
-        basis = item->input.sha256;
-    } else if (const project::Source* source = chatter_common::sourceOf(state, frfRole)) {
-        takeFile(picture, *source, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
+    if (auto response =
+            chatter_common::takeResponse(state, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")))) {
+        picture.frf = std::make_shared<const Frf>(chatter_common::noted(picture, std::move(response->taken)));
+        basis = std::move(response->basis);
     } else {
         const double highest =
             question.lobes.speed_rpm.empty() ? stability::usualHighestSpeed_rpm : question.lobes.speed_rpm.front().to;

@@ -134,6 +134,7 @@ void ExercisePane::give(double answer)
     grade_ = training::grade(*exercise_, answer);
     answers_.push_back({pupil_->text().toStdString(), exercise_->kind, exercise_->seed, answer,
                         1e-3 * static_cast<double>(since_.elapsed())});
+    points_ += grade_->points;
     emit graded(grade_->points);
     show();
 }
@@ -171,13 +172,10 @@ void ExercisePane::show()
     question_->setVisible(asked);
     result_->setVisible(grade_.has_value());
     sheet_->setEnabled(!answers_.empty());
-    double points = 0;
-    for (const training::Answered& one : answers_)
-        points += training::grade(training::makeExercise(one.kind, one.seed), one.answer).points;
     total_->setText(answers_.empty()
                         ? QString()
                         : tr("%n answer(s)", nullptr, static_cast<int>(answers_.size())) + " · " +
-                              tr("%1 of %2 points").arg(screenNumber(points, 0)).arg(10 * answers_.size()));
+                              tr("%1 of %2 points").arg(screenNumber(points_, 0)).arg(10 * answers_.size()));
     if (!asked) return;
     question_->setText(explained(training::questionOf(exercise_->kind), exercise_->givens));
     if (chooses) {

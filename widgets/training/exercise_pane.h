@@ -51,6 +51,7 @@ private:
     int cutsLeft_ = 0;
     QElapsedTimer since_;
     std::vector<training::Answered> answers_;
+    double points_ = 0;  ///< of all answers
     QComboBox* kind_;
     QSpinBox* seed_;
     QPushButton* begin_;

@@ -11,9 +11,10 @@
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/file.h"
+#include "engine/io/io_codes.h"
 #include "engine/report/html.h"
 #include "engine/stability/simulation/simulation_files.h"
-#include "widgets/core/form/input_box.h"
+#include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 
@@ -23,22 +24,11 @@ namespace {
 constexpr int listening_ms = 500;
 constexpr int demonstrationFrames = 250;  ///< ten seconds of film
 
-InputRole responseRole()
-{
-    InputRole role;
-    role.role = frfRole;
-    role.label = LT_TEXT("Engine", "Frequency response");
-    role.hint = LT_TEXT("Engine", "Of a machine of your own, in place of the scenario: UFF, CSV or MAT.");
-    role.kinds = {&io::frfFiles()};
-    role.item_kind = frfItem;
-    role.required = false;
-    return role;
-}
-
 PanelInputs panelInputs()
 {
     PanelInputs inputs;
-    inputs.roles = {responseRole()};
+    inputs.roles = {chatter_common::responseRole(
+        LT_TEXT("Engine", "Of a machine of your own, in place of the scenario: UFF, CSV or MAT."))};
     inputs.fields = infos<TrainingQuestion>();
     inputs.defaults = toValues(TrainingQuestion{});
     inputs.invitation = LT_TEXT("Engine", "Choose a scenario, or drop a frequency response of your own here.");
@@ -75,6 +65,7 @@ PanelFacts trainingPanelFacts()
 
 TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     : Panel(owner, trainingPanelFacts(), panelInputs(), parent),
+      frames_(new FrameWriter(this)),
       views_(new TrainingViews),
       tour_(new TourPane),
       exercises_(new ExercisePane),
@@ -128,9 +119,14 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
         emit messageRaised({error, facts().title});
     });
     connect(exercises_, &ExercisePane::sheetWanted, this, &TrainingPanel::askForSheet);
-    connect(&frames_, &FrameWriter::notWritten, this, &TrainingPanel::sayNotWritten);
+    connect(frames_, &FrameWriter::notWritten, this, &TrainingPanel::sayNotWritten);
+    connect(frames_, &FrameWriter::written, transport_, &TransportBar::showWriting);
+    connect(transport_, &TransportBar::writingStopped, frames_, &FrameWriter::cancel);
     listening_.setInterval(listening_ms);
-    connect(&listening_, &QTimer::timeout, this, &TrainingPanel::tellTour);
+    connect(&listening_, &QTimer::timeout, this, [this] {
+        if (player_.isOn()) tellTour();
+    });
+    connect(this, &PanelBase::resultShown, this, &TrainingPanel::tellTour);
     listening_.start();
     TrainingPanel::retranslate();
 }
@@ -172,7 +168,7 @@ void TrainingPanel::takeSetting(const training::Setting& setting)
         if (setting.depth_mm) lathelier::set(state.parameters, "operating_depth", *setting.depth_mm);
         if (setting.relation)
             lathelier::set(state.parameters, "relation",
-                           std::string(*setting.relation == stability::SpeedRelation::Exact ? "exact" : "published"));
+                           training::relationChoices()[static_cast<std::size_t>(*setting.relation)].key);
     });
     if (setting.exercise) {
         exercises_->begin(*setting.exercise, setting.seed.value_or(1));
@@ -228,11 +224,7 @@ TrainingPanel::Compute TrainingPanel::compute(const project::PanelState& state) 
 
 QString TrainingPanel::understood(const InputRole&, const project::Source& source) const
 {
-    const auto loaded = session().stores().of<chatter_common::FrfStore>()->known(source);
-    if (!loaded) return {};
-    const auto& frfs = loaded->file.frfs;
-    const std::size_t lines = frfs.empty() ? 0 : frfs.front().frf.frequency_hz.size();
-    return understoodText(loaded->file.facts, tr("%L1 lines").arg(lines));
+    return chatter_common::understoodResponse(source, session().stores());
 }
 
 void TrainingPanel::showResult(const std::shared_ptr<const TrainingPicture>& picture)
@@ -240,7 +232,6 @@ void TrainingPanel::showResult(const std::shared_ptr<const TrainingPicture>& pic
     views_->setPicture(picture);
     transport_->setCut(picture->cut->seconds(), picture->cut->step_s * picture->cut->steps_per_revolution);
     playPicture();
-    tellTour();
 }
 
 report::Answer TrainingPanel::answer(const TrainingPicture& picture) const
@@ -257,7 +248,6 @@ std::vector<PanelExport> TrainingPanel::exports() const
 {
     const auto picture = result();
     if (!picture) return {};
-    auto* const self = const_cast<TrainingPanel*>(this);
     return {{tr("Sound of the cut (WAV)…"), tr("Sound (*.wav)"), "wav",
              [picture](const QString& path) {
                  io::writeFile(path.toStdString(), stability::soundOf(*picture->cut).bytes);
@@ -268,25 +258,33 @@ std::vector<PanelExport> TrainingPanel::exports() const
                                [&](const io::Append& append) { writeWaveform(*picture->cut, append); });
              }},
             {tr("Demonstration (sound and a folder of pictures)…"), tr("Sound (*.wav)"), "wav",
-             [self](const QString& path) { self->writeDemonstration(path); }},
-            {tr("Pictures of all views (SVG)…"), tr("Pictures (*.svg)"), "svg", [self](const QString& path) {
-                 const QFileInfo file(path);
-                 for (const auto& [key, view] : self->views_->plots())
-                     if (self->views_->heroes()->keys().contains(key))
-                         view->savePicture(file.dir().filePath(file.completeBaseName() + "_" + key + ".svg"));
-             }}};
+             [this](const QString& path) { writeDemonstration(path); }},
+            {tr("Pictures of all views (SVG)…"), tr("Pictures (*.svg)"), "svg",
+             [this](const QString& path) { writePictures(path); }}};
+}
+
+/// One file for each view that is shown, named after it.
+void TrainingPanel::writePictures(const QString& path) const
+{
+    const QFileInfo file(path);
+    for (const auto& [key, view] : views_->plots()) {
+        if (!views_->heroes()->keys().contains(key)) continue;
+        const QString name = file.dir().filePath(file.completeBaseName() + "_" + key + ".svg");
+        if (!view->savePicture(name))
+            throw Error(errors::fileNotWritable, {{"path", name.toStdString()}, {"reason", std::string()}});
+    }
 }
 
 /// The large view in slow motion, and the sound beside it.
-void TrainingPanel::writeDemonstration(const QString& path)
+void TrainingPanel::writeDemonstration(const QString& path) const
 {
     io::writeFile(path.toStdString(), stability::soundOf(*result()->cut).bytes);
     const QFileInfo file(path);
     QWidget* view = views_->heroes();
     transport_->setPlaying(false);
     const double length_s = result()->cut->seconds();
-    frames_.begin(*view, file.dir().filePath(file.completeBaseName() + "_frames"), demonstrationFrames,
-                  [this, length_s](int frame) { transport_->setTime(length_s * frame / demonstrationFrames); });
+    frames_->begin(*view, file.dir().filePath(file.completeBaseName() + "_frames"), demonstrationFrames,
+                   [this, length_s](int frame) { transport_->setTime(length_s * frame / demonstrationFrames); });
 }
 
 void TrainingPanel::askForLesson()

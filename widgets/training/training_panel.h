@@ -50,10 +50,11 @@ private:
     void playPicture();
     void askForLesson();
     void askForSheet();
-    void writeDemonstration(const QString& path);
+    void writeDemonstration(const QString& path) const;
+    void writePictures(const QString& path) const;
 
     SoundPlayer player_;
-    FrameWriter frames_;
+    FrameWriter* frames_;
     TrainingViews* views_;
     TourPane* tour_;
     ExercisePane* exercises_;

@@ -1,11 +1,10 @@
 #include "widgets/training/training_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
-#include "engine/io/io_codes.h"
-#include "engine/receptance/frf_plots.h"
 #include "engine/receptance/modal/modal_fit.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
@@ -22,38 +21,22 @@ namespace {
 
 constexpr int reportColumns = 120;   ///< of the map on paper, and rows
 constexpr double shownSpectrum = 3;  ///< of the highest natural frequency
+constexpr double shownDepth = 5;     ///< of the least limit, where no scenario says it
+constexpr double startDepth = 0.8;   ///< of the least limit, likewise
 
 /// What a drag of the operating point does not change.
 struct LimitsMemo : Memo<training::Limits> {};
 struct FitMemo : Memo<receptance::ModalFit> {};
 
-Frf responseOf(TrainingPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress,
-               std::string& basis)
-{
-    if (const auto item = chatter_common::takeResponseItem(state)) {
-        picture.inputs = {item->input};
-        picture.synthetic = item->synthetic;
-        basis = item->input.sha256;
-        return item->value;
-    }
-    const project::Source& source = *chatter_common::sourceOf(state, frfRole);
-    const auto loaded = stores.of<chatter_common::FrfStore>()->load(source, progress);
-    picture.inputs = {loaded->inputs.front()};
-    picture.notes = loaded->file.notes;
-    picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
-    basis = loaded->digest() + toJson(source.import).dump();
-    return io::toReceptance(loaded->file.frfs.front().frf);
-}
-
 /// Modes of the shop's machine; empty: a scenario is shown.
 std::vector<stability::Mode> ownModes(TrainingPicture& picture, const project::PanelState& state, Stores& stores,
                                       const Progress& progress)
 {
-    if (!chatter_common::sourceOf(state, frfRole)) return picture.question.modes;
-    std::string basis;
-    const Frf frf = responseOf(picture, state, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")), basis);
+    auto response = chatter_common::takeResponse(state, stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
+    if (!response) return picture.question.modes;
+    const Frf frf = chatter_common::noted(picture, std::move(response->taken));
     const auto fit =
-        stores.of<FitMemo>()->find(basis, progress.part(0.5, 1, LT_TEXT("Engine", "Fitting modes")),
+        stores.of<FitMemo>()->find(response->basis, progress.part(0.5, 1, LT_TEXT("Engine", "Fitting modes")),
                                    [&](const Progress& fitting) { return receptance::fitModes(frf, {}, fitting); });
     picture.notes.insert(picture.notes.end(), fit->notes.begin(), fit->notes.end());
     if (fit->modes.empty()) throw Error(errors::modesNeeded, {});
@@ -65,6 +48,12 @@ std::vector<stability::Mode> ownModes(TrainingPicture& picture, const project::P
         {notes::modesFitted,
          {{"count", static_cast<std::int64_t>(modes.size())}, {"error_percent", fit->error_rms_percent}}});
     return modes;
+}
+
+void setDepths(training::Scenario& scenario, double least_limit_mm)
+{
+    scenario.greatest_depth_mm = shownDepth * least_limit_mm;
+    scenario.start_depth_mm = startDepth * least_limit_mm;
 }
 
 void nameAssumed(TrainingPicture& picture)
@@ -94,6 +83,8 @@ TrainingPicture trainingPicture(const project::PanelState& state, Stores& stores
         basis += Json(number).dump() + ' ';
     picture.limits = stores.of<LimitsMemo>()->find(basis, progress.part(0.4, 0.7, LT_TEXT("Engine", "Finding lobes")),
                                                    [&](const Progress& p) { return training::limitsOf(scenario, p); });
+    if (scenario.key == training::ownScenario || question.cutting_coefficient_N_mm2)
+        setDepths(picture.scenario, picture.limits->exact.minimum_depth_mm.value_or(1));
     picture.frf = std::make_shared<const Frf>(stability::frfOf(scenario.modes, scenario.speed_rpm.to));
     picture.point = {question.speed_rpm.value_or(scenario.start_speed_rpm),
                      question.depth_mm.value_or(scenario.start_depth_mm)};
@@ -147,6 +138,13 @@ report::Answer answer(const TrainingPicture& picture, const Language& language)
     return answer;
 }
 
+double highestShown_hz(const TrainingPicture& picture)
+{
+    double highest = 0;
+    for (const stability::Mode& mode : picture.scenario.modes) highest = std::max(highest, mode.frequency_hz);
+    return shownSpectrum * highest;
+}
+
 stability::RasterParameters rasterOf(const TrainingPicture& picture)
 {
     stability::RasterParameters p;
@@ -172,13 +170,13 @@ report::Document reportOf(const TrainingPicture& picture, const Language& langua
     first.blocks.emplace_back(growthChart(picture.lobes(), &raster, picture.point, language));
     if (!picture.notes.empty()) first.blocks.emplace_back(picture.notes);
     document.sections.push_back(std::move(first));
-    const double highest = shownSpectrum * picture.scenario.modes.back().frequency_hz;
-    document.sections.push_back({LT_TEXT("Engine", "The cut"),
-                                 {report::quantityTable(LT_TEXT("Engine", "Simulated cut"), cut,
-                                                        {"verdict_words", "growth_per_revolution", "frequency_hz",
-                                                         "wave_turns", "amplitude_mm", "lost_contact_percent"}),
-                                  waveformPlot(cut), amplitudePlot(cut), wavesPlot(cut, cut.waves, language),
-                                  surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highest, language)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "The cut"),
+         {report::quantityTable(LT_TEXT("Engine", "Simulated cut"), cut,
+                                {"verdict_words", "growth_per_revolution", "frequency_hz", "wave_turns", "amplitude_mm",
+                                 "lost_contact_percent"}),
+          waveformPlot(cut), amplitudePlot(cut), wavesPlot(cut, cut.waves, language),
+          surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highestShown_hz(picture), language)}});
     document.sections.push_back(
         {LT_TEXT("Engine", "Published relation against the exact one"),
          {comparisonChart(picture.limits->exact, picture.limits->published, &raster, picture.point, language)}});

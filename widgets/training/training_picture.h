@@ -45,6 +45,9 @@ report::Answer answer(const TrainingPicture& picture, const Language& language =
 /// Every view on paper, with the map of the growth. Throws Cancelled.
 report::Document reportOf(const TrainingPicture& picture, const Language& language, const Progress& progress = {});
 
+/// Where its spectrum ends.
+double highestShown_hz(const TrainingPicture& picture);
+
 /// The growth over the chart's speeds and depths.
 stability::RasterParameters rasterOf(const TrainingPicture& picture);
 

@@ -1,7 +1,6 @@
 #include "widgets/training/training_question.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/training/lesson_state.h"
 
@@ -11,18 +10,6 @@ namespace {
 constexpr double usualCoefficient_N_mm2 = 2000;  ///< of a machine of which nothing else is known
 constexpr double usualFeed_mm_rev = 0.1;
 constexpr double usualDiameter_mm = 40;
-constexpr double shownDepth = 5;    ///< of the least limit
-constexpr double startDepth = 0.8;  ///< of the least limit
-
-/// 1 + K a G (1 - e^{-iωT}) = 0 has its least depth where Re G is least: -1/(2 K Re G).
-double leastLimit(const training::Scenario& scenario)
-{
-    double least = 0;
-    for (const stability::Mode& mode : scenario.modes)
-        for (double share = 0.5; share < 2; share += 1e-3)
-            least = std::min(least, receptanceOf(scenario.modes, share * mode.frequency_hz).real());
-    return least < 0 ? -1 / (2 * scenario.cutting_coefficient_N_mm2 * least) : 1;
-}
 
 }  // namespace
 
@@ -88,11 +75,6 @@ training::Scenario scenarioOf(const TrainingQuestion& question, const std::vecto
     if (!question.range_rpm.empty()) {
         scenario.speed_rpm = question.range_rpm.front();
         scenario.start_speed_rpm = std::clamp(scenario.start_speed_rpm, scenario.speed_rpm.from, scenario.speed_rpm.to);
-    }
-    if (!own.empty() || question.cutting_coefficient_N_mm2) {
-        const double least = leastLimit(scenario);
-        scenario.greatest_depth_mm = shownDepth * least;
-        scenario.start_depth_mm = startDepth * least;
     }
     return scenario;
 }

@@ -25,7 +25,8 @@ struct TrainingQuestion {
 
 const std::vector<Field<TrainingQuestion>>& fieldsOf(const TrainingQuestion*);
 
-/// The scenario with what the question changes of it. `own`: modes of the shop's machine; empty: those of the scenario.
+/// The scenario with what the question changes of it, but for its depths, which follow from the limits. `own`: modes of
+/// the shop's machine; empty: those of the scenario.
 training::Scenario scenarioOf(const TrainingQuestion& question, const std::vector<stability::Mode>& own);
 
 }  // namespace lathelier::training_panel

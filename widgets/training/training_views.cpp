@@ -13,8 +13,6 @@
 namespace lathelier::training_panel {
 namespace {
 
-constexpr double shownSpectrum = 3;  ///< of the highest natural frequency
-
 QString escaped(const std::string& text)
 {
     return QString::fromStdString(text).toHtmlEscaped();
@@ -90,11 +88,20 @@ std::vector<std::pair<QString, plot::PlotWidget*>> TrainingViews::plots() const
 
 void TrainingViews::setPicture(const std::shared_ptr<const TrainingPicture>& picture)
 {
+    const bool same_chart = picture_ && picture_->limits == picture->limits &&
+                            picture_->question.relation == picture->question.relation &&
+                            picture_->scenario.greatest_depth_mm == picture->scenario.greatest_depth_mm;
     picture_ = picture;
     const bool open = !picture->question.hide_chart;
     for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) heroes_->setAvailable(key, open);
     if (open) filler_.ask(picture->scenario.modes, rasterOf(*picture));
-    show();
+    if (same_chart) {
+        for (plot::ChartView* chart : {lobes_, comparison_})
+            chart->setHandle(stability::operatingPointKey, picture->point.speed_rpm, picture->point.depth_mm);
+    } else {
+        showLobes();
+    }
+    showCut();
 }
 
 void TrainingViews::setTime(double time_s)
@@ -131,16 +138,15 @@ void TrainingViews::clearExercise()
     heroes_->setAvailable("exercise", false);
 }
 
-void TrainingViews::show()
+/// All that follows the operating point.
+void TrainingViews::showCut()
 {
     if (!picture_) return;
     const stability::SimulationResult& cut = *picture_->cut;
-    showLobes();
     growth_->setData(amplitudePlot(cut));
     waveform_->setData(waveformPlot(cut));
     frf_->setData(responseAt(*picture_->frf, cut.frequency_hz, screenLanguage()));
-    spectrum_->setData(
-        spectrumPlot(cut, shownSpectrum * picture_->scenario.modes.back().frequency_hz, screenLanguage()));
+    spectrum_->setData(spectrumPlot(cut, highestShown_hz(*picture_), screenLanguage()));
     spindle_->setCut(picture_->cut);
     revolution_ = -1;
     setTime(time_s_);
@@ -150,8 +156,7 @@ void TrainingViews::show()
 void TrainingViews::showLobes()
 {
     if (!picture_) return;
-    const bool is_map_of_this = !picture_->question.hide_chart;
-    const stability::RasterResult* const raster = is_map_of_this ? filler_.raster() : nullptr;
+    const stability::RasterResult* const raster = filler_.raster();
     const auto within = [&](report::Plot plot) {
         plot.x.range = picture_->scenario.speed_rpm;
         plot.y.range = Interval{0, picture_->scenario.greatest_depth_mm};
@@ -210,7 +215,8 @@ void TrainingViews::retranslate()
     heroes_->setTitle("exercise", tr("Cut of the exercise"));
     why_->setAccessibleName(tr("Why?"));
     spindle_->retranslate();
-    show();
+    showLobes();
+    showCut();
     showListened();
 }
 

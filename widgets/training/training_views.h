@@ -43,8 +43,8 @@ signals:
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 private:
-    void show();
     void showLobes();
+    void showCut();
     void showRevolution();
     void showListened();
     void showWhy();

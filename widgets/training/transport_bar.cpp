@@ -65,6 +65,7 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
       pace_(new QComboBox),
       place_(new QSlider(Qt::Horizontal)),
       words_(new QLabel),
+      stop_(makeButton("stopWriting", "stop")),
       sound_(makeButton("sound", "sound")),
       volume_(new QSlider(Qt::Horizontal)),
       meter_(new SoundMeter)
@@ -85,6 +86,8 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
     for (QWidget* widget : std::initializer_list<QWidget*>{back_, play_, forth_, pace_}) layout->addWidget(widget);
     layout->addWidget(place_, 1);
     layout->addWidget(words_);
+    layout->addWidget(stop_);
+    stop_->hide();
     for (QWidget* widget : std::initializer_list<QWidget*>{sound_, volume_, meter_}) layout->addWidget(widget);
     clock_.setInterval(beat_ms);
     connect(&clock_, &QTimer::timeout, this, &TransportBar::advance);
@@ -92,6 +95,11 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
     connect(back_, &QToolButton::clicked, this, [this] { step(-1); });
     connect(forth_, &QToolButton::clicked, this, [this] { step(1); });
     connect(place_, &QSlider::valueChanged, this, [this](int value) { setTime(length_s_ * value / places); });
+    connect(stop_, &QToolButton::clicked, this, [this] {
+        stop_->hide();
+        emit writingStopped();
+        showTime();
+    });
     connect(sound_, &QToolButton::toggled, &player_, &SoundPlayer::setOn);
     connect(volume_, &QSlider::valueChanged, this,
             [this](int value) { player_.setVolume(SoundPlayer::loudest * value / 100); });
@@ -142,6 +150,13 @@ void TransportBar::advance()
     setTime(next < length_s_ - revolution_s_ / 50 ? next : 0);
 }
 
+void TransportBar::showWriting(int done, int count)
+{
+    stop_->setVisible(done < count);
+    if (done == count) return showTime();
+    words_->setText(tr("picture %1 of %2").arg(done).arg(count));
+}
+
 void TransportBar::showTime()
 {
     const QSignalBlocker quiet(place_);
@@ -161,6 +176,7 @@ void TransportBar::retranslate()
     name(forth_, tr("One revolution on"));
     name(pace_, tr("Slow motion"));
     name(place_, tr("Time in the cut"));
+    name(stop_, tr("Stop writing pictures"));
     name(sound_, SoundPlayer::hasDevice() ? tr("Sound of the cut")
                                           : tr("Sound of the cut: this computer has no device for it; the meter shows "
                                                "it, and Export writes it as a file"));

@@ -27,10 +27,12 @@ public:
     bool isPlaying() const { return clock_.isActive(); }
     void setPlaying(bool playing);
     void step(int revolutions);
+    void showWriting(int done, int count);  ///< pictures of a demonstration; a button stops it
     void retranslate();
 
 signals:
     void timeChanged(double time_s);
+    void writingStopped();
 
 private:
     void advance();
@@ -43,6 +45,7 @@ private:
     QComboBox* pace_;
     QSlider* place_;
     QLabel* words_;
+    QToolButton* stop_;  ///< the writing of pictures; else hidden
     QToolButton* sound_;
     QSlider* volume_;
     SoundMeter* meter_;

@@ -22,7 +22,8 @@ int revolutionsOf(const SimulationResult& result);
 /// Outer and inner wave of one revolution, from 0 to revolutionsOf(result) - 1; clamped to these.
 WavePair wavesOf(const SimulationResult& result, int revolution);
 
-/// The waves of a revolution, with whole waves and phase in the remark.
+/// What earlier revolutions left and the path of the tool, unrolled, the chip between them; with whole waves and phase
+/// in the remark.
 report::Plot wavesPlot(const SimulationResult& result, const WavePair& waves, const Language& language = {});
 
 /// The turned surface unrolled: angle across, the axis upwards, height over that of the steady cut in µm; of the

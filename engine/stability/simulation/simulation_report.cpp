@@ -7,6 +7,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
+#include "engine/stability/simulation/cut_views.h"
 #include "engine/stability/simulation/simulation_files.h"
 #include "engine/stability/stability_verification.h"
 
@@ -87,22 +88,6 @@ report::Plot waveformPlot(const SimulationResult& result)
     return plot;
 }
 
-report::Plot wavesPlot(const SimulationResult& result)
-{
-    report::Plot plot;
-    plot.title = LT_TEXT("Engine", "Outer and inner wave of the last revolution");
-    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
-    plot.x.range = Interval{0, 360};
-    plot.y = {LT_TEXT("Engine", "Height above the bottom of the steady cut"), LT_TEXT("Engine", "mm")};
-    const WavePair& waves = result.waves;
-    std::vector<double> outer = waves.outer_mm, inner = waves.inner_mm;
-    for (double& height : outer) height += result.parameters.feed_mm_rev - result.static_deflection_mm;
-    for (double& height : inner) height -= result.static_deflection_mm;
-    plot.curves = {{LT_TEXT("Engine", "outer wave, left before"), waves.angle_deg, std::move(outer)},
-                   {LT_TEXT("Engine", "inner wave, path of the tool"), waves.angle_deg, std::move(inner)}};
-    return plot;
-}
-
 report::Answer answer(const SimulationResult& result, const Language& language)
 {
     report::Answer answer;
@@ -134,7 +119,8 @@ report::Document simulationReport(const SimulationResult& result, const Language
     document.title = LT_TEXT("Engine", "Simulation of a cut");
     document.verification = {&stabilityVerification()};
     document.sections.push_back(simulationSummary(result, language));
-    document.sections.push_back({LT_TEXT("Engine", "Waveform"), {waveformPlot(result), wavesPlot(result)}});
+    document.sections.push_back(
+        {LT_TEXT("Engine", "Waveform"), {waveformPlot(result), wavesPlot(result, result.waves, language)}});
     document.sections.push_back(
         {LT_TEXT("Engine", "Method and parameters"),
          {report::Paragraph{

@@ -16,9 +16,6 @@ const std::vector<QuantityOf<SimulationResult>>& quantitiesOf(const SimulationRe
 /// Deflection over the time; of a long waveform the least and the largest value of each stretch.
 report::Plot waveformPlot(const SimulationResult& result);
 
-/// The surface that earlier revolutions left and the path of the tool, unrolled; between them lies the chip.
-report::Plot wavesPlot(const SimulationResult& result);
-
 report::Answer answer(const SimulationResult& result, const Language& language = {});
 report::Section simulationSummary(const SimulationResult& result, const Language& language = {});
 report::Document simulationReport(const SimulationResult& result, const Language& language = {});

@@ -42,6 +42,11 @@ std::vector<WhyLine> whyOf(const SimulationResult& cut, const LobeResult& lobes,
                      "60 · f_c / N = k + ε / 360°",
                      "60 · " + number(cut.frequency_hz, 1) + " / " + number(speed, 0) + " = " + number(phase.whole, 0) +
                          " + " + number(phase.phase_deg, 0) + "° / 360°"});
+    if (std::isfinite(phase.period_mm))
+        lines.push_back({LT_TEXT("Engine", "Its rest slants the marks on the surface and repeats them along the axis."),
+                         "f / |ν|",
+                         number(p.feed_mm_rev, 3) + " / " + number(std::abs(phase.fraction), 3) + " = " +
+                             number(phase.period_mm, 3) + " mm"});
     lines.push_back({cut.growth_per_revolution > 1
                          ? LT_TEXT("Engine", "The wave comes back larger after every revolution: it grows to chatter.")
                          : LT_TEXT("Engine", "The wave comes back smaller after every revolution: it dies out."),

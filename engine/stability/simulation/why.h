@@ -18,8 +18,8 @@ struct WhyLine {
     std::string numbers;  ///< the formula with the numbers of this cut
 };
 
-/// The delay, the chip, whole waves and phase, the growth, the limit at this speed, the speed by both relations. Lines
-/// whose numbers do not exist (no lobe limits here) are left out.
+/// The delay, the chip, whole waves and phase, the marks, the growth, the limit at this speed, the speed by both
+/// relations. Lines whose numbers do not exist (no lobe limits here) are left out.
 std::vector<WhyLine> whyOf(const SimulationResult& cut, const LobeResult& lobes, const Frf& frf,
                            const Language& language = {});
 

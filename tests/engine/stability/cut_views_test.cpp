@@ -119,11 +119,11 @@ TEST(Why, StatesTheNumbersOfThisCut)
     const Frf frf = frfOf(one, 4000);
     const LobeResult lobes = findLobes(frf, asked);
     const std::vector<WhyLine> lines = whyOf(cutAt(2885, 0.2), lobes, frf);
-    ASSERT_EQ(lines.size(), 7U);
+    ASSERT_EQ(lines.size(), 8U);
     EXPECT_EQ(lines[0].numbers, "60 / 2885 = 20.80 ms");
     EXPECT_EQ(lines[1].numbers, "2000 · 0.200 · 0.100 = 40.0 N");
-    EXPECT_NE(lines[4].numbers.find("= 0.310 mm"), std::string::npos) << lines[4].numbers;
-    EXPECT_NE(lines[5].numbers.find("= 2885"), std::string::npos) << lines[5].numbers;
+    EXPECT_NE(lines[5].numbers.find("= 0.310 mm"), std::string::npos) << lines[5].numbers;
+    EXPECT_NE(lines[6].numbers.find("= 2885"), std::string::npos) << lines[6].numbers;
 }
 
 }  // namespace

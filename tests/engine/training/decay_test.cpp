@@ -47,16 +47,13 @@ TEST(Decay, ModesAddUp)
     }
 }
 
-TEST(Decay, IsDrawnAndHeard)
+TEST(Decay, IsDrawn)
 {
     const std::vector<stability::Mode> modes{{223, 0.03, 1e4}};
     const Decay decay = ringDown(modes, 0.5);
     const report::Plot plot = decayPlot(decay);
     ASSERT_EQ(plot.curves.size(), 1U);
     EXPECT_EQ(plot.curves[0].x.size(), decay.deflection_mm.size());
-    const stability::Sound sound = soundOf(decay);
-    EXPECT_NEAR(sound.seconds, 0.5, 1e-3);
-    EXPECT_GT(sound.bytes.size(), 44000U);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ ExercisePane::ExercisePane(QWidget* parent)
       answer_(new NumberEdit(-largest, largest)),
       choice_(new QComboBox),
       give_(new QPushButton),
-      result_(new QLabel),
+      result_(new QTextBrowser),
       total_(new QLabel),
       sheet_(new QPushButton),
       kindLabel_(new QLabel),
@@ -58,7 +58,11 @@ ExercisePane::ExercisePane(QWidget* parent)
     seed_->setRange(0, 999999);
     answer_->setOptional({});
     speed_->setOptional({});
-    for (QLabel* label : {question_, result_, total_}) label->setWordWrap(true);
+    for (QLabel* label : {question_, total_}) label->setWordWrap(true);
+    result_->setFrameShape(QFrame::NoFrame);
+    QSizePolicy keepsRoom = result_->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);  // what stands below does not move when it appears
+    result_->setSizePolicy(keepsRoom);
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     int row = 0;
@@ -77,8 +81,9 @@ ExercisePane::ExercisePane(QWidget* parent)
     addRow(answerLabel_, answer_);
     layout->addWidget(choice_, row - 1, 1);
     layout->addWidget(give_, row++, 0, 1, 2);
-    layout->addWidget(result_, row++, 0, 1, 2);
+    layout->addWidget(result_, row, 0, 1, 2);
     layout->setRowStretch(row++, 1);
+    layout->setRowStretch(row++, 0);
     layout->addWidget(total_, row++, 0, 1, 2);
     layout->addWidget(sheet_, row, 0, 1, 2);
     layout->setColumnStretch(1, 1);
@@ -191,7 +196,7 @@ void ExercisePane::show()
                           (exercise_->unit.empty() ? QString() : " (" + screenText(exercise_->unit) + ")"));
     give_->setEnabled(!grade_);
     if (grade_)
-        result_->setText("<b>" + (grade_->correct ? tr("✓ Right.") : tr("✗ Not right.")) + "</b> " +
+        result_->setHtml("<b>" + (grade_->correct ? tr("✓ Right.") : tr("✗ Not right.")) + "</b> " +
                          tr("%1 of 10 points. Right: %2.").arg(screenNumber(grade_->points, 0), expected()) + "<br/>" +
                          explained(training::explanationOf(exercise_->kind), grade_->numbers).toHtmlEscaped());
 }
@@ -211,6 +216,7 @@ void ExercisePane::retranslate()
     sheet_->setText(tr("Sheet of results…"));
     kind_->setAccessibleName(tr("Exercise"));
     choice_->setAccessibleName(tr("Answer"));
+    result_->setAccessibleName(tr("Answer"));
     answer_->setAccessibleName(tr("Answer"));
     show();
 }

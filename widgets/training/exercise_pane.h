@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTextBrowser>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -62,7 +63,7 @@ private:
     NumberEdit* answer_;
     QComboBox* choice_;
     QPushButton* give_;
-    QLabel* result_;
+    QTextBrowser* result_;  ///< scrolls: an explanation may be longer than its room
     QLabel* total_;
     QPushButton* sheet_;
     QLabel *kindLabel_, *seedLabel_, *pupilLabel_, *speedLabel_, *answerLabel_;

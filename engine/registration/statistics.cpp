@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "engine/core/parallel.h"
 
@@ -120,7 +121,9 @@ Histogram histogramOf(std::span<const float> values, const Progress& progress)
     const double range = static_cast<double>(*high) - *low;
     // Freedman and Diaconis would give thousands of bins for a scan; a sixteenth of the middle half shows its shape.
     const double fine = (middle[1] - middle[0]) / 16;
-    const double width = roundUp(std::max({fine, range / 498, 1e-9}));
+    // Bins narrower than the distance of two floats cannot tell values apart, and their edges would be rounded.
+    const double resolution = std::numeric_limits<float>::epsilon() * std::max(std::abs(*low), std::abs(*high));
+    const double width = roundUp(std::max({fine, range / 498, resolution, 1e-9}));
     const double first = std::floor(*low / width);
     const auto bins = static_cast<std::size_t>(std::floor(*high / width) - first) + 1;
     histogram.counts = parallelReduce(

@@ -39,6 +39,15 @@ RC_GTEST_PROP(Statistics, EveryValueIsInOneBinOfTheHistogram, (std::vector<int> 
     RC_ASSERT(histogram.edges_mm.back() >= *std::max_element(values.begin(), values.end()) - 1e-3 * width);
 }
 
+TEST(Statistics, TheBinOfASingleLargeValueHoldsIt)
+{
+    const std::vector<float> values{29205.891f};
+    const Histogram histogram = histogramOf(values);
+    ASSERT_EQ(histogram.counts, std::vector<std::int64_t>{1});
+    EXPECT_LE(histogram.edges_mm.front(), values[0]);
+    EXPECT_GE(histogram.edges_mm.back(), values[0]);
+}
+
 TEST(Statistics, OfKnownValues)
 {
     std::vector<float> values;

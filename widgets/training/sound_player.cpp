@@ -53,7 +53,7 @@ public:
         if (sound.hasCut()) heard_s += static_cast<double>(samples.size()) / rate_hz;
     }
     bool isSequential() const override { return true; }
-    qint64 bytesAvailable() const override { return 2 * rate_hz + QIODevice::bytesAvailable(); }
+    qint64 bytesAvailable() const override { return qint64{2} * rate_hz + QIODevice::bytesAvailable(); }
 
 protected:
     qint64 readData(char* data, qint64 most) override

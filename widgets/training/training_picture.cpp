@@ -138,7 +138,7 @@ report::Answer answer(const TrainingPicture& picture, const Language& language)
     return answer;
 }
 
-double highestShown_hz(const TrainingPicture& picture)
+double highestShown(const TrainingPicture& picture)
 {
     double highest = 0;
     for (const stability::Mode& mode : picture.scenario.modes) highest = std::max(highest, mode.frequency_hz);
@@ -176,7 +176,7 @@ report::Document reportOf(const TrainingPicture& picture, const Language& langua
                                 {"verdict_words", "growth_per_revolution", "frequency_hz", "wave_turns", "amplitude_mm",
                                  "lost_contact_percent"}),
           waveformPlot(cut), amplitudePlot(cut), wavesPlot(cut, cut.waves, language),
-          surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highestShown_hz(picture), language)}});
+          surfaceMap(cut, revolutionsOf(cut) - 1), spectrumPlot(cut, highestShown(picture), language)}});
     document.sections.push_back(
         {LT_TEXT("Engine", "Published relation against the exact one"),
          {comparisonChart(picture.limits->exact, picture.limits->published, &raster, picture.point, language)}});

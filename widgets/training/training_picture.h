@@ -46,7 +46,7 @@ report::Answer answer(const TrainingPicture& picture, const Language& language =
 report::Document reportOf(const TrainingPicture& picture, const Language& language, const Progress& progress = {});
 
 /// Where its spectrum ends.
-double highestShown_hz(const TrainingPicture& picture);
+double highestShown(const TrainingPicture& picture);
 
 /// The growth over the chart's speeds and depths.
 stability::RasterParameters rasterOf(const TrainingPicture& picture);

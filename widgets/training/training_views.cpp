@@ -146,7 +146,7 @@ void TrainingViews::showCut()
     growth_->setData(amplitudePlot(cut));
     waveform_->setData(waveformPlot(cut));
     frf_->setData(responseAt(*picture_->frf, cut.frequency_hz, screenLanguage()));
-    spectrum_->setData(spectrumPlot(cut, highestShown_hz(*picture_), screenLanguage()));
+    spectrum_->setData(spectrumPlot(cut, highestShown(*picture_), screenLanguage()));
     spindle_->setCut(picture_->cut);
     revolution_ = -1;
     setTime(time_s_);

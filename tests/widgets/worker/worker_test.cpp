@@ -64,6 +64,17 @@ TEST(Worker, DeliversTheValueOnce)
     EXPECT_FALSE(worker.state().busy);
 }
 
+TEST(Worker, WhatWasNotTakenIsCancelledToo)
+{
+    Worker worker;
+    worker.request([](const Progress&) { return boxed(7); });
+    while (worker.state().busy) std::this_thread::sleep_for(1ms);
+    worker.cancel();
+    EXPECT_TRUE(std::holds_alternative<Cancelled>(*worker.take()));
+    worker.cancel();
+    EXPECT_FALSE(worker.take().has_value());
+}
+
 TEST(Worker, LatestWinsAndTheRunningOneIsStopped)
 {
     std::atomic<int> begun = 0;

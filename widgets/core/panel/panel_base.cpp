@@ -21,7 +21,9 @@ namespace lathelier {
 namespace {
 
 constexpr int pollInterval_ms = 33;
-constexpr int patience_ms = 150;  // an answer that comes sooner needs no dimming
+constexpr int quickInterval_ms = 5;  // at first: an answer that comes soon is shown at once
+constexpr int quick_ms = 100;        // so long
+constexpr int patience_ms = 150;     // an answer that comes sooner needs no dimming
 
 }  // namespace
 
@@ -42,7 +44,6 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(splitter_);
 
-    poll_.setInterval(pollInterval_ms);
     connect(&poll_, &QTimer::timeout, this, &PanelBase::pollWorker);
     connect(column_, &InputColumn::sourcesChosen, this, &PanelBase::takeSources);
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
@@ -54,7 +55,9 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     });
     connect(&session_.watch(), &SourceWatch::changed, this, &PanelBase::showAnswer);
     connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
-        if (state == facts_.stateKey()) worker_.cancel();
+        if (state != facts_.stateKey()) return;
+        again_ = false;
+        worker_.cancel();
     });
     // A virtual call: only once the panel is complete.
     QTimer::singleShot(0, this, &PanelBase::readProject);
@@ -150,8 +153,18 @@ void PanelBase::recompute()
     request();
 }
 
+/// While a handle is dragged every answer that comes soon is shown before the next one is begun: stopping it for each
+/// motion of the pointer would show none until the pointer rests.
 void PanelBase::request()
 {
+    again_ = isComplete(state_) && hasResult() && worker_.state().busy && !worker_.state().stopping &&
+             asking_.elapsed() < quick_ms;
+    if (!again_) begin();
+}
+
+void PanelBase::begin()
+{
+    again_ = false;
     error_.reset();
     stopped_ = false;
     showFacts();
@@ -170,7 +183,7 @@ void PanelBase::request()
     }
     const bool wasBusy = isBusy();
     asking_.start();
-    poll_.start();
+    poll_.start(quickInterval_ms);
     if (!wasBusy) emit busyChanged(true);
     updateStack();
 }
@@ -184,7 +197,15 @@ void PanelBase::pollWorker()
 {
     const Worker::State state = worker_.state();
     progress_->showState(state);
+    if (asking_.elapsed() >= quick_ms) {
+        if (poll_.interval() != pollInterval_ms) poll_.setInterval(pollInterval_ms);
+        if (again_) return begin();
+    }
     if (auto outcome = worker_.take()) {
+        if (again_) {  // what it says of is no longer asked
+            if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) accept(std::move(*value));
+            return begin();
+        }
         if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome))
             accept(std::move(*value));
         else if (const auto* error = std::get_if<Error>(&*outcome))

@@ -138,6 +138,7 @@ private:
     QWidget* makeResultColumn();
     void readProject();
     void request();
+    void begin();
     void pollWorker();
     void accept(std::shared_ptr<const void> result);
     void sayNotes(const Notes& notes);
@@ -162,6 +163,7 @@ private:
     std::optional<Error> error_;
     Notes said_;                 ///< of the last result, in the message log
     bool stopped_ = false;       ///< the newest request was cancelled
+    bool again_ = false;         ///< the state has changed since the running request, which is let finish
     project::PanelState state_;  ///< what was asked last
     bool asked_ = false;
     int opened_ = 0;  ///< projectsOpened() of the project whose views are shown

@@ -51,7 +51,10 @@ void Worker::request(Job job)
 void Worker::cancel()
 {
     const std::lock_guard lock(mutex_);
-    if (!state_.busy) return;
+    if (!state_.busy) {
+        if (outcome_) outcome_ = Cancelled();  // finished, but nobody has taken it yet
+        return;
+    }
     stop_.request_stop();
     state_.stopping = true;
     if (waiting_) {  // not begun: answered at once

@@ -18,8 +18,9 @@
 namespace lathelier {
 
 /// Owns a thread. request() replaces a waiting job and stops a running one; the owner polls progress() and take()
-/// (a panel does so 30 times a second). Every member may be called from any thread. The destructor stops the running
-/// job and waits for it, which takes as long as the engine needs to notice (at most 20 ms by its rule).
+/// (a panel does so every 5 ms at first, later 30 times a second). Every member may be called from any thread. The
+/// destructor stops the running job and waits for it, which takes as long as the engine needs to notice (at most 20 ms
+/// by its rule).
 class Worker {
 public:
     /// Computes the answer; throws Error, Cancelled or whatever the standard library throws.
@@ -43,7 +44,7 @@ public:
     /// Makes `job` the newest request. An answer of an older one is never delivered after this call.
     void request(Job job);
 
-    /// Stops the newest request; its outcome is Cancelled.
+    /// Stops the newest request; its outcome is Cancelled, also where it has finished and was not taken.
     void cancel();
 
     State state() const;

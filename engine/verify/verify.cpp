@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/deflection/deflection_verification.h"
 #include "engine/form/verify/form_verification.h"
 #include "engine/receptance/receptance_verification.h"
 #include "engine/registration/registration_verification.h"
@@ -13,7 +14,7 @@ const std::vector<const VerifyPart*>& verifyParts()
 {
     static const std::vector<const VerifyPart*> all{
         &form::formVerification(), &registration::registrationVerification(), &receptance::receptanceVerification(),
-        &stability::stabilityVerification()};
+        &stability::stabilityVerification(), &deflection::deflectionVerification()};
     return all;
 }
 

@@ -14,6 +14,7 @@
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/report/plot_svg.h"
 #include "engine/stability/simulation/simulation.h"
+#include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_plots.h"
 
 namespace lathelier {
@@ -220,6 +221,15 @@ BENCHMARK(chartFromGeometry)->Unit(benchmark::kMillisecond);
 BENCHMARK(chartAsSvg)->Unit(benchmark::kMillisecond);
 BENCHMARK(modesOfAResponse)->Unit(benchmark::kMillisecond);
 BENCHMARK(cutInTime)->Unit(benchmark::kMillisecond);
+
+/// 200 × 200 points of growth per revolution, with so many modes.
+void stabilityMap(benchmark::State& state)
+{
+    std::vector<stability::Mode> modes{{223, 0.03, 10000}, {480, 0.02, 30000}, {905, 0.01, 50000}};
+    modes.resize(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(stability::stabilityRaster(modes, {}));
+}
+BENCHMARK(stabilityMap)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace lathelier

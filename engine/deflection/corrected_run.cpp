@@ -1,0 +1,242 @@
+#include "engine/deflection/corrected_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "engine/deflection/deflection_codes.h"
+#include "engine/deflection/written_contour.h"
+
+namespace lathelier::deflection {
+namespace {
+
+constexpr double samePlace_mm = 1e-7;
+constexpr double noDepth_mm = 1e-9;  ///< as turning_work.cpp takes it
+constexpr double um_per_mm = 1000;
+
+/// Works through one run. Sides of a node: 0 toward the piece before it, 1 toward the piece behind.
+class RunWriter {
+public:
+    RunWriter(const WorkPlan& plan, const TurningWork& before, const CutPlan& cut, std::span<const Station> ideal,
+              double grid_mm, double tolerance_mm)
+        : plan_(plan), cut_(cut), grid_mm_(grid_mm), tolerance_mm_(tolerance_mm), count_(cut.pieces.size())
+    {
+        for (std::vector<const Station*>& side : wanted_) side.assign(count_ + 1, nullptr);
+        for (std::vector<double>& side : corner_mm_) side.assign(count_ + 1, std::nan(""));
+        for (const Station& s : ideal) wanted_[s.at_start ? 1 : 0][s.piece + (s.at_start ? 0 : 1)] = &s;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const CutPiece& piece = cut.pieces[i];
+            const std::size_t k = cut.first + i;
+            const bool starts_in = before.outerStart_mm()[k] - piece.start_mm > noDepth_mm;
+            if (starts_in && !wanted_[1][i]) wanted_[1][i] = wanted_[0][i];  // one station for both sides
+            const bool ends_in = before.outerEnd_mm()[k] - piece.end_mm > noDepth_mm;
+            // The cut begins or ends within the piece: nothing to correct at its end in air.
+            if (starts_in && !ends_in) wanted_[0][i + 1] = inAir(z(i + 1), piece.end_mm);
+            if (!starts_in && ends_in) wanted_[1][i] = inAir(z(i), piece.start_mm);
+        }
+        takeArcsWhole();
+    }
+
+    WrittenRun write()
+    {
+        for (std::size_t i = 0; i < count_;) {
+            if (!isMaterial(i)) {
+                ++i;
+                continue;
+            }
+            std::size_t end = i + 1;
+            while (end < count_ && isMaterial(end) && !isShoulder(end)) ++end;
+            chooseCorners(i, end);
+            i = end;
+        }
+        fillContour();
+        emit();
+        return std::move(written_);
+    }
+
+private:
+    bool isMaterial(std::size_t piece) const { return wanted_[1][piece] && wanted_[0][piece + 1]; }
+    /// A shoulder, or a place where another feed begins, which bends the work by another amount.
+    bool isShoulder(std::size_t node) const
+    {
+        if (node == 0 || node == count_) return false;
+        if (cut_.pieces[node].start_mm != cut_.pieces[node - 1].end_mm) return true;
+        const Station *before = wanted_[0][node], *behind = wanted_[1][node];
+        return before && behind && std::abs(before->x_mm - behind->x_mm) > tolerance_mm_;
+    }
+    /// An arc of which a part cuts is replaced from its start to its end: the part in air keeps its shape.
+    void takeArcsWhole()
+    {
+        for (std::size_t i = 0; i < count_;) {
+            if (!cut_.pieces[i].in_arc) {
+                ++i;
+                continue;
+            }
+            std::size_t end = i + 1;
+            while (end < count_ && cut_.pieces[end].in_arc && !cut_.block_ends[end]) ++end;
+            bool cuts = false;
+            for (std::size_t k = i; k < end; ++k) cuts = cuts || isMaterial(k);
+            for (std::size_t k = i; cuts && k < end; ++k) {
+                if (!wanted_[1][k]) wanted_[1][k] = inAir(z(k), cut_.pieces[k].start_mm);
+                if (!wanted_[0][k + 1]) wanted_[0][k + 1] = inAir(z(k + 1), cut_.pieces[k].end_mm);
+            }
+            i = end;
+        }
+    }
+
+    const Station* inAir(double z_mm, double x_mm)
+    {
+        Station& made = made_.emplace_back();
+        made.z_mm = z_mm;
+        made.x_mm = made.stock_mm = made.radius_mm = x_mm;
+        return &made;
+    }
+    double z(std::size_t node) const { return plan_.z_mm[cut_.first + node]; }
+
+    /// Of a stretch of straight pieces in material, between nodes `from` and `to`.
+    void chooseCorners(std::size_t from, std::size_t to)
+    {
+        std::vector<WantedPlace> places;
+        places.reserve(to - from + 1);
+        for (std::size_t node = from; node <= to; ++node)
+            places.push_back({z(node), (node == from ? wanted_[1][node] : wanted_[0][node])->x_mm,
+                              static_cast<bool>(cut_.block_ends[node])});
+        const auto corners = writtenContour(places, grid_mm_, tolerance_mm_);
+        if (!corners)
+            throw Error(errors::cannotBeWritten, {{"grid_um", 2 * um_per_mm * grid_mm_},
+                                                  {"residual_um", um_per_mm * grid_mm_},
+                                                  {"tolerance_um", 2 * um_per_mm * tolerance_mm_}});
+        for (const WrittenCorner& corner : *corners) {
+            const std::size_t node = from + corner.place;
+            if (node > from) corner_mm_[0][node] = corner.x_mm;
+            if (node < to) corner_mm_[1][node] = corner.x_mm;
+        }
+    }
+
+    /// The contour between the corners; in air as it was.
+    void fillContour()
+    {
+        written_.cut = cut_;
+        filled_.assign(count_, false);
+        for (std::size_t i = 0; i < count_;) {
+            if (std::isnan(corner_mm_[1][i])) {
+                ++i;
+                continue;
+            }
+            std::size_t end = i + 1;
+            while (end < count_ && std::isnan(corner_mm_[0][end])) ++end;
+            const double from_mm = corner_mm_[1][i], to_mm = corner_mm_[0][end];
+            const auto along = [&](std::size_t node) {
+                return from_mm + (to_mm - from_mm) * (z(node) - z(i)) / (z(end) - z(i));
+            };
+            for (std::size_t k = i; k < end; ++k) {
+                CutPiece& piece = written_.cut.pieces[k];
+                piece.start_mm = along(k);
+                piece.end_mm = along(k + 1);
+                filled_[k] = true;
+            }
+            i = end;
+        }
+    }
+
+    void emitAsItWas(const PathPoint& point)
+    {
+        written_.run.points.push_back(point);
+        if (!point.is_block_end) return;
+        CorrectedNode node;
+        node.z_mm = point.z_mm;
+        node.x_mm = node.programmed_mm = point.x_mm;
+        node.line = point.line;
+        node.feed_mm_rev = point.feed_mm_rev;
+        written_.nodes.push_back(node);
+    }
+
+    /// `point`: of the original, where a block ends there.
+    void emitCorner(std::size_t at, int side, const PathPoint* point)
+    {
+        const CutPiece& piece = cut_.pieces[side == 0 ? at - 1 : at];
+        const Station& s = *wanted_[side][at];
+        CorrectedNode node;
+        node.z_mm = z(at);
+        node.x_mm = corner_mm_[side][at];
+        node.programmed_mm = side == 0 ? piece.end_mm : piece.start_mm;
+        node.line = point ? point->line : piece.line;
+        node.added = !point;
+        node.feed_mm_rev = point ? point->feed_mm_rev : piece.feed_mm_rev;
+        node.in_material = true;
+        node.dx_um = um_per_mm * s.dx_mm;
+        node.dy_um = um_per_mm * s.dy_mm;
+        node.F_t_N = s.forces.F_t_N;
+        node.F_f_N = s.forces.F_f_N;
+        node.F_ap_N = s.forces.F_ap_N;
+        node.stiffness_N_mm = s.stiffness_N_mm;
+        written_.nodes.push_back(node);
+        written_.run.points.push_back({node.z_mm, node.x_mm, node.feed_mm_rev, node.line, true});
+    }
+
+    /// z lies where straight blocks between corners replace what was there.
+    bool isReplaced(double z_mm) const
+    {
+        const auto after = std::upper_bound(plan_.z_mm.begin(), plan_.z_mm.end(), z_mm);
+        const auto node = static_cast<std::size_t>(after - plan_.z_mm.begin());
+        return node > cut_.first && node - 1 - cut_.first < count_ && filled_[node - 1 - cut_.first];
+    }
+
+    void emit()
+    {
+        written_.run.kind = cut_.run.kind;
+        const std::vector<PathPoint>& points = cut_.run.points;
+        std::size_t next = 0;
+        const auto emitBefore = [&](double z_mm) {
+            for (; next < points.size() && points[next].z_mm < z_mm - samePlace_mm; ++next) {
+                if (points[next].is_block_end || !isReplaced(points[next].z_mm)) emitAsItWas(points[next]);
+            }
+        };
+        for (std::size_t i = 0; i <= count_; ++i) {
+            emitBefore(z(i));
+            std::vector<PathPoint> here;
+            for (; next < points.size() && points[next].z_mm <= z(i) + samePlace_mm; ++next)
+                if (points[next].is_block_end) here.push_back(points[next]);
+            emitNode(i, here);
+        }
+        emitBefore(HUGE_VAL);
+    }
+
+    /// What stands at one node: corners of both sides, and the original's points there.
+    void emitNode(std::size_t i, const std::vector<PathPoint>& here)
+    {
+        const bool before = !std::isnan(corner_mm_[0][i]), behind = !std::isnan(corner_mm_[1][i]);
+        if (!before && !behind) {
+            for (const PathPoint& point : here) emitAsItWas(point);
+            return;
+        }
+        const PathPoint* first = here.empty() ? nullptr : &here.front();
+        const PathPoint* last = here.empty() ? nullptr : &here.back();
+        if (before) emitCorner(i, 0, first);
+        if (before && behind && !isShoulder(i)) return;
+        if (!before && i > 0 && isShoulder(i) && first) emitAsItWas(*first);
+        for (std::size_t k = 1; k + 1 < here.size(); ++k) emitAsItWas(here[k]);
+        if (behind) emitCorner(i, 1, before && here.size() == 1 ? nullptr : last);
+        if (!behind && here.size() > 1) emitAsItWas(*last);
+    }
+
+    const WorkPlan& plan_;
+    const CutPlan& cut_;
+    double grid_mm_, tolerance_mm_;
+    std::size_t count_;
+    std::vector<const Station*> wanted_[2];  ///< by side, of the nodes
+    std::deque<Station> made_;               ///< beside those that came
+    std::vector<double> corner_mm_[2];       ///< likewise; NaN: none
+    std::vector<bool> filled_;               ///< of the pieces: replaced
+    WrittenRun written_;
+};
+
+}  // namespace
+
+WrittenRun writtenRun(const WorkPlan& plan, const TurningWork& before, const CutPlan& cut,
+                      std::span<const Station> ideal, double grid_mm, double tolerance_mm)
+{
+    return RunWriter(plan, before, cut, ideal, grid_mm, tolerance_mm).write();
+}
+
+}  // namespace lathelier::deflection

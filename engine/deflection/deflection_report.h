@@ -1,0 +1,35 @@
+// Deflection as answer, tables and report: the setter's sheet.
+#pragma once
+
+#include "engine/deflection/deflection_plots.h"
+#include "engine/deflection/turning_job.h"
+#include "engine/report/document.h"
+
+namespace lathelier::deflection {
+
+/// What the sheet holds besides the prediction.
+struct ReportParts {
+    const CorrectedProgram* corrected = nullptr;
+    const ErrorBand* band = nullptr;
+    const std::vector<Sensitivity>* sensitivities = nullptr;
+    const DeflectionMap* map = nullptr;
+    const IdentificationResult* identified = nullptr;
+    std::optional<double> tolerance_um;  ///< of the diameter error, to both sides
+};
+
+/// Largest error against the tolerance; mean, range, and the offset that would leave least.
+report::Answer answer(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
+                      const Language& language = {});
+/// Residual of the written program, blocks, largest correction.
+report::Answer answer(const CompensationResult& result, const Language& language = {});
+
+report::Section deflectionSummary(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
+                                  const Language& language = {});
+/// Every changed word of the corrected program with its reason, and what it is worth on other machines.
+report::Section compensationSection(const CorrectedProgram& corrected, const Language& language = {});
+report::Section identificationSection(const IdentificationResult& result);
+
+report::Document deflectionReport(const DeflectionResult& result, const ReportParts& parts = {},
+                                  const Language& language = {});
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,16 @@
+// The last pass of a plan, and the work as it stands before it.
+#pragma once
+
+#include "engine/deflection/turning_work.h"
+
+namespace lathelier::deflection {
+
+struct LastPass {
+    std::size_t cut;   ///< index into WorkPlan::cuts
+    TurningWork work;  ///< before that pass; reads plan and set-up
+};
+
+/// The last run toward the chuck that meets stock. Error noCut.
+LastPass lastPassOf(const WorkPlan& plan, const TurningSetup& setup);
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,28 @@
+// Compliance of the work as it is before the first cut, at the place of the tool: by the beam of this room, and by the
+// receptance of engine/receptance at 0 Hz with the same springs. Both rooms describe one machine; here it shows.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/quantities.h"
+#include "engine/core/shaft.h"
+#include "engine/deflection/setup.h"
+#include "engine/report/chart.h"
+
+namespace lathelier::deflection {
+
+/// Without follower rest and tool post, which stand beside the tool.
+struct StaticCompliance {
+    std::vector<double> z_mm, compliance_um_N;                ///< of every node of the plan
+    std::vector<double> compared_z_mm, receptance_0_hz_um_N;  ///< at some of them
+    double largest_difference = 0;                            ///< relative
+};
+
+/// Errors of workPlan() and receptance::receptanceOf().
+StaticCompliance staticCompliance(const Shaft& stock, const TurningSetup& setup);
+
+const std::vector<QuantityOf<StaticCompliance>>& quantitiesOf(const StaticCompliance*);
+
+report::Plot compliancePlot(const StaticCompliance& compliance);
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,126 @@
+#include "engine/deflection/tool_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lathelier::deflection {
+namespace {
+
+constexpr int mostChords = 2000;  ///< of one arc
+constexpr double samePlace_mm = 1e-9;
+
+/// A straight stretch that cuts, or might.
+struct Stretch {
+    PathPoint from, to;
+
+    int direction() const
+    {
+        const double dz = to.z_mm - from.z_mm;
+        return dz > samePlace_mm ? 1 : dz < -samePlace_mm ? -1 : 0;
+    }
+};
+
+void appendArc(const PathPoint& from, const ToolMove& move, double chord_mm, std::vector<Stretch>& stretches)
+{
+    const ArcCentre& c = *move.arc;
+    const double radius_mm = std::hypot(from.z_mm - c.z_mm, from.x_mm - c.x_mm);
+    const double begin = std::atan2(from.x_mm - c.x_mm, from.z_mm - c.z_mm);
+    double sweep = std::atan2(move.x_mm - c.x_mm, move.z_mm - c.z_mm) - begin;
+    if (c.clockwise && sweep >= 0) sweep -= 2 * std::numbers::pi;
+    if (!c.clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
+    const double widest = radius_mm > chord_mm ? 2 * std::acos(1 - chord_mm / radius_mm) : std::numbers::pi;
+    const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / widest), 1.0, double{mostChords}));
+    PathPoint before = from;
+    for (int i = 1; i <= chords; ++i) {
+        PathPoint next{move.z_mm, move.x_mm, move.feed_mm_rev, move.line, i == chords};
+        if (i < chords) {
+            const double angle = begin + sweep * i / chords;
+            next.z_mm = c.z_mm + radius_mm * std::cos(angle);
+            next.x_mm = c.x_mm + radius_mm * std::sin(angle);
+        }
+        stretches.push_back({before, next});
+        before = next;
+    }
+}
+
+/// Stretches that follow each other without a break become runs.
+class RunMaker {
+public:
+    void add(const Stretch& stretch)
+    {
+        const int direction = stretch.direction();
+        if (direction != 0 && direction_ != 0 && direction != direction_) finish();
+        if (direction != 0) direction_ = direction;
+        if (points_.empty()) points_.push_back(stretch.from);
+        points_.push_back(stretch.to);
+    }
+
+    void finish()
+    {
+        if (direction_ == 0)
+            addPlunges();
+        else
+            addRun();
+        points_.clear();
+        direction_ = 0;
+    }
+
+    std::vector<ToolRun> take() { return std::move(runs_); }
+
+private:
+    void addPlunges()
+    {
+        for (std::size_t i = 1; i < points_.size(); ++i) addPlunge(i);
+    }
+
+    void addPlunge(std::size_t i)
+    {
+        if (points_[i].x_mm < points_[i - 1].x_mm)
+            runs_.push_back({ToolRun::Kind::Plunge, {points_[i - 1], points_[i]}});
+    }
+
+    void addRun()
+    {
+        const auto along = [this](std::size_t i) {
+            return std::abs(points_[i].z_mm - points_[i - 1].z_mm) > samePlace_mm;
+        };
+        std::size_t first = 1, last = points_.size() - 1;
+        while (!along(first)) addPlunge(first++);
+        while (!along(last)) --last;
+        const auto at = [this](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
+        runs_.push_back({direction_ > 0 ? ToolRun::Kind::TowardChuck : ToolRun::Kind::TowardFreeEnd,
+                         {at(first - 1), at(last + 1)}});
+        for (std::size_t i = last + 1; i < points_.size(); ++i) addPlunge(i);
+    }
+
+    std::vector<PathPoint> points_;
+    std::vector<ToolRun> runs_;
+    int direction_ = 0;
+};
+
+}  // namespace
+
+std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm)
+{
+    RunMaker maker;
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+        const ToolMove& move = moves[i];
+        if (!move.is_feed) {
+            maker.finish();
+            continue;
+        }
+        const PathPoint from{moves[i - 1].z_mm, moves[i - 1].x_mm, move.feed_mm_rev, moves[i - 1].line};
+        stretches.clear();
+        if (move.arc)
+            appendArc(from, move, chord_mm, stretches);
+        else
+            stretches.push_back({from, {move.z_mm, move.x_mm, move.feed_mm_rev, move.line}});
+        for (const Stretch& stretch : stretches) maker.add(stretch);
+    }
+    maker.finish();
+    return maker.take();
+}
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,57 @@
+// What a program does with the tool, as plain values: moves in the coordinates of the work, and the runs of them that
+// cut toward the chuck. z from the free end toward the chuck, x a radius.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace lathelier::deflection {
+
+/// Centre of an arc; the way round is that of the (z, x) plane, z to the right and x up.
+struct ArcCentre {
+    double z_mm = 0;         ///< of the centre
+    double x_mm = 0;         ///< of the centre
+    bool clockwise = false;  ///< in the (z, x) plane
+    friend bool operator==(const ArcCentre&, const ArcCentre&) = default;
+};
+
+/// A move, by its end point. The first one says where the tool starts.
+struct ToolMove {
+    double z_mm = 0;               ///< end
+    double x_mm = 0;               ///< end, radius
+    bool is_feed = false;          ///< false: rapid, or anything else that does not cut
+    double feed_mm_rev = 0;        ///< of a feed move
+    std::int64_t line = 0;         ///< of the block that caused it
+    std::optional<ArcCentre> arc;  ///< none: straight
+    friend bool operator==(const ToolMove&, const ToolMove&) = default;
+};
+
+/// A corner of a path. The stretch before it has this feed and comes from this line.
+struct PathPoint {
+    double z_mm = 0;         ///< of the tool's deepest point
+    double x_mm = 0;         ///< radius
+    double feed_mm_rev = 0;  ///< of the stretch that ends here
+    std::int64_t line = 0;   ///< of the block that causes that stretch; of the first point, of the move that leads here
+    bool is_block_end = true;  ///< false: within an arc
+    friend bool operator==(const PathPoint&, const PathPoint&) = default;
+};
+
+/// An unbroken run of feed moves in one direction along z. Equal z of neighbours is a shoulder.
+struct ToolRun {
+    enum class Kind {
+        TowardChuck,    ///< z never falls, and rises somewhere
+        TowardFreeEnd,  ///< z never rises, and falls somewhere
+        Plunge          ///< at one z, toward the axis
+    };
+    Kind kind = Kind::TowardChuck;
+    std::vector<PathPoint> points;  ///< two at least
+    friend bool operator==(const ToolRun&, const ToolRun&) = default;
+};
+
+/// Arcs become chords that leave them by `chord_mm` at most. Moves along x alone that begin or end a run are no part of
+/// it. Rapid moves, and feed moves that only retract, are in no run.
+std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm = 1e-5);
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,72 @@
+// An NC program on a machine: program, stock and set-up as one job, and the program written anew.
+//
+// The moves of the program are those of the tool's imaginary tip, taken for its deepest point; z = z_zero_mm - Z. What
+// is written is read again as text and simulated again: the residual is that of the file, not of what was meant.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/quantities.h"
+#include "engine/deflection/compensation.h"
+#include "engine/gcode/toolpath.h"
+
+namespace lathelier::deflection {
+
+/// A program and what cuts it.
+struct TurningJob {
+    gcode::Program program;     ///< as read
+    gcode::Toolpath path;       ///< its moves; free of errors
+    Shaft stock;                ///< before the first cut
+    TurningSetup setup;         ///< machine, tool, material
+    gcode::Noses noses;         ///< that the moves were found with
+    std::vector<ToolRun> runs;  ///< of the moves, filled in by turningJob()
+    WorkPlan plan;              ///< stock and runs on one row of nodes, filled in by turningJob()
+    Notes notes;                ///< threads, several tools, feeds per minute without a speed
+};
+
+/// Moves in the coordinates of the work. Feeds per minute become feeds per revolution by the speed at the end of the
+/// move; threads, dwells and moves from or to a reference point do not cut. Notes threadNotPredicted, severalTools,
+/// spindleSpeedUnknown.
+std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes);
+
+/// Errors: those of workPlan(). Precondition: `path` has no errors.
+TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
+                      gcode::Noses noses = {});
+
+/// predictDeflection() with the notes of the job.
+DeflectionResult predictJob(const TurningJob& job, const Progress& progress = {});
+
+/// One changed or added block of the written program, and why.
+struct ProgramChange {
+    std::int64_t line = 0;              ///< of the original block; of an added one: the block that it follows
+    std::optional<std::string> before;  ///< text of the block; none: added
+    std::string after;                  ///< text of the block
+    Text reason;                        ///< pattern; {name} is replaced by the named value
+    Values values;                      ///< z_mm, correction_um, dx_um, dy_um, F_t_N, F_ap_N, stiffness_N_mm
+};
+
+/// The reason in English.
+std::string reasonOf(const ProgramChange& change);
+
+/// A program that was written anew.
+struct CorrectedProgram {
+    CompensationResult compensation;     ///< counts, residual and robustness are those of `text`
+    std::string text;                    ///< the whole program; bytes of unchanged blocks as they were
+    std::vector<ProgramChange> changes;  ///< in order
+    std::vector<gcode::Move> moves;      ///< of `text`
+};
+
+/// Only X words change, on a grid of 0.001 mm of diameter, and blocks are divided where a corner is needed. Blocks
+/// behind a changed one that state no X, or count from it, get the X that they had. Errors: those of compensate();
+/// ncBlockNotRewritable (line, block, reason) under nose radius compensation, in a contour of G70-G73, in what runs
+/// more than once. Throws Cancelled.
+CorrectedProgram correctProgram(const TurningJob& job, const CompensationParameters& parameters = {},
+                                const Progress& progress = {});
+
+const std::vector<QuantityOf<ProgramChange>>& quantitiesOf(const ProgramChange*);
+const std::vector<QuantityOf<CorrectedProgram>>& quantitiesOf(const CorrectedProgram*);
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,58 @@
+// Work and tool path on one row of nodes along z: what a computation needs, prepared once and then only read, so that
+// sliders, maps and samples repeat the cutting alone.
+//
+// Nodes lie at both ends of the stock, at shoulders and ends of segments, at rests, at the ends of blocks within the
+// stock, along arcs as their chords need them, and between those no further apart than the step; nodes along arcs and
+// in between on a grid of 0.001 mm of the program's Z, so that a corrected program can have its corners there. Radii
+// belong to the ends of the pieces between nodes: a shoulder is two radii at one node.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/core/shaft.h"
+#include "engine/deflection/setup.h"
+#include "engine/deflection/tool_path.h"
+
+namespace lathelier::deflection {
+
+/// Contour of a run between two nodes.
+struct CutPiece {
+    double start_mm = 0;     ///< radius of the contour at the node before
+    double end_mm = 0;       ///< at the node after
+    double feed_mm_rev = 0;  ///< of the block there
+    double slope_rad = 0;    ///< of the contour: outward toward the chuck is positive
+    std::int64_t line = 0;   ///< of the block there
+    bool in_arc = false;     ///< within an arc
+    friend bool operator==(const CutPiece&, const CutPiece&) = default;
+};
+
+/// A run on the nodes: piece i lies behind node first + i.
+struct CutPlan {
+    ToolRun::Kind kind = ToolRun::Kind::TowardChuck;
+    std::size_t first = 0;         ///< node where it enters the stock's length
+    std::vector<CutPiece> pieces;  ///< Plunge: none
+    std::vector<bool> block_ends;  ///< of the nodes first…: a block ends there
+    ToolRun run;                   ///< as it came
+
+    std::size_t last() const { return first + pieces.size(); }  ///< node
+};
+
+struct WorkPlan {
+    std::vector<double> z_mm;             ///< nodes, n + 1, ascending from 0
+    std::vector<double> outer_start_mm;   ///< radius of the stock behind each node, n
+    std::vector<double> outer_end_mm;     ///< radius before the node that follows
+    std::vector<double> bore_mm;          ///< radius in the middle, 0: solid
+    std::vector<std::size_t> rest_nodes;  ///< of TurningSetup::steady_rests, in their order
+    std::vector<CutPlan> cuts;            ///< in order; runs beside the stock are left out
+
+    double length_mm() const { return z_mm.back(); }
+    std::size_t pieces() const { return outer_start_mm.size(); }
+};
+
+/// Errors: those of beam::uniformSegments(); stockTooShort (`line`) for a run that meets material at the chuck face and
+/// goes on; feedMissing (`line`); placeOutsideShaft for a rest; tooManySteps.
+WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup);
+
+}  // namespace lathelier::deflection

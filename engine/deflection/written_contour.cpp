@@ -1,0 +1,89 @@
+#include "engine/deflection/written_contour.h"
+
+#include <cmath>
+#include <limits>
+
+namespace lathelier::deflection {
+namespace {
+
+constexpr double rounding = 1e-12;  ///< mm
+
+/// A corner at one of the grid's radii.
+struct Candidate {
+    double x_mm = 0;
+    double squares_mm2 = std::numeric_limits<double>::infinity();   ///< of the distances at the corners up to here
+    std::size_t corners = std::numeric_limits<std::size_t>::max();  ///< in the shortest chain up to here
+    std::size_t before_place = 0, before_candidate = 0;             ///< in that chain
+
+    bool isReached() const { return corners != std::numeric_limits<std::size_t>::max(); }
+};
+
+std::vector<Candidate> candidatesAt(double x_mm, double grid_mm, double tolerance_mm)
+{
+    std::vector<Candidate> result;
+    const double first = std::ceil((x_mm - tolerance_mm - rounding) / grid_mm);
+    const double last = std::floor((x_mm + tolerance_mm + rounding) / grid_mm);
+    for (double k = first; k <= last; ++k) {
+        result.emplace_back();
+        result.back().x_mm = k * grid_mm;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<WrittenCorner>> writtenContour(const std::vector<WantedPlace>& wanted, double grid_mm,
+                                                         double tolerance_mm)
+{
+    const std::size_t count = wanted.size();
+    if (count == 0) return std::vector<WrittenCorner>{};
+    std::vector<std::vector<Candidate>> at;
+    at.reserve(count);
+    for (const WantedPlace& place : wanted) at.push_back(candidatesAt(place.x_mm, grid_mm, tolerance_mm));
+    for (Candidate& start : at.front()) {
+        start.corners = 1;
+        start.squares_mm2 = (start.x_mm - wanted.front().x_mm) * (start.x_mm - wanted.front().x_mm);
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        for (std::size_t c = 0; c < at[i].size(); ++c) {
+            const Candidate from = at[i][c];
+            if (!from.isReached()) continue;
+            double low = -std::numeric_limits<double>::infinity(), high = -low;
+            for (std::size_t j = i + 1; j < count && low <= high; ++j) {
+                const double width_mm = wanted[j].z_mm - wanted[i].z_mm;
+                for (Candidate& to : at[j]) {
+                    const double slope = (to.x_mm - from.x_mm) / width_mm;
+                    if (slope < low || slope > high) continue;
+                    const double off_mm = to.x_mm - wanted[j].x_mm;
+                    const double squares_mm2 = from.squares_mm2 + off_mm * off_mm;
+                    if (from.corners + 1 > to.corners ||
+                        (from.corners + 1 == to.corners && squares_mm2 >= to.squares_mm2))
+                        continue;
+                    to.corners = from.corners + 1;
+                    to.squares_mm2 = squares_mm2;
+                    to.before_place = i;
+                    to.before_candidate = c;
+                }
+                if (wanted[j].is_corner) break;
+                low = std::max(low, (wanted[j].x_mm - tolerance_mm - from.x_mm) / width_mm);
+                high = std::min(high, (wanted[j].x_mm + tolerance_mm - from.x_mm) / width_mm);
+            }
+        }
+    std::size_t place = count - 1, best = at[place].size();
+    for (std::size_t c = 0; c < at[place].size(); ++c)
+        if (at[place][c].isReached() && (best == at[place].size() || at[place][c].corners < at[place][best].corners ||
+                                         (at[place][c].corners == at[place][best].corners &&
+                                          at[place][c].squares_mm2 < at[place][best].squares_mm2)))
+            best = c;
+    if (best == at[place].size()) return std::nullopt;
+    std::vector<WrittenCorner> corners(at[place][best].corners);
+    for (std::size_t k = corners.size(); k-- > 0;) {
+        const Candidate& here = at[place][best];
+        corners[k] = {place, here.x_mm};
+        place = here.before_place;
+        best = here.before_candidate;
+    }
+    return corners;
+}
+
+}  // namespace lathelier::deflection

@@ -1,0 +1,63 @@
+#include "engine/gcode/diagnostic.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "engine/core/texts.h"
+#include "engine/gcode/gcode_codes.h"
+
+namespace lathelier::gcode {
+
+const char* severityKey(const Diagnostic& diagnostic)
+{
+    return diagnostic.is_error ? "error" : "warning";
+}
+
+std::string sentence(const Diagnostic& diagnostic)
+{
+    return fill(text(diagnostic.pattern), diagnostic.values);
+}
+
+bool Diagnostics::isNew(const char* code, std::uint64_t place)
+{
+    const auto found = seen_.find(std::string_view(code));
+    Seen& seen = found != seen_.end() ? found->second : seen_[code];
+    if (seen.places.contains(place)) return false;
+    if (seen.places.size() >= mostOfOneCode) {
+        ++seen.left_out;
+        return false;
+    }
+    seen.places.insert(place);
+    return true;
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const
+{
+    std::vector<Diagnostic> all = list_;
+    std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
+    for (const auto& place : seen_) {
+        const std::string& code = place.first;
+        const Seen& seen = place.second;
+        if (seen.left_out == 0) continue;
+        Diagnostic more;
+        const auto last = std::find_if(all.rbegin(), all.rend(), [&](const Diagnostic& d) { return d.code == code; });
+        if (last != all.rend()) {
+            more.line = last->line;
+            more.column = last->column;
+        }
+        more.code = notes::ncMoreDiagnostics.key;
+        more.pattern = notes::ncMoreDiagnostics.pattern;
+        more.values = {{"found", code}, {"count", seen.left_out}};
+        all.push_back(std::move(more));
+    }
+    return all;
+}
+
+bool Diagnostics::hasErrors() const
+{
+    return std::any_of(list_.begin(), list_.end(), [](const Diagnostic& d) { return d.is_error; });
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,81 @@
+// IF, WHILE, GOTO of Fanuc and Haas.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gcode/flow_text.h"
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/interpreter.h"
+
+namespace lathelier::gcode {
+
+void Interpreter::controlFanuc(const Word& word)
+{
+    const Control& at = *controlOf(pc_);
+    const std::string_view all(program_.text);
+    std::string_view rest = all.substr(at.rest, word.begin + word.length - at.rest);
+    std::string keyword = at.keyword;
+    const auto goTo = [&](std::string_view text) {
+        const Computed number = compute(text, variables_, dialect_);
+        const long wanted = std::lround(std::clamp(number.value.value_or(-1), -1.0, 1e9));
+        const auto found = findSequence(wanted, pc_);
+        if (found)
+            jump(*found);
+        else {
+            error(errors::ncSequence, &word, {{"found", named('N', wanted)}});
+            stop();
+        }
+    };
+    const auto labelOf = [](const Control& control, std::string_view text) {  // of DO and WHILE…DO
+        const std::size_t where = capitals(text).rfind("DO");
+        return control.keyword == "END" || where == std::string::npos ? numberIn(text) : numberIn(text.substr(where));
+    };
+    const auto textOf = [&](const Control& control) {
+        const Block& block = program_.blocks[control.block];
+        return all.substr(control.rest, block.begin + block.length - control.rest);
+    };
+    if (keyword == "GOTO") return goTo(rest);
+    if (keyword == "IF") {
+        const Computed condition = compute(rest, variables_, dialect_);
+        rest = trimmedFront(rest.substr(std::min(condition.end, rest.size())));
+        const std::string then = keywordOf(rest);
+        if (then != "GOTO" && then != "THEN") {
+            error(errors::ncFlow, &word, {{"found", shownWord(word)}});
+            return;
+        }
+        if (condition.value.value_or(0) == 0) return;
+        if (then == "GOTO") return goTo(rest.substr(4));
+        Word assignment = word;
+        rest = trimmedFront(rest.substr(4));
+        assignment.begin = static_cast<std::uint32_t>(rest.data() - program_.text.data());
+        assignment.length = static_cast<std::uint32_t>(rest.size());
+        const std::size_t equals = rest.find('=');
+        if (equals == std::string_view::npos) return error(errors::ncFlow, &word, {{"found", shownWord(word)}});
+        assignment.value_begin = assignment.begin + static_cast<std::uint32_t>(equals) + 1;
+        assignment.kind = WordKind::Assignment;
+        return assign(assignment);
+    }
+    const std::size_t index = controlAt_[pc_];
+    const long label = labelOf(at, rest);
+    if (keyword == "WHILE" || keyword == "DO") {
+        if (keyword == "WHILE") {
+            const Computed condition = compute(rest, variables_, dialect_);
+            if (condition.value.value_or(0) != 0) return;
+        } else {
+            return;
+        }
+        for (std::size_t i = index + 1; i < controls_.size(); ++i)
+            if (controls_[i].keyword == "END" && numberIn(textOf(controls_[i])) == label) {
+                next_ = controls_[i].block + 1;
+                return;
+            }
+    } else if (keyword == "END") {
+        for (std::size_t i = index; i-- > 0;)
+            if ((controls_[i].keyword == "WHILE" || controls_[i].keyword == "DO") &&
+                labelOf(controls_[i], textOf(controls_[i])) == label)
+                return jump(controls_[i].block);
+    }
+    error(errors::ncFlow, &word, {{"found", shownWord(word)}});
+    stop();
+}
+
+}  // namespace lathelier::gcode

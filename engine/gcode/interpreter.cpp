@@ -1,0 +1,350 @@
+#include "engine/gcode/interpreter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "engine/gcode/gcode_codes.h"
+
+namespace lathelier::gcode {
+namespace {
+
+constexpr double inch_mm = 25.4;
+
+std::string capitals(std::string_view text)
+{
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return result;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters, const Noses& noses,
+                         const Progress& progress)
+    : program_(program),
+      parameters_(parameters),
+      noses_(noses),
+      progress_(progress),
+      dialect_(program.dialect),
+      isFanuc_(isFanucLike(program.dialect)),
+      diagnostics_(program.diagnostics),
+      variables_(program.dialect),
+      path_(result_.moves)
+{
+    if (dialect_ == Dialect::LinuxCnc) {
+        modal_.is_diameter = false;
+        modal_.per_revolution = false;
+        modal_.at = {0, 0};  // where the interpreter itself starts
+        modal_.motion = G::Unknown;
+    }
+    result_.blocks.resize(program.blocks.size());
+    result_.parameters = parameters;
+    result_.parameters.dialect = dialect_;
+}
+
+Toolpath Interpreter::run()
+{
+    result_.moves.reserve(std::min(program_.blocks.size() + 16, mostMoves));
+    runAll();
+    path_.finish();
+    drainProblems();
+    result_.words = countWords(program_);
+    result_.words_understood = countUnderstood(program_);
+    result_.diagnostics = diagnostics_.sorted();
+    result_.has_errors = diagnostics_.hasErrors();
+    return std::move(result_);
+}
+
+/// First byte of the word; without one, of the first word of the block.
+std::uint32_t Interpreter::placeOf(const Word* word) const
+{
+    if (word) return word->begin;
+    const Block& block = program_.blocks[pc_];
+    return block.word_count > 0 ? program_.words[block.first_word].begin : block.begin;
+}
+
+void Interpreter::error(const ErrorCode& code, const Word* word, Values values)
+{
+    report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values));
+}
+
+void Interpreter::warn(const NoteCode& code, const Word* word, Values values)
+{
+    report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values));
+}
+
+void Interpreter::notUnderstood(const Word* word)
+{
+    if (word) program_.words[static_cast<std::size_t>(word - program_.words.data())].is_understood = false;
+}
+
+void Interpreter::drainProblems()
+{
+    const std::size_t here = pc_;
+    for (const PathProblem& problem : path_.problems) {
+        pc_ = static_cast<std::size_t>(std::max<std::int64_t>(problem.line, 1) - 1);
+        error(*problem.code, nullptr,
+              {{problem.code == &errors::ncNoseFit ? "radius_mm" : "size_mm", problem.size_mm}});
+    }
+    path_.problems.clear();
+    pc_ = here;
+}
+
+std::optional<double> Interpreter::valueOf(const Word& word, Computed* computed)
+{
+    if (word.kind == WordKind::Number) return word.value;
+    const std::string_view text = program_.valueOf(word);
+    try {
+        Computed found = compute(text, variables_, dialect_);
+        if (found.end < text.size())
+            throw ExpressionFailure{LT_TEXT("Engine", "something is left behind it"), found.end};
+        if (computed) *computed = found;
+        return found.value;
+    } catch (const ExpressionFailure& failure) {
+        Word at = word;
+        at.begin = word.value_begin + static_cast<std::uint32_t>(std::min(failure.at, text.size()));
+        error(errors::ncExpression, &at, {{"found", shown(program_, text)}, {"reason", failure.reason}});
+    }
+    return std::nullopt;
+}
+
+/// #101=…, R1=…
+void Interpreter::assign(const Word& word)
+{
+    const auto value = valueOf(word);
+    const std::string_view text = program_.textOf(word);
+    try {
+        const VariableName name = variableName(text, variables_, dialect_);
+        if (name.number == 3000 && isFanuc_) {
+            error(errors::ncAlarm, &word, {{"found", shown(program_, program_.textOf(program_.blocks[pc_]))}});
+            stop();
+        }
+        if (name.number >= 0)
+            variables_.set(name.number, value);
+        else
+            variables_.set(name.name, value.value_or(0));
+    } catch (const ExpressionFailure& failure) {
+        error(errors::ncExpression, &word, {{"found", shown(program_, text)}, {"reason", failure.reason}});
+    }
+}
+
+void Interpreter::takeName(const Word& word, BlockWords& words)
+{
+    const std::string_view text = program_.textOf(word);
+    const std::string name = capitals(text.substr(0, text.find_first_of("=([: \t")));
+    if (name == "DIAMON" || name == "DIAM90" || name == "DIAMOF") {
+        modal_.is_diameter = name != "DIAMOF";
+        modal_.is_diameter_absolute_only = name == "DIAM90";
+        statedDiameter_ = true;
+    } else if (name == "SUPA") {
+        words.is_machine = true;
+    } else if (name == "CIP") {
+        words.is_through = true;
+        modal_.motion = G::ArcThrough;
+    } else if (name == "X1" || name == "Z1") {
+        words.has_axis_zero = true;
+    } else if (word.kind == WordKind::Expression || word.kind == WordKind::Number) {
+        if (name == "T") return;
+        const double value = valueOf(word).value_or(none);
+        const double scale = modal_.is_inch ? inch_mm : 1;
+        if (name == "LIMS")
+            modal_.limit_rpm = value;
+        else if (name == "CR")
+            words.cr = value * scale;
+        else if (name == "AR")
+            words.ar = value;
+        else if (name == "I1")
+            words.i1 = value * scale;
+        else if (name == "K1")
+            words.k1 = value * scale;
+        else if (name == "CHF")
+            words.chf = value * scale;
+        else if (name == "CHR")
+            words.chr = value * scale;
+        else if (name == "RND")
+            words.rnd = value * scale;
+        else if (name == "RNDM")
+            modal_.round_mm = value * scale;
+        else if (name == "S1")
+            modal_.speed = value;
+    }
+}
+
+/// The words of the block by letter. False where it cannot be run.
+bool Interpreter::gather(BlockWords& words)
+{
+    const Block& block = program_.blocks[pc_];
+    bool isWhole = true;
+    for (std::uint32_t i = 0; i < block.word_count; ++i) {
+        const Word& word = program_.words[block.first_word + i];
+        switch (word.kind) {
+            case WordKind::Comment: continue;
+            case WordKind::Bad: return false;
+            case WordKind::Control: continue;
+            case WordKind::Assignment: assign(word); continue;
+            case WordKind::Name:
+            case WordKind::Call: takeName(word, words); continue;
+            default: break;
+        }
+        if (word.letter == 0) {
+            takeName(word, words);
+            continue;
+        }
+        if (word.letter == 'T' && dialect_ == Dialect::Sinumerik &&
+            program_.valueOf(word).find('"') != std::string_view::npos) {
+            const std::string_view name = program_.valueOf(word);
+            const std::size_t digit = name.find_first_of("0123456789");
+            modal_.tool = digit == std::string_view::npos ? 0 : std::atoi(std::string(name.substr(digit, 6)).c_str());
+            continue;
+        }
+        Computed computed;
+        std::optional<double> value = word.value;
+        if (word.kind == WordKind::Expression) {
+            const auto before = diagnostics_.hasErrors();
+            value = valueOf(word, &computed);
+            if (!value) {
+                isWhole = isWhole && before == diagnostics_.hasErrors();
+                continue;  // a vacant variable: as if the word were not there
+            }
+        }
+        if (word.letter == 'G') {
+            const auto code10 = static_cast<int>(std::lround(std::clamp(*value, -1.0, 1e6) * 10));
+            const G meaning = meaningOf(dialect_, code10);
+            if (word.kind == WordKind::Expression && (meaning == G::Unknown || meaning == G::NotModelled)) {
+                warn(notes::ncWordUnknown, &word, {{"found", shownWord(word)}});
+                notUnderstood(&word);
+            }
+            if (words.g_count < static_cast<int>(words.g.size())) {
+                const auto at = static_cast<std::size_t>(words.g_count++);
+                words.g[at] = meaning;
+                words.g10[at] = code10;
+                words.g_word[at] = &word;
+            }
+        } else if (word.letter == 'M') {
+            if (words.m_count < static_cast<int>(words.m.size()))
+                words.m[static_cast<std::size_t>(words.m_count++)] = static_cast<int>(std::clamp(*value, -1.0, 1e6));
+        } else {
+            const int slot = BlockWords::slot(word.letter);
+            if ((words.given >> slot & 1U) != 0) {
+                if (dialect_ == Dialect::LinuxCnc)
+                    error(errors::ncGroups, &word, {{"found", shownWord(word)}});
+                else
+                    warn(notes::ncWordRepeated, &word, {{"found", shownWord(word)}});
+            }
+            words.given |= 1U << slot;
+            if (computed.is_incremental) words.incremental |= 1U << slot;
+            if (computed.is_absolute) words.absolute |= 1U << slot;
+            words.value[static_cast<std::size_t>(slot)] = *value;
+            words.word[static_cast<std::size_t>(slot)] = &word;
+        }
+    }
+    return isWhole;
+}
+
+void Interpreter::takeM(BlockWords& words)
+{
+    if (dialect_ == Dialect::Sinumerik && words.has('L')) callByNumber(words);
+    for (int i = 0; i < words.m_count; ++i) {
+        const int m = words.m[static_cast<std::size_t>(i)];
+        if ((inContour_ || inFinish_) && m >= 97 && m <= 99) {
+            warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}});
+            continue;
+        }
+        if (m == 2 || m == 30 || (m == 17 && dialect_ == Dialect::Sinumerik)) {
+            if (dialect_ == Dialect::Sinumerik && !calls_.empty())
+                returnFromCall();
+            else
+                stop();
+        } else if (m == 98 && isFanuc_) {
+            callProgram(words, false);
+        } else if (m == 97 && dialect_ == Dialect::Haas) {
+            const long number = std::lround(plain(words, 'P'));
+            const auto found = findSequence(number, pc_);
+            if (found)
+                call(*found, std::max(std::lround(plain(words, 'L', 1)), 1L), false);
+            else
+                error(errors::ncSequence, nullptr, {{"found", named('N', number)}});
+        } else if (m == 99 && isFanuc_) {
+            if (calls_.empty()) {
+                if (words.has('P')) {
+                    const auto found = findSequence(std::lround(plain(words, 'P')), pc_);
+                    if (found && countLoop()) jump(*found);
+                    continue;
+                }
+                warn(notes::ncMainRepeats);
+                stop();
+            } else {
+                const bool hasTarget = words.has('P');
+                const long number = std::lround(plain(words, 'P'));
+                returnFromCall();
+                if (hasTarget)
+                    if (const auto found = findSequence(number, next_ > 0 ? next_ - 1 : 0)) next_ = *found;
+            }
+        }
+    }
+}
+
+void Interpreter::checkUnused(const BlockWords& words)
+{
+    constexpr std::string_view always = "NOFSTGMLXZUW";
+    std::uint32_t rest = words.given & ~words.used;
+    for (const char letter : always) rest &= ~(1U << BlockWords::slot(letter));
+    if (rest == 0) return;
+    for (int i = 0; i < words.g_count; ++i) {
+        const G g = words.g[static_cast<std::size_t>(i)];
+        if (g == G::NoEffect || g == G::NotModelled || g == G::Unknown || g == G::FixedPoint) return;
+    }
+    for (int slot = 0; slot < 28; ++slot) {
+        const Word* const word = words.word[static_cast<std::size_t>(slot)];
+        if ((rest >> slot & 1U) == 0 || !word || !word->is_understood) continue;
+        if (word->letter == 'D' && dialect_ == Dialect::Sinumerik) continue;  // the tool offset
+        if (words.m_count > 0 && (word->letter == 'P' || word->letter == 'Q' || word->letter == 'R')) continue;
+        warn(notes::ncWordWithoutUse, word, {{"found", shownWord(*word)}});
+        notUnderstood(word);
+    }
+}
+
+void Interpreter::execute(std::size_t block)
+{
+    pc_ = block;
+    next_ = block + 1;
+    const Block& here = program_.blocks[block];
+    if (here.word_count == 0 || here.is_malformed) return;
+    BlockState& state = result_.blocks[block];
+    ++state.runs;
+    state.start = modal_.at;
+    BlockWords words;
+    if (const Word& first = program_.words[here.first_word]; here.word_count > 1 || first.kind != WordKind::Comment) {
+        if (!gather(words)) return;
+        takeModes(words);
+        takeSpindle(words);
+        state.is_diameter = modal_.is_diameter && !(modal_.is_diameter_absolute_only && modal_.is_incremental);
+        state.is_incremental = modal_.is_incremental;
+        state.is_inch = modal_.is_inch;
+        state.is_contour = state.is_contour || inContour_;
+        updateNose();
+        move(words);
+        state.is_compensated = state.is_compensated || modal_.side != NoseSide::Off;
+        takeM(words);
+        checkUnused(words);
+        for (std::uint32_t i = 0; i < here.word_count && !stopped_; ++i) {
+            const Word& word = program_.words[here.first_word + i];
+            if (word.kind != WordKind::Control) continue;
+            if (inContour_ || inFinish_)
+                warn(notes::ncBlockNotModelled, &word, {{"found", shownWord(word)}});
+            else
+                control(word);
+        }
+        if (!path_.problems.empty()) drainProblems();
+    }
+    state.end = modal_.at;
+}
+
+Toolpath findToolpath(Program& program, const ToolpathParameters& parameters, const Noses& noses,
+                      const Progress& progress)
+{
+    return Interpreter(program, parameters, noses, progress).run();
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,212 @@
+// The control as a machine with a state: runs the blocks of a program one after the other. Internal to the room; the
+// door is findToolpath().
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/gcode/cycles.h"
+#include "engine/gcode/expression.h"
+#include "engine/gcode/path_builder.h"
+#include "engine/gcode/toolpath.h"
+#include "engine/gcode/word_tables.h"
+
+namespace lathelier::gcode {
+
+/// What stays in force from block to block.
+struct Modal {
+    bool is_inch = false;
+    bool inch_feed = false;
+    bool is_diameter = true;
+    bool is_diameter_absolute_only = false;  ///< DIAM90
+    bool is_incremental = false;
+    bool arc_is_absolute = false;
+    bool per_revolution = true;
+    bool is_css = false;
+    bool is_stopped = false;
+    double feed = none;  ///< in mm, per revolution or minute
+    bool feed_is_stale = false;
+    double speed = none;  ///< 1/min or m/min
+    double limit_rpm = none;
+    int tool = 0;
+    int offset = 0;  ///< number of the tool offset
+    int work_offset = 540;
+    G motion = G::Unknown;  ///< of the group of motions; cycles too
+    NoseSide side = NoseSide::Off;
+    double nose_radius_mm = none;  ///< G41.1 D
+    int nose_tip = 9;
+    double round_mm = 0;  ///< RNDM
+    Point at;             ///< programmed position
+};
+
+/// The words of one block, computed.
+struct BlockWords {
+    std::array<double, 32> value{};
+    std::array<const Word*, 32> word{};
+    std::uint32_t given = 0;
+    std::uint32_t used = 0;
+    std::array<G, 12> g{};
+    std::array<const Word*, 12> g_word{};
+    std::array<int, 12> g10{};
+    int g_count = 0;
+    std::array<int, 8> m{};
+    int m_count = 0;
+    std::uint32_t incremental = 0;  ///< letters given as IC(…)
+    std::uint32_t absolute = 0;     ///< as AC(…)
+    double cr = none, ar = none, i1 = none, k1 = none, chf = none, chr = none, rnd = none;
+    bool is_through = false;     ///< CIP
+    bool is_machine = false;     ///< SUPA
+    bool has_axis_zero = false;  ///< X1=, Z1=
+
+    static int slot(char letter)
+    {
+        return letter >= 'a' ? (letter == 'c' ? 26 : letter == 'r' ? 27 : 28) : letter - 'A';
+    }
+    bool has(char letter) const { return (given >> slot(letter) & 1U) != 0; }
+    bool hasG(G meaning) const
+    {
+        for (int i = 0; i < g_count; ++i)
+            if (g[static_cast<std::size_t>(i)] == meaning) return true;
+        return false;
+    }
+};
+
+/// A block or program by its number, "N100".
+inline std::string named(char letter, long number)
+{
+    std::string name(1, letter);
+    name += std::to_string(number);
+    return name;
+}
+
+class Interpreter {
+public:
+    Interpreter(Program& program, const ToolpathParameters& parameters, const Noses& noses, const Progress& progress);
+    Toolpath run();
+
+private:
+    // flow (interpreter_flow.cpp)
+    struct Control {
+        std::size_t block = 0;
+        std::string label;     ///< of LinuxCNC
+        std::string keyword;   ///< in capitals
+        std::size_t rest = 0;  ///< offset of what follows the keyword
+    };
+    struct CallFrame {
+        std::size_t back = 0;
+        std::size_t first = 0;
+        long repeats = 1;
+        bool has_variables = false;
+        std::size_t loops = 0;  ///< open loops of the caller
+    };
+    struct Loop {
+        std::size_t head = 0;  ///< block of WHILE, DO, FOR, REPEAT
+        double left = 0;       ///< of LinuxCNC repeat
+    };
+    void indexFlow();
+    void runAll();
+    void control(const Word& word);
+    void controlFanuc(const Word& word);
+    void controlLinuxCnc(const Control& at);
+    void controlSinumerik(const Control& at);
+    const Control* controlOf(std::size_t block) const;
+    std::optional<std::size_t> findSequence(long number, std::size_t from) const;
+    std::pair<std::size_t, std::size_t> sectionOf(std::size_t block) const;
+    void jump(std::size_t to);
+    bool countLoop();
+    void call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments = {});
+    void returnFromCall();
+    void callProgram(BlockWords& words, bool isMacro);
+    void callByNumber(BlockWords& words);
+    std::size_t matching(std::size_t index, const char* open, const char* close, int step) const;
+    void stop() { stopped_ = true; }
+
+    // one block (interpreter.cpp)
+    void execute(std::size_t block);
+    bool gather(BlockWords& words);
+    void assign(const Word& word);
+    void takeName(const Word& word, BlockWords& words);
+    std::optional<double> valueOf(const Word& word, Computed* computed = nullptr);
+    void takeModes(BlockWords& words);
+    void takeSpindle(BlockWords& words);
+    void takeM(BlockWords& words);
+    void checkUnused(const BlockWords& words);
+
+    // motion (interpreter_motion.cpp)
+    void move(BlockWords& words);
+    void dwell(BlockWords& words);
+    void reference(BlockWords& words);
+    void thread(BlockWords& words);
+    void arc(BlockWords& words, const Point& end);
+    bool hasAxes(const BlockWords& words) const;
+    Point target(BlockWords& words);
+    double length_mm(BlockWords& words, char letter);
+    double micro_mm(BlockWords& words, char letter);
+    double plain(BlockWords& words, char letter, double otherwise = 0);
+    Corner cornerOf(BlockWords& words);
+    void emit(MoveKind kind, const Point& to, const Corner& corner = {}, const Point& centre = {},
+              bool clockwise = false, double lead = none);
+    void emitCycle(const CycleMoves& moves, double lead = none);
+    void updateNose();
+    Move filled(MoveKind kind, const Point& to) const;
+
+    // cycles (interpreter_cycles.cpp)
+    bool cycle(BlockWords& words);
+    void singleCycle(BlockWords& words);
+    void drill(BlockWords& words);
+    void threadMulti(BlockWords& words);
+    void driveThread(BlockWords& words);
+    void peck(BlockWords& words, bool alongX);
+    void contourCycle(BlockWords& words, G which);
+    std::vector<ContourPiece> collect(std::size_t first, std::size_t last);
+    void finishContour(std::size_t first, std::size_t last);
+
+    std::uint32_t placeOf(const Word* word) const;
+    void error(const ErrorCode& code, const Word* word = nullptr, Values values = {});
+    void warn(const NoteCode& code, const Word* word = nullptr, Values values = {});
+    std::string shownWord(const Word& word) const { return shown(program_, program_.textOf(word)); }
+    void notUnderstood(const Word* word);
+    void drainProblems();
+
+    Program& program_;
+    const ToolpathParameters& parameters_;
+    const Noses& noses_;
+    const Progress& progress_;
+    Dialect dialect_;
+    bool isFanuc_;
+    Toolpath result_;
+    Diagnostics diagnostics_;
+    Variables variables_;
+    Modal modal_;
+    PathBuilder path_;
+    std::size_t pc_ = 0;    ///< block that is run
+    std::size_t next_ = 0;  ///< block that comes then
+    bool stopped_ = false;
+    bool inContour_ = false;  ///< the contour of a cycle is collected
+    bool inFinish_ = false;   ///< G70 runs it
+    bool statedDiameter_ = false;
+    bool statedFeedMode_ = false;
+    std::int64_t loops_ = 0;
+    std::vector<Control> controls_;
+    std::vector<std::size_t> controlAt_;
+    std::vector<std::size_t> sections_;  ///< first blocks of programs within the file
+    std::unordered_map<long, std::vector<std::size_t>> sequences_;
+    bool isIndexed_ = false;
+    std::vector<CallFrame> calls_;
+    std::vector<Loop> open_;
+
+    // what modal cycles and two-block cycles remember
+    std::optional<Point> cycleStart_;
+    double cycleX_ = none, cycleZ_ = none, cycleR_ = 0;
+    Drilling drilling_;
+    double roughDepth_mm_ = none, roughRetreat_mm_ = 0.5;
+    double patternX_mm_ = 0, patternZ_mm_ = 0;
+    int patternCount_ = 1;
+    double threadLeast_mm_ = 0, threadFinish_mm_ = 0, threadRun_ = 0;
+    int threadLast_ = 1;
+    double peckRetreat_mm_ = 0;
+};
+
+}  // namespace lathelier::gcode

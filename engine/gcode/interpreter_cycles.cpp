@@ -1,0 +1,364 @@
+// From the words of cycles to the cycles.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/interpreter.h"
+
+namespace lathelier::gcode {
+
+/// True when the block was a cycle, or belongs to a modal one.
+bool Interpreter::cycle(BlockWords& words)
+{
+    for (const G which : {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern})
+        if (words.hasG(which)) {
+            contourCycle(words, which);
+            return true;
+        }
+    if (words.hasG(G::FacePeck) || words.hasG(G::TurnPeck)) {
+        peck(words, words.hasG(G::TurnPeck));
+        return true;
+    }
+    if (words.hasG(G::ThreadMulti)) {
+        if (isFanuc_)
+            threadMulti(words);
+        else
+            driveThread(words);
+        return true;
+    }
+    if (modal_.motion == G::TurnCycle || modal_.motion == G::FaceCycle || modal_.motion == G::ThreadCycle) {
+        singleCycle(words);
+        return true;
+    }
+    if (modal_.motion == G::Drill) {
+        drill(words);
+        return true;
+    }
+    return false;
+}
+
+void Interpreter::singleCycle(BlockWords& words)
+{
+    const bool isNew = words.hasG(modal_.motion);
+    if (!hasAxes(words) && !words.has('R') && !words.has('I') && !words.has('K')) return;
+    if (!cycleStart_ || isNew) {
+        cycleStart_ = modal_.at;
+        if (isNew) cycleX_ = cycleZ_ = none;
+        cycleR_ = 0;
+    }
+    const Point to = target(words);
+    if (words.has('X') || words.has('U')) cycleX_ = to.x_mm;
+    if (words.has('Z') || words.has('W')) cycleZ_ = to.z_mm;
+    for (const char letter : {'R', 'I', 'K'})
+        if (words.has(letter) && !(modal_.motion == G::ThreadCycle && letter == 'K'))
+            cycleR_ = length_mm(words, letter);
+    if (words.has('Q')) plain(words, 'Q');
+    double lead = modal_.feed;
+    if (words.has('E')) lead = 25.4 / plain(words, 'E');
+    const Point end{isKnown(cycleX_) ? cycleX_ : cycleStart_->x_mm, isKnown(cycleZ_) ? cycleZ_ : cycleStart_->z_mm};
+    if (!isKnown(*cycleStart_)) warn(notes::ncPositionUnknown);
+    if (modal_.motion == G::ThreadCycle) {
+        if (!(lead > 0)) error(errors::ncFeedMissing);
+        emitCycle(threadCycle(*cycleStart_, end, cycleR_), lead);
+    } else {
+        emitCycle(modal_.motion == G::TurnCycle ? turningCycle(*cycleStart_, end, cycleR_)
+                                                : facingCycle(*cycleStart_, end, cycleR_));
+    }
+}
+
+void Interpreter::drill(BlockWords& words)
+{
+    const bool isNew = words.hasG(G::Drill);
+    const bool hasC = words.has('C') || words.has('H');
+    if (!isNew && !hasAxes(words) && !hasC) return;
+    if (isNew) {
+        const bool chipBreak = drilling_.chip_break;
+        drilling_ = {};
+        drilling_.chip_break = chipBreak;
+        drilling_.level_z_mm = modal_.at.z_mm;
+        drilling_.bottom_z_mm = modal_.at.z_mm;
+        for (int i = 0; i < words.g_count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (words.g[at] != G::Drill) continue;
+            const int code = words.g10[at] / 10;
+            drilling_.is_tap = code == 84 || code == 88 || code == 95;
+            drilling_.feeds_out = code == 85 || code == 89;
+            if (isFanuc_ && (code == 87 || code == 88 || code == 89 || code == 86)) {  // across the axis
+                warn(notes::ncBlockNotModelled, words.g_word[at], {{"found", shownWord(*words.g_word[at])}});
+                notUnderstood(words.g_word[at]);
+                modal_.motion = G::Unknown;
+                modal_.at = {};
+                return;
+            }
+        }
+    }
+    Point to = modal_.at;
+    const bool hasZ = words.has('Z') || words.has('W');
+    const Point given = target(words);
+    to.x_mm = given.x_mm;
+    if (to.x_mm != modal_.at.x_mm && (words.has('X') || words.has('U')))
+        emit(MoveKind::Rapid, {to.x_mm, modal_.at.z_mm});
+    if (words.has('R')) {
+        const double r = length_mm(words, 'R');
+        double level = modal_.is_incremental && !isFanuc_ ? modal_.at.z_mm + r : r;
+        if (dialect_ == Dialect::Fanuc) {  // from the start; a plane where that would lead away from the hole
+            const double from = modal_.at.z_mm + r;
+            const bool isAway = hasZ && (from - modal_.at.z_mm) * (given.z_mm - modal_.at.z_mm) < 0;
+            level = isAway ? r : from;
+        }
+        drilling_.level_z_mm = level;
+    }
+    if (hasZ) drilling_.bottom_z_mm = words.has('W') ? drilling_.level_z_mm + length_mm(words, 'W') : given.z_mm;
+    if (words.has('Q')) drilling_.peck_mm = std::abs(micro_mm(words, 'Q'));
+    if (words.has('P')) {
+        const Word* const word = words.word['P' - 'A'];
+        drilling_.dwell_s = plain(words, 'P') * (isFanuc_ && !word->has_point ? 1e-3 : 1);
+    }
+    long repeats = 1;
+    for (const char letter : {'K', 'L'})
+        if (words.has(letter)) repeats = std::clamp(std::lround(plain(words, letter)), 0L, 10000L);
+    for (int i = 0; i < words.g_count && dialect_ == Dialect::LinuxCnc; ++i)
+        if (words.g10[static_cast<std::size_t>(i)] == 990) drilling_.to_level = true;
+    for (long k = 0; k < repeats && result_.moves.size() <= mostMoves; ++k)
+        emitCycle(drilling(modal_.at, drilling_), modal_.feed);
+}
+
+void Interpreter::threadMulti(BlockWords& words)
+{
+    if (!hasAxes(words)) {  // first block: P mmrraa, Q least step, R finish
+        if (words.has('P')) {
+            const long code = std::lround(std::clamp(plain(words, 'P'), 0.0, 999999.0));
+            threadLast_ = static_cast<int>(std::max(code / 10000, 1L));
+            threadRun_ = static_cast<double>(code / 100 % 100) / 10;
+        }
+        if (words.has('Q')) threadLeast_mm_ = std::abs(micro_mm(words, 'Q'));
+        if (words.has('R')) threadFinish_mm_ = std::abs(micro_mm(words, 'R'));
+        if (!words.has('P') && !words.has('Q') && !words.has('R'))
+            error(errors::ncCycle, nullptr, {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "it has no words")}});
+        return;
+    }
+    const Point start = modal_.at;
+    MultiThread cut;
+    cut.end = target(words);
+    if (!(words.has('X') || words.has('U'))) cut.end.x_mm = start.x_mm;
+    const bool isOneBlock = words.has('K') && words.has('D');
+    if (isOneBlock) {
+        cut.height_mm = std::abs(length_mm(words, 'K'));
+        cut.first_mm = std::abs(micro_mm(words, 'D'));
+        cut.has_finish = false;
+        if (words.has('I')) cut.taper_mm = length_mm(words, 'I');
+        for (const char letter : {'A', 'P', 'Q'})
+            if (words.has(letter)) plain(words, letter);
+    } else {
+        cut.height_mm = std::abs(micro_mm(words, 'P'));
+        cut.first_mm = std::abs(micro_mm(words, 'Q'));
+        cut.least_mm = threadLeast_mm_;
+        cut.finish_mm = threadFinish_mm_;
+        cut.last_passes = threadLast_;
+        if (words.has('R')) cut.taper_mm = length_mm(words, 'R');
+    }
+    const double lead = words.has('E') ? 25.4 / plain(words, 'E') : modal_.feed;
+    cut.run_out_mm = isOneBlock ? 0 : threadRun_ * lead;
+    if (!(lead > 0)) return error(errors::ncFeedMissing);
+    if (!(cut.height_mm > 0) || !(cut.first_mm > 0)) {
+        return error(
+            errors::ncCycle, nullptr,
+            {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "the height of the thread or its first cut is missing")}});
+    }
+    if (!isKnown(start)) warn(notes::ncPositionUnknown);
+    emitCycle(multiThread(start, cut), lead);
+}
+
+void Interpreter::driveThread(BlockWords& words)
+{
+    const double half = modal_.is_diameter ? 0.5 : 1;
+    DriveThread cut;
+    const Point start = modal_.at;
+    cut.end_z_mm = target(words).z_mm;
+    for (const char letter : {'P', 'I', 'J', 'K'})
+        if (!words.has(letter)) {
+            return error(errors::ncCycle, nullptr,
+                         {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "one of the words P, I, J, K is missing")}});
+        }
+    const double lead = length_mm(words, 'P');
+    cut.peak_mm = length_mm(words, 'I') * half;
+    cut.first_mm = length_mm(words, 'J') * half;
+    cut.height_mm = length_mm(words, 'K') * half;
+    cut.degression = plain(words, 'R', 1);
+    cut.compound_rad = plain(words, 'Q') * std::acos(-1.0) / 180;
+    cut.springs = static_cast<int>(std::clamp(plain(words, 'H'), 0.0, 1000.0));
+    cut.taper_length_mm = words.has('E') ? length_mm(words, 'E') : 0;
+    cut.tapers = static_cast<int>(std::clamp(plain(words, 'L'), 0.0, 3.0));
+    if (const Word* h = words.word['H' - 'A'])
+        program_.words[static_cast<std::size_t>(h - program_.words.data())].is_understood = true;
+    if (!(cut.first_mm > 0) || !(cut.height_mm > cut.first_mm - 1e-12) || !(lead > 0)) {
+        return error(
+            errors::ncCycle, nullptr,
+            {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "P, J and K must be positive, and K not below J")}});
+    }
+    emitCycle(gcode::driveThread(start, cut), lead);
+}
+
+void Interpreter::peck(BlockWords& words, bool alongX)
+{
+    if (!hasAxes(words)) {
+        if (words.has('R')) peckRetreat_mm_ = std::abs(length_mm(words, 'R'));
+        return;
+    }
+    const Point start = modal_.at;
+    Pecking groove;
+    groove.along_x = alongX;
+    groove.end = target(words);
+    const bool isOneBlock = words.has('D') || (words.has('K') || words.has('I'));
+    double deltaX = words.has('P') ? micro_mm(words, 'P') : 0, deltaZ = words.has('Q') ? micro_mm(words, 'Q') : 0;
+    if (isOneBlock) {
+        if (words.has('I')) deltaX = length_mm(words, 'I') / (dialect_ == Dialect::Haas ? 2 : 1);
+        if (words.has('K')) deltaZ = length_mm(words, 'K');
+        if (words.has('D')) groove.relief_mm = length_mm(words, 'D');
+    }
+    if (words.has('R')) groove.relief_mm = length_mm(words, 'R');
+    groove.peck_mm = std::abs(alongX ? deltaX : deltaZ);
+    groove.step_mm = std::abs(alongX ? deltaZ : deltaX);
+    groove.retreat_mm = peckRetreat_mm_;
+    if (!isKnown(start)) warn(notes::ncPositionUnknown);
+    emitCycle(pecking(start, groove));
+}
+
+/// G70…G73: words of the first block, or the cycle itself.
+void Interpreter::contourCycle(BlockWords& words, G which)
+{
+    indexFlow();
+    const std::string name = which == G::Finish      ? "G70"
+                             : which == G::RoughTurn ? "G71"
+                             : which == G::RoughFace ? "G72"
+                                                     : "G73";
+    const auto unusable = [&](Text reason) { error(errors::ncCycle, nullptr, {{"cycle", name}, {"reason", reason}}); };
+    if (!isFanuc_) return unusable(LT_TEXT("Engine", "this dialect has no such cycle"));
+    if (inContour_ || inFinish_) return unusable(LT_TEXT("Engine", "it stands within the contour of a cycle"));
+    const bool hasContour = words.has('P') && words.has('Q');
+    const bool isOneBlock = hasContour && (words.has('D') || words.has('I') || words.has('K') || words.has('R'));
+    const double u_mm = words.has('U') ? length_mm(words, 'U') : 0, w_mm = words.has('W') ? length_mm(words, 'W') : 0;
+    if (!hasContour) {
+        if (words.has('P') || words.has('Q') || which == G::Finish)
+            return unusable(LT_TEXT("Engine", "P and Q name its contour"));
+        if (which == G::Pattern) {
+            patternX_mm_ = u_mm;
+            patternZ_mm_ = w_mm;
+            patternCount_ = static_cast<int>(std::clamp(plain(words, 'R', 1), 1.0, 9999.0));
+        } else {
+            roughDepth_mm_ = std::abs(which == G::RoughTurn ? u_mm : w_mm);
+            if (words.has('R')) roughRetreat_mm_ = std::abs(length_mm(words, 'R'));
+        }
+        return;
+    }
+    if (isOneBlock && which == G::Pattern) {
+        patternCount_ = static_cast<int>(std::clamp(plain(words, 'D', 1), 1.0, 9999.0));
+        if (words.has('I')) patternX_mm_ = length_mm(words, 'I');
+        if (words.has('K')) patternZ_mm_ = length_mm(words, 'K');
+    } else if (isOneBlock) {
+        if (words.has('D')) roughDepth_mm_ = std::abs(micro_mm(words, 'D'));
+        for (const char letter : {'I', 'K', 'R'})
+            if (words.has(letter)) plain(words, letter);
+    }
+    const long p = std::lround(plain(words, 'P')), q = std::lround(plain(words, 'Q'));
+    const auto first = findSequence(p, pc_), last = findSequence(q, pc_);
+    if (!first || !last || *last < *first) {
+        const long missing = !first ? p : q;
+        error(errors::ncSequence, words.word[static_cast<std::size_t>((!first ? 'P' : 'Q') - 'A')],
+              {{"found", named('N', missing)}});
+        return;
+    }
+    const Point start = modal_.at;
+    if (which == G::Finish) {
+        finishContour(*first, *last);
+        return;
+    }
+    const std::vector<ContourPiece> contour = collect(*first, *last);
+    const bool follows =
+        *first > pc_ &&
+        std::all_of(program_.blocks.begin() + static_cast<std::ptrdiff_t>(pc_) + 1,
+                    program_.blocks.begin() + static_cast<std::ptrdiff_t>(*first), [this](const Block& block) {
+                        return block.word_count == 0 ||
+                               (block.word_count == 1 && program_.words[block.first_word].kind == WordKind::Comment);
+                    });
+    if (follows) next_ = *last + 1;
+    if (!isKnown(start)) return unusable(LT_TEXT("Engine", "the position where it starts is not known"));
+    if (contour.size() < 2) return unusable(LT_TEXT("Engine", "its contour has fewer than two moves"));
+    CycleMoves moves;
+    if (which == G::Pattern) {
+        moves = pattern(start, contour, {patternX_mm_, patternZ_mm_, u_mm / 2, w_mm, patternCount_});
+    } else {
+        Roughing rough;
+        rough.is_face = which == G::RoughFace;
+        if (!(roughDepth_mm_ > 0)) return unusable(LT_TEXT("Engine", "the depth of its passes is missing"));
+        rough.depth_mm = roughDepth_mm_;
+        rough.retreat_mm = roughRetreat_mm_;
+        rough.allowance_x_mm = u_mm / 2;
+        rough.allowance_z_mm = w_mm;
+        moves = roughing(start, contour, rough);
+    }
+    emitCycle(moves);
+}
+
+/// The moves of the contour, as programmed; nothing of the state stays.
+std::vector<ContourPiece> Interpreter::collect(std::size_t first, std::size_t last)
+{
+    const Modal kept = modal_;
+    const std::size_t here = pc_, next = next_;
+    path_.finish();
+    std::vector<Move> moves;
+    std::vector<Move> outer = std::move(result_.moves);
+    result_.moves.clear();
+    path_ = PathBuilder(moves);
+    inContour_ = true;
+    if (!(modal_.feed > 0)) modal_.feed = 1;  // that of the cycle is used
+    for (std::size_t b = first; b <= last && !stopped_; ++b) {
+        execute(b);
+        result_.blocks[b].is_contour = true;
+    }
+    path_.finish();
+    drainProblems();
+    inContour_ = false;
+    path_ = PathBuilder(result_.moves);
+    result_.moves = std::move(outer);
+    modal_ = kept;
+    pc_ = here;
+    next_ = next;
+    std::vector<ContourPiece> contour;
+    contour.reserve(moves.size());
+    Point from = kept.at;
+    for (const Move& move : moves) {
+        if (move.kind == MoveKind::Dwell) continue;
+        const Point to{move.x_mm, move.z_mm};
+        if (!isKnown(to)) continue;
+        contour.push_back({{from, to, {move.centre_x_mm, move.centre_z_mm}, move.clockwise},
+                           move.kind == MoveKind::Rapid,
+                           move.line});
+        from = to;
+    }
+    return contour;
+}
+
+/// G70: the contour as it is programmed, then back to where it began.
+void Interpreter::finishContour(std::size_t first, std::size_t last)
+{
+    const Point start = modal_.at;
+    const std::size_t here = pc_, next = next_;
+    inFinish_ = true;
+    for (std::size_t b = first; b <= last && !stopped_; ++b) {
+        execute(b);
+        result_.blocks[b].is_contour = true;
+    }
+    inFinish_ = false;
+    pc_ = last;
+    modal_.motion = G::Rapid;
+    if (modal_.at.x_mm != start.x_mm || modal_.at.z_mm != start.z_mm) {
+        const MoveKind kind = result_.blocks[last].kind;
+        emit(MoveKind::Rapid, start);
+        result_.blocks[last].kind = kind;
+    }
+    pc_ = here;
+    next_ = next;
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,215 @@
+// Jumps, loops and subprograms, with their limits.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "engine/gcode/flow_text.h"
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/interpreter.h"
+
+namespace lathelier::gcode {
+
+/// Where programs begin, which block has which number, and all words of control: made once, when first needed.
+void Interpreter::indexFlow()
+{
+    if (isIndexed_) return;
+    isIndexed_ = true;
+    controlAt_.assign(program_.blocks.size(), std::string::npos);
+    sections_.push_back(0);
+    for (std::size_t b = 0; b < program_.blocks.size(); ++b) {
+        const Block& block = program_.blocks[b];
+        for (std::uint32_t i = 0; i < block.word_count; ++i) {
+            const Word& word = program_.words[block.first_word + i];
+            if (word.letter == 'N' && word.kind == WordKind::Number) sequences_[std::lround(word.value)].push_back(b);
+            if (word.letter == 'O' && word.kind == WordKind::Number && b > 0) sections_.push_back(b);
+            if (word.kind == WordKind::Comment && i == 0 && dialect_ == Dialect::Sinumerik &&
+                program_.textOf(word).starts_with("%_N_") && b > 0)
+                sections_.push_back(b);
+            if (word.kind != WordKind::Control) continue;
+            Control found;
+            found.block = b;
+            found.rest = word.begin;
+            if (dialect_ == Dialect::LinuxCnc) {
+                found.label = capitals(program_.textOf(word).substr(0, word.value_begin - word.begin));
+                std::erase_if(found.label, [](char c) { return c == ' ' || c == '\t'; });
+                found.rest = word.value_begin;
+            }
+            const std::size_t end = word.begin + word.length;
+            found.keyword = keywordOf(std::string_view(program_.text).substr(found.rest, end - found.rest));
+            found.rest += found.keyword.size();
+            controlAt_[b] = controls_.size();
+            controls_.push_back(std::move(found));
+        }
+    }
+}
+
+std::pair<std::size_t, std::size_t> Interpreter::sectionOf(std::size_t block) const
+{
+    const auto after = std::upper_bound(sections_.begin(), sections_.end(), block);
+    const std::size_t end = after == sections_.end() ? program_.blocks.size() : *after;
+    return {after == sections_.begin() ? 0 : *(after - 1), end};
+}
+
+std::optional<std::size_t> Interpreter::findSequence(long number, std::size_t from) const
+{
+    const auto found = sequences_.find(number);
+    if (found == sequences_.end()) return std::nullopt;
+    const auto [begin, end] = sectionOf(from);
+    std::optional<std::size_t> best;
+    for (const std::size_t block : found->second) {
+        if (block < begin || block >= end) continue;
+        if (!best || (*best < from && block >= from)) best = block;  // forward first, then from the beginning
+    }
+    return best;
+}
+
+const Interpreter::Control* Interpreter::controlOf(std::size_t block) const
+{
+    return block < controlAt_.size() && controlAt_[block] != std::string::npos ? &controls_[controlAt_[block]]
+                                                                               : nullptr;
+}
+
+bool Interpreter::countLoop()
+{
+    if (++loops_ <= mostLoops) return true;
+    error(errors::ncLoops, nullptr, {{"most", mostLoops}});
+    stop();
+    return false;
+}
+
+void Interpreter::jump(std::size_t to)
+{
+    if (to <= pc_ && !countLoop()) return;
+    next_ = to;
+}
+
+void Interpreter::call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments)
+{
+    if (calls_.size() >= deepestCalls) {
+        error(errors::ncNesting, nullptr, {{"most", std::int64_t{deepestCalls}}});
+        stop();
+        return;
+    }
+    if (!countLoop()) return;
+    calls_.push_back({next_, first, repeats, withVariables, open_.size()});
+    if (withVariables) variables_.enter(std::move(arguments));
+    next_ = first;
+}
+
+void Interpreter::returnFromCall()
+{
+    CallFrame& frame = calls_.back();
+    open_.resize(std::min(open_.size(), frame.loops));
+    if (--frame.repeats > 0) {
+        if (countLoop()) next_ = frame.first;
+        return;
+    }
+    next_ = frame.back;
+    if (frame.has_variables) variables_.leave();
+    calls_.pop_back();
+}
+
+/// M98 P…, G65 P…
+void Interpreter::callProgram(BlockWords& words, bool isMacro)
+{
+    indexFlow();
+    const double given = plain(words, 'P', -1);
+    long number = std::lround(std::clamp(given, -1.0, 1e12));
+    long repeats = std::lround(std::clamp(plain(words, 'L', 1), 0.0, 1e6));
+    if (!isMacro && number > 9999 && dialect_ == Dialect::Fanuc) {
+        repeats *= number / 10000;
+        number %= 10000;
+    }
+    if (repeats == 0) return;
+    for (const std::size_t section : sections_) {
+        const Word* const head = program_.wordOf(program_.blocks[section], 'O');
+        std::size_t first = section;
+        bool isIt = head && std::lround(head->value) == number;
+        if (section == 0 && !isIt)  // the number of the first program may stand behind comments
+            for (std::size_t b = 0; b < program_.blocks.size() && b < 50 && !isIt; ++b)
+                if (const Word* o = program_.wordOf(program_.blocks[b], 'O'); o && std::lround(o->value) == number) {
+                    isIt = true;
+                    first = b;
+                }
+        if (!isIt) continue;
+        std::unordered_map<long, double> arguments;
+        if (isMacro) {
+            static constexpr int numberOf[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+            for (int slot = 0; slot < 26; ++slot)
+                if ((words.given >> slot & 1U) != 0 && numberOf[slot] > 0) {
+                    arguments[numberOf[slot]] = words.value[static_cast<std::size_t>(slot)];
+                    words.used |= 1U << slot;
+                    if (const Word* word = words.word[static_cast<std::size_t>(slot)])
+                        program_.words[static_cast<std::size_t>(word - program_.words.data())].is_understood = true;
+                }
+        }
+        call(first, repeats, isMacro, std::move(arguments));
+        return;
+    }
+    error(errors::ncSubprogram, words.word['P' - 'A'], {{"found", named('O', number)}});
+}
+
+void Interpreter::runAll()
+{
+    indexFlow();
+    const bool hasSections = sections_.size() > 1;
+    bool hasRun = false;
+    std::size_t pc = 0;
+    std::int64_t executed = 0;
+    while (!stopped_) {
+        const bool isEnd = pc >= program_.blocks.size();
+        const bool isNext = !isEnd && hasSections && hasRun && pc > 0 &&
+                            std::binary_search(sections_.begin() + 1, sections_.end(), pc) && next_ == pc_ + 1;
+        if (isEnd || (isNext && !(calls_.size() && calls_.back().first == pc))) {
+            if (calls_.empty()) break;
+            returnFromCall();  // a subprogram without its end
+            pc = next_;
+            pc_ = pc > 0 ? pc - 1 : 0;
+            next_ = pc_;
+            continue;
+        }
+        execute(pc);
+        for (const Word *word = program_.words.data() + program_.blocks[pc].first_word,
+                        *end = word + program_.blocks[pc].word_count;
+             word != end && !hasRun; ++word)
+            hasRun = word->kind != WordKind::Comment && word->letter != 'O';
+        if (result_.moves.size() > mostMoves) {
+            error(errors::ncMoves, nullptr, {{"most", static_cast<std::int64_t>(mostMoves)}});
+            break;
+        }
+        if ((++executed & 4095) == 0) progress_.check();
+        pc = next_;
+    }
+}
+
+void Interpreter::control(const Word& word)
+{
+    const Control* const at = controlOf(pc_);
+    if (!at) return;
+    try {
+        if (isFanuc_)
+            controlFanuc(word);
+        else if (dialect_ == Dialect::LinuxCnc)
+            controlLinuxCnc(*at);
+        else
+            controlSinumerik(*at);
+    } catch (const ExpressionFailure& failure) {
+        error(errors::ncExpression, &word, {{"found", shownWord(word)}, {"reason", failure.reason}});
+    }
+}
+
+/// The control in front of or behind controls_[index] that closes or opens it, with nesting.
+std::size_t Interpreter::matching(std::size_t index, const char* open, const char* close, int step) const
+{
+    int depth = 0;
+    for (auto i = static_cast<std::ptrdiff_t>(index); i >= 0 && i < static_cast<std::ptrdiff_t>(controls_.size());
+         i += step) {
+        const Control& here = controls_[static_cast<std::size_t>(i)];
+        if (here.keyword == open) ++depth;
+        if (here.keyword == close && --depth == 0) return static_cast<std::size_t>(i);
+    }
+    return std::string::npos;
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,136 @@
+// Units, feeds, speeds, sides of the nose: what a block changes for those behind it.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/interpreter.h"
+
+namespace lathelier::gcode {
+namespace {
+
+constexpr double inch_mm = 25.4;
+constexpr double foot_m = 0.3048;
+
+}  // namespace
+
+void Interpreter::takeSpindle(BlockWords& words)
+{
+    const bool wasCss = modal_.is_css;
+    const bool isLimit = words.hasG(G::SpeedLimit);
+    if (words.hasG(G::CssOn)) {
+        modal_.is_css = true;
+        if (dialect_ == Dialect::Sinumerik) {
+            modal_.per_revolution = true;
+            statedFeedMode_ = true;
+        }
+    }
+    if (words.hasG(G::CssOff)) {
+        modal_.is_css = false;
+        if (dialect_ == Dialect::LinuxCnc) modal_.limit_rpm = none;
+        if (wasCss && !words.has('S')) {  // the speed of the moment stays
+            const double diameter_m = isKnown(modal_.at.x_mm) ? 2e-3 * std::abs(modal_.at.x_mm) : none;
+            double rpm = modal_.speed / (std::acos(-1.0) * diameter_m);
+            if (isKnown(modal_.limit_rpm) && !(rpm < modal_.limit_rpm)) rpm = modal_.limit_rpm;
+            modal_.speed = std::isfinite(rpm) ? rpm : none;
+        }
+    }
+    if (words.hasG(G::CssOn) && !wasCss && !words.has('S')) modal_.speed = none;
+    if (words.hasG(G::CssOn) && dialect_ == Dialect::LinuxCnc)
+        modal_.limit_rpm = words.has('D') ? plain(words, 'D') : none;
+    if (!words.has('S')) return;
+    if (words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik) return;
+    const double value = plain(words, 'S');
+    if (isLimit)
+        modal_.limit_rpm = value;
+    else
+        modal_.speed = modal_.is_css && modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed)
+                           ? value * foot_m
+                           : value;
+}
+
+void Interpreter::takeModes(BlockWords& words)
+{
+    const bool wasPerRevolution = modal_.per_revolution;
+    for (int i = 0; i < words.g_count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Word* const word = words.g_word[at];
+        switch (words.g[at]) {
+            case G::Inch:
+                modal_.is_inch = true;
+                modal_.inch_feed = dialect_ != Dialect::Sinumerik;
+                break;
+            case G::Metric:
+                modal_.is_inch = false;
+                modal_.inch_feed = false;
+                break;
+            case G::InchAll: modal_.is_inch = modal_.inch_feed = true; break;
+            case G::MetricAll: modal_.is_inch = modal_.inch_feed = false; break;
+            case G::PlaneOther:
+                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}});
+                notUnderstood(word);
+                break;
+            case G::PerMinute:
+                modal_.per_revolution = false;
+                statedFeedMode_ = true;
+                break;
+            case G::PerRevolution:
+                modal_.per_revolution = true;
+                statedFeedMode_ = true;
+                break;
+            case G::InverseTime:
+                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}});
+                notUnderstood(word);
+                break;
+            case G::Absolute: modal_.is_incremental = false; break;
+            case G::Incremental: modal_.is_incremental = true; break;
+            case G::ArcAbsolute: modal_.arc_is_absolute = true; break;
+            case G::ArcIncremental: modal_.arc_is_absolute = false; break;
+            case G::Diameter: modal_.is_diameter = true; break;
+            case G::Radius: modal_.is_diameter = false; break;
+            case G::CycleOff: modal_.motion = G::Unknown; break;
+            case G::NoseOff: modal_.side = NoseSide::Off; break;
+            case G::NoseLeft:
+            case G::NoseRight:
+                modal_.side = words.g[at] == G::NoseLeft ? NoseSide::Left : NoseSide::Right;
+                modal_.nose_radius_mm = none;
+                if (words.g10[at] == 411 || words.g10[at] == 421) {
+                    modal_.nose_radius_mm = plain(words, 'D') / 2 * (modal_.is_inch ? inch_mm : 1);
+                    const int turned[] = {9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+                    modal_.nose_tip = turned[std::clamp(static_cast<int>(plain(words, 'L')), 0, 9)];
+                } else if (words.has('D')) {
+                    modal_.offset = static_cast<int>(plain(words, 'D'));
+                }
+                break;
+            case G::WorkOffset:
+                if (words.g10[at] != modal_.work_offset && dialect_ != Dialect::LinuxCnc && words.g10[at] != 5000) {
+                    if (isKnown(modal_.at.x_mm) || isKnown(modal_.at.z_mm)) {
+                        warn(notes::ncOffsetUnknown, word, {{"found", shownWord(*word)}});
+                        modal_.at = {};
+                    }
+                    modal_.work_offset = words.g10[at];
+                }
+                if (words.has('P')) plain(words, 'P');
+                break;
+            default: break;
+        }
+    }
+    if (words.has('F') && !(words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik)) {
+        modal_.feed =
+            plain(words, 'F') * (modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed) ? inch_mm : 1);
+        modal_.feed_is_stale = false;
+    } else if (wasPerRevolution != modal_.per_revolution && isKnown(modal_.feed)) {
+        if (dialect_ == Dialect::LinuxCnc)
+            modal_.feed = none;
+        else
+            modal_.feed_is_stale = true;
+    }
+    if (words.has('T')) {
+        const double number = plain(words, 'T');
+        const bool isLong = isFanuc_ && number >= 100;
+        modal_.tool = static_cast<int>(std::clamp(isLong ? std::floor(number / 100) : number, 0.0, 1e6));
+        modal_.offset = isLong ? static_cast<int>(std::fmod(number, 100)) : modal_.tool;
+        if (isFanuc_ && modal_.offset == 0) modal_.offset = modal_.tool;
+    }
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,384 @@
+// Positions, straight moves, arcs, threads, dwells, reference points.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/interpreter.h"
+
+namespace lathelier::gcode {
+namespace {
+
+constexpr double inch_mm = 25.4;
+constexpr double tightEnd_mm = 0.0127;  ///< LinuxCNC's limits for the end of an arc off its circle
+constexpr double looseEnd_mm = 0.127;
+constexpr double relativeEnd = 0.001;
+constexpr double remarkedEnd_mm = 0.003;  ///< more than rounding to three decimals explains
+
+}  // namespace
+
+/// The number of a letter as written.
+double Interpreter::plain(BlockWords& words, char letter, double otherwise)
+{
+    if (!words.has(letter)) return otherwise;
+    const int slot = BlockWords::slot(letter);
+    words.used |= 1U << slot;
+    return words.value[static_cast<std::size_t>(slot)];
+}
+
+/// The number of a letter as a length; a bare integer of Fanuc by the setting, with a warning.
+double Interpreter::length_mm(BlockWords& words, char letter)
+{
+    const double value = plain(words, letter);
+    const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
+    double scale = modal_.is_inch ? inch_mm : 1;
+    if (isFanuc_ && word && word->kind == WordKind::Number && !word->has_point && value != 0) {
+        if (parameters_.integer_words == IntegerWords::Micrometre) scale *= modal_.is_inch ? 1e-4 : 1e-3;
+        warn(notes::ncIntegerWord, word, {{"found", shownWord(*word)}, {"read_as_mm", value * scale}});
+    }
+    return value * scale;
+}
+
+/// P and Q of cycles count micrometres (1e-4 in) where they have no decimal point.
+double Interpreter::micro_mm(BlockWords& words, char letter)
+{
+    const double value = plain(words, letter);
+    const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
+    const bool isMicro = isFanuc_ && word && word->kind == WordKind::Number && !word->has_point;
+    return value * (modal_.is_inch ? inch_mm : 1) * (isMicro ? (modal_.is_inch ? 1e-4 : 1e-3) : 1);
+}
+
+bool Interpreter::hasAxes(const BlockWords& words) const
+{
+    return words.has('X') || words.has('Z') || (isFanuc_ && (words.has('U') || words.has('W')));
+}
+
+Point Interpreter::target(BlockWords& words)
+{
+    Point to = modal_.at;
+    const auto isIncremental = [&](char letter) {
+        const std::uint32_t bit = 1U << BlockWords::slot(letter);
+        if ((words.incremental & bit) != 0) return true;
+        return modal_.is_incremental && (words.absolute & bit) == 0;
+    };
+    if (words.has('X')) {
+        const bool adds = isIncremental('X');
+        const bool isDiameter = modal_.is_diameter && !(adds && modal_.is_diameter_absolute_only);
+        const double value = length_mm(words, 'X') / (isDiameter ? 2 : 1);
+        if (adds && !isKnown(to.x_mm)) warn(notes::ncPositionUnknown, words.word['X' - 'A']);
+        to.x_mm = adds ? to.x_mm + value : value;
+        if (dialect_ == Dialect::Sinumerik && !statedDiameter_) {
+            statedDiameter_ = true;
+            warn(notes::ncAssumed, words.word['X' - 'A'],
+                 {{"what", LT_TEXT("Engine", "diameter or radius")},
+                  {"assumed", LT_TEXT("Engine", "diameter (DIAMON)")}});
+        }
+    }
+    if (words.has('Z')) {
+        const bool adds = isIncremental('Z');
+        const double value = length_mm(words, 'Z');
+        if (adds && !isKnown(to.z_mm)) warn(notes::ncPositionUnknown, words.word['Z' - 'A']);
+        to.z_mm = adds ? to.z_mm + value : value;
+    }
+    if (!isFanuc_) return to;
+    for (const auto& [absolute, incremental] : {std::pair{'X', 'U'}, std::pair{'Z', 'W'}}) {
+        if (!words.has(incremental)) continue;
+        const Word* const word = words.word[static_cast<std::size_t>(incremental - 'A')];
+        if (words.has(absolute)) error(errors::ncGroups, word, {{"found", shownWord(*word)}});
+        const double value = length_mm(words, incremental);
+        double& coordinate = incremental == 'U' ? to.x_mm : to.z_mm;
+        const double from = incremental == 'U' ? modal_.at.x_mm : modal_.at.z_mm;
+        if (!isKnown(from) && value != 0) warn(notes::ncPositionUnknown, word);
+        coordinate = from + (incremental == 'U' ? value / 2 : value);
+    }
+    return to;
+}
+
+Move Interpreter::filled(MoveKind kind, const Point& to) const
+{
+    Move move;
+    move.line = static_cast<std::int64_t>(pc_) + 1;
+    move.kind = kind;
+    move.x_mm = to.x_mm;
+    move.z_mm = to.z_mm;
+    move.tool = modal_.tool;
+    if (kind == MoveKind::Feed || kind == MoveKind::Arc)
+        (modal_.per_revolution ? move.feed_mm_rev : move.feed_mm_min) = modal_.feed;
+    (modal_.is_css ? move.cutting_speed_m_min : move.speed_rpm) = modal_.speed;
+    move.speed_limit_rpm = modal_.limit_rpm;
+    return move;
+}
+
+void Interpreter::emit(MoveKind kind, const Point& to, const Corner& corner, const Point& centre, bool clockwise,
+                       double lead)
+{
+    if (kind == MoveKind::Feed || kind == MoveKind::Arc) {
+        if (!(modal_.feed > 0))
+            error(errors::ncFeedMissing);
+        else if (modal_.feed_is_stale) {
+            modal_.feed_is_stale = false;
+            warn(notes::ncFeedKept, nullptr, {{"found", modal_.feed}});
+        }
+        if (dialect_ == Dialect::Sinumerik && !statedFeedMode_) {
+            statedFeedMode_ = true;
+            warn(notes::ncAssumed, nullptr,
+                 {{"what", LT_TEXT("Engine", "the kind of feed")},
+                  {"assumed", LT_TEXT("Engine", "mm per revolution (G95)")}});
+        }
+    }
+    Move move = filled(kind, to);
+    if (kind == MoveKind::Thread) move.feed_mm_rev = lead;
+    if (kind == MoveKind::Arc) {
+        move.centre_x_mm = centre.x_mm;
+        move.centre_z_mm = centre.z_mm;
+        move.clockwise = clockwise;
+    }
+    path_.add(move, modal_.at, corner);
+    modal_.at = to;
+    result_.blocks[pc_].kind = kind;
+}
+
+void Interpreter::emitCycle(const CycleMoves& moves, double lead)
+{
+    const std::size_t here = pc_;
+    if (moves.size() >= mostCycleMoves)  // it was cut off there
+        error(errors::ncMoves, nullptr, {{"most", static_cast<std::int64_t>(mostCycleMoves)}});
+    result_.blocks[here].is_cycle = true;
+    for (const CycleMove& part : moves) {
+        if (part.line > 0) pc_ = static_cast<std::size_t>(part.line - 1);
+        if (part.kind == MoveKind::Dwell) {
+            Move move = filled(MoveKind::Dwell, modal_.at);
+            move.dwell_s = part.dwell_s;
+            path_.add(move, modal_.at);
+        } else {
+            emit(part.kind, part.to, {}, part.centre, part.clockwise, lead);
+        }
+        pc_ = here;
+        if (result_.moves.size() > mostMoves) return;
+    }
+}
+
+/// Tells the path on which side the nose is, and how large.
+void Interpreter::updateNose()
+{
+    if (modal_.side == NoseSide::Off || inContour_) {
+        path_.setNose(NoseSide::Off, {});
+        return;
+    }
+    Nose nose;
+    if (parameters_.nose_radius_mm)
+        nose = {*parameters_.nose_radius_mm, parameters_.tip};
+    else if (isKnown(modal_.nose_radius_mm))
+        nose = {modal_.nose_radius_mm, modal_.nose_tip};
+    else if (const auto found = noses_.find(modal_.offset); found != noses_.end())
+        nose = found->second;
+    else if (const auto tool = noses_.find(modal_.tool); tool != noses_.end())
+        nose = tool->second;
+    else
+        warn(notes::noseRadiusUnknown);
+    path_.setNose(modal_.side, nose);
+}
+
+Corner Interpreter::cornerOf(BlockWords& words)
+{
+    if (words.has('c')) return {CornerKind::Legs, std::abs(length_mm(words, 'c'))};
+    if (words.has('r')) return {CornerKind::Round, std::abs(length_mm(words, 'r'))};
+    if (isKnown(words.chf)) return {CornerKind::Chord, words.chf};
+    if (isKnown(words.chr)) return {CornerKind::Legs, words.chr};
+    if (isKnown(words.rnd)) return {CornerKind::Round, words.rnd};
+    if (modal_.round_mm > 0) return {CornerKind::Round, modal_.round_mm};
+    const bool isLine = modal_.motion == G::Line && isFanuc_;
+    if (isLine && words.has('R') && (words.has('X') || words.has('U')) != (words.has('Z') || words.has('W')))
+        return {CornerKind::Round, std::abs(length_mm(words, 'R'))};
+    return {};
+}
+
+void Interpreter::dwell(BlockWords& words)
+{
+    double seconds = 0;
+    if (dialect_ == Dialect::Sinumerik) {
+        if (words.has('F'))
+            seconds = plain(words, 'F');
+        else if (words.has('S') && !modal_.is_css)
+            seconds = 60 * plain(words, 'S') / modal_.speed;
+    } else if (isFanuc_) {
+        for (const char letter : {'X', 'U', 'P'}) {
+            if (!words.has(letter)) continue;
+            const Word* const word = words.word[static_cast<std::size_t>(letter - 'A')];
+            const bool isWhole = word && word->kind == WordKind::Number && !word->has_point;
+            const bool isMilli = isWhole && (letter == 'P' || parameters_.integer_words == IntegerWords::Micrometre);
+            seconds = plain(words, letter) * (isMilli ? 1e-3 : 1);
+        }
+    } else {
+        seconds = plain(words, 'P');
+    }
+    Move move = filled(MoveKind::Dwell, modal_.at);
+    move.dwell_s = seconds;
+    path_.add(move, modal_.at);
+    result_.blocks[pc_].kind = MoveKind::Dwell;
+}
+
+/// G28, G30: by an intermediate point; G53, G74, G75, SUPA: straight to a point of the machine.
+void Interpreter::reference(BlockWords& words)
+{
+    const bool isHome = words.hasG(G::Home);
+    const bool all = !hasAxes(words);
+    if (isHome && !all) {
+        const Point by = target(words);
+        emit(MoveKind::Rapid, by);
+    } else if (!isHome) {
+        for (const char letter : {'X', 'Z', 'U', 'W'}) words.used |= 1U << BlockWords::slot(letter);
+    }
+    if (!isHome && all && !words.has_axis_zero && words.hasG(G::MachineMove)) return;
+    Point to = modal_.at;
+    if (all || words.has('X') || words.has('U')) to.x_mm = none;
+    if (all || words.has('Z') || words.has('W')) to.z_mm = none;
+    MoveKind kind = MoveKind::Rapid;
+    if (!isHome && words.hasG(G::MachineMove) && modal_.motion == G::Line) kind = MoveKind::Feed;
+    if (!isHome && modal_.motion == G::Rapid) kind = MoveKind::Rapid;
+    emit(kind, to);
+}
+
+void Interpreter::thread(BlockWords& words)
+{
+    const bool hasMove = hasAxes(words);
+    double lead = modal_.feed;
+    if (!isFanuc_) {
+        const double along = words.has('K') ? length_mm(words, 'K') : none;
+        const double across = words.has('I') ? length_mm(words, 'I') : none;
+        lead = isKnown(along) ? along : across;
+    } else if (words.has('E')) {
+        lead = plain(words, 'E') > 0 ? 25.4 / plain(words, 'E') : none;
+    }
+    if (words.has('Q')) plain(words, 'Q');
+    if (!hasMove) return;
+    const Point to = target(words);
+    if (!(lead > 0)) error(errors::ncFeedMissing);
+    emit(MoveKind::Thread, to, {}, {}, false, lead);
+}
+
+void Interpreter::arc(BlockWords& words, const Point& end)
+{
+    bool clockwise = modal_.motion == G::ArcCw;
+    const Point from = modal_.at;
+    const Corner corner = cornerOf(words);
+    if (!isKnown(from)) warn(notes::ncPositionUnknown);
+    Point centre;
+    double radius = none;
+    if (modal_.motion == G::ArcThrough) {
+        const Point by{modal_.is_diameter ? words.i1 / 2 : words.i1, words.k1};
+        const auto found = isKnown(by) ? centreThrough(from, by, end) : std::nullopt;
+        if (!found) return error(errors::ncArcIncomplete);
+        centre = *found;
+        const double side =
+            (by.z_mm - from.z_mm) * (end.x_mm - from.x_mm) - (by.x_mm - from.x_mm) * (end.z_mm - from.z_mm);
+        clockwise = side < 0;
+        modal_.motion = clockwise ? G::ArcCw : G::ArcCcw;
+        return emit(MoveKind::Arc, end, corner, centre, clockwise);
+    }
+    if (isKnown(words.cr))
+        radius = words.cr;
+    else if (words.has('R') && dialect_ != Dialect::Sinumerik)
+        radius = length_mm(words, 'R');
+    else if (isKnown(words.ar)) {
+        const double half = words.ar / 2 * std::acos(-1.0) / 180;
+        radius = distance_mm(from, end) / (2 * std::sin(half)) * (words.ar > 180 ? -1 : 1);
+    }
+    if (isKnown(radius)) {
+        const auto found = centreOfRadius(from, end, radius, clockwise);
+        if (!found && isKnown(from) && isKnown(end))
+            return error(errors::ncArcRadius, nullptr,
+                         {{"radius_mm", std::abs(radius)}, {"half_chord_mm", distance_mm(from, end) / 2}});
+        return emit(MoveKind::Arc, end, corner, found.value_or(Point{}), clockwise);
+    }
+    if (!words.has('I') && !words.has('K')) return error(errors::ncArcIncomplete);
+    const auto offset = [&](char letter, double start, bool isX) {
+        if (!words.has(letter)) return modal_.arc_is_absolute ? none : start;
+        const double value = length_mm(words, letter);
+        const bool isAbsolute = modal_.arc_is_absolute || (words.absolute >> BlockWords::slot(letter) & 1U) != 0;
+        if (!isAbsolute) return start + value;
+        return isX && modal_.is_diameter ? value / 2 : value;
+    };
+    centre = {offset('I', from.x_mm, true), offset('K', from.z_mm, false)};
+    if (!isKnown(centre))
+        return isKnown(from) ? error(errors::ncArcIncomplete) : emit(MoveKind::Arc, end, corner, centre, clockwise);
+    radius = distance_mm(from, centre);
+    const double off = std::abs(distance_mm(end, centre) - radius);
+    const Values values{{"distance_mm", off}, {"radius_mm", radius}};
+    if (off > looseEnd_mm || (off > tightEnd_mm && off > relativeEnd * radius) || !(radius > 0))
+        error(errors::ncArcEnd, nullptr, values);
+    else if (off > remarkedEnd_mm)
+        warn(notes::ncArcOffCircle, nullptr, values);
+    emit(MoveKind::Arc, end, corner, centre, clockwise);
+}
+
+/// Everything of a block that moves the tool.
+void Interpreter::move(BlockWords& words)
+{
+    const Word* blocker = nullptr;
+    bool hasMotion = false;
+    for (int i = 0; i < words.g_count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        switch (words.g[at]) {
+            case G::NotModelled: blocker = words.g_word[at]; break;
+            case G::Rapid:
+            case G::Line:
+            case G::ArcCw:
+            case G::ArcCcw:
+            case G::Thread:
+            case G::TurnCycle:
+            case G::FaceCycle:
+            case G::ThreadCycle:
+            case G::Drill:
+                if (hasMotion && dialect_ == Dialect::LinuxCnc && modal_.motion != words.g[at])
+                    error(errors::ncGroups, words.g_word[at], {{"found", shownWord(*words.g_word[at])}});
+                hasMotion = true;
+                if (modal_.motion != words.g[at]) cycleStart_.reset();
+                modal_.motion = words.g[at];
+                if (words.g[at] == G::Drill) drilling_.chip_break = words.g10[at] == 730;
+                break;
+            default: break;
+        }
+    }
+    if (blocker) {
+        if (hasAxes(words)) warn(notes::ncBlockNotModelled, blocker, {{"found", shownWord(*blocker)}});
+        if (hasAxes(words)) modal_.at = {};
+        return;
+    }
+    if (words.hasG(G::Dwell)) return dwell(words);
+    if (words.hasG(G::MacroCall) && (inContour_ || inFinish_))
+        return warn(notes::ncBlockNotModelled, nullptr, {{"found", std::string("G65")}});
+    if (words.hasG(G::MacroCall)) return callProgram(words, true);
+    if (words.hasG(G::Home) || words.hasG(G::FixedPoint) || words.is_machine || (words.hasG(G::MachineMove)))
+        return reference(words);
+    if (words.hasG(G::SpeedLimit)) {
+        if (hasAxes(words)) modal_.at = target(words);  // the position gets these coordinates
+        return;
+    }
+    if (words.hasG(G::Shift)) {
+        if (hasAxes(words) && dialect_ == Dialect::LinuxCnc && words.g10[0] == 920) {
+            modal_.at = target(words);
+        } else if (hasAxes(words)) {
+            target(words);
+            warn(notes::ncOffsetUnknown, words.g_word[0], {{"found", shownWord(*words.g_word[0])}});
+            modal_.at = {};
+        }
+        return;
+    }
+    if (cycle(words)) return;
+    if (modal_.motion == G::Thread) return thread(words);
+    const bool isArc = modal_.motion == G::ArcCw || modal_.motion == G::ArcCcw || modal_.motion == G::ArcThrough;
+    if (!hasAxes(words) && !(isArc && (words.has('I') || words.has('K')))) return;
+    if (modal_.motion == G::Unknown) {
+        if (!isFanuc_ && dialect_ != Dialect::Sinumerik) return error(errors::ncMotionMissing);
+        modal_.motion = dialect_ == Dialect::Sinumerik ? G::Line : G::Rapid;
+        warn(notes::ncAssumed, nullptr,
+             {{"what", LT_TEXT("Engine", "a motion")},
+              {"assumed", dialect_ == Dialect::Sinumerik ? LT_TEXT("Engine", "G1") : LT_TEXT("Engine", "G0")}});
+    }
+    const Point to = target(words);
+    if (isArc) return arc(words, to);
+    if (modal_.motion == G::Rapid) return emit(MoveKind::Rapid, to);
+    emit(MoveKind::Feed, to, cornerOf(words));
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,54 @@
+// One canonical move of the tool: what every control means by its blocks, in millimetres and radii.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace lathelier::gcode {
+
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();  ///< a number that does not exist
+
+enum class MoveKind : std::uint8_t { Rapid, Feed, Arc, Thread, Dwell };
+
+/// "rapid", "feed", "arc", "thread", "dwell".
+const char* key(MoveKind kind);
+
+/// End of a move in program coordinates. What does not exist is NaN: coordinates of a reference point, the centre of a
+/// straight line, the feed of a rapid move.
+struct Move {
+    std::int64_t line = 0;              ///< of the block that caused it, from 1
+    MoveKind kind = MoveKind::Rapid;    ///< how the tool moves
+    bool clockwise = false;             ///< of an arc: G2, seen with Z to the right and X upward
+    double x_mm = none;                 ///< radius
+    double z_mm = none;                 ///< as programmed
+    double centre_x_mm = none;          ///< of an arc, radius
+    double centre_z_mm = none;          ///< of an arc
+    double feed_mm_rev = none;          ///< feed or lead of a thread
+    double feed_mm_min = none;          ///< feed, where it is per minute
+    double speed_rpm = none;            ///< of the spindle (G97)
+    double cutting_speed_m_min = none;  ///< constant surface speed (G96)
+    double speed_limit_rpm = none;      ///< of G96: G50 S, LIMS=, D
+    double dwell_s = none;              ///< of a dwell
+    int tool = 0;                       ///< number of the tool; 0: none yet
+    bool passes_point = false;          ///< the intermediate point of G28
+};
+
+inline bool isKnown(double value)
+{
+    return !std::isnan(value);
+}
+
+/// A point of the plane of turning.
+struct Point {
+    double x_mm = none;  ///< radius
+    double z_mm = none;  ///< along the axis
+};
+
+inline bool isKnown(const Point& point)
+{
+    return isKnown(point.x_mm) && isKnown(point.z_mm);
+}
+
+}  // namespace lathelier::gcode

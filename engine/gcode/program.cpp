@@ -1,0 +1,169 @@
+#include "engine/gcode/program.h"
+
+#include <algorithm>
+
+#include "engine/gcode/block_scanner.h"
+#include "engine/gcode/gcode_codes.h"
+#include "engine/gcode/word_tables.h"
+#include "engine/io/io_codes.h"
+#include "engine/io/text/encoding.h"
+#include "engine/io/text/readable_text.h"
+
+namespace lathelier::gcode {
+namespace {
+
+bool isUtf8(std::string_view text)
+{
+    for (std::size_t i = 0; i < text.size();) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const std::size_t length = c < 0x80 ? 1 : c >> 5 == 6 ? 2 : c >> 4 == 14 ? 3 : c >> 3 == 30 ? 4 : 0;
+        if (length == 0 || i + length > text.size()) return false;
+        for (std::size_t k = 1; k < length; ++k)
+            if (static_cast<unsigned char>(text[i + k]) >> 6 != 2) return false;
+        i += length;
+    }
+    return true;
+}
+
+void refuseUnreadable(const std::string& text)
+{
+    if (text.empty()) throw Error(errors::fileEmpty, {});
+    if (text.size() > largestProgram_bytes)
+        throw Error(errors::ncTooLong, {{"found_MiB", static_cast<std::int64_t>(text.size() >> 20)},
+                                        {"most_MiB", static_cast<std::int64_t>(largestProgram_bytes >> 20)}});
+    const std::size_t nul = text.find('\0');
+    // Punched tape begins and ends with NULs; anywhere else they mean UTF-16 or no text at all.
+    const std::size_t from = text.find_first_not_of('\0');
+    if (nul == std::string::npos) return;
+    const std::size_t last = text.find_last_not_of('\0');
+    if (from == std::string::npos || text.substr(from, last - from).find('\0') != std::string::npos)
+        io::throwUnknownFormat(LT_TEXT("Engine", "bytes that are no text of an NC program"),
+                               LT_TEXT("Engine", "a text with one byte for each character"));
+}
+
+}  // namespace
+
+std::int64_t Program::columnOf(const Block& block, std::uint32_t offset) const
+{
+    std::string_view before = textOf(block).substr(0, offset - block.begin);
+    if (block.begin == 0 && before.starts_with("\xEF\xBB\xBF")) before.remove_prefix(3);
+    if (!is_utf8) return static_cast<std::int64_t>(before.size()) + 1;
+    return std::count_if(before.begin(), before.end(), [](char c) { return static_cast<unsigned char>(c) >> 6 != 2; }) +
+           1;
+}
+
+const Word* Program::wordOf(const Block& block, char letter) const
+{
+    for (std::uint32_t i = block.word_count; i-- > 0;) {
+        const Word& word = words[block.first_word + i];
+        if (word.letter == letter && (word.kind == WordKind::Number || word.kind == WordKind::Expression)) return &word;
+    }
+    return nullptr;
+}
+
+std::string shown(const Program& program, std::string_view part)
+{
+    if (program.is_utf8) return io::excerpt(part);
+    std::string plain;
+    for (const char c : part.substr(0, 60)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80) {
+            plain += c;
+        } else {
+            plain += static_cast<char>(0xC0 | (byte >> 6));
+            plain += static_cast<char>(0x80 | (byte & 0x3F));
+        }
+    }
+    return io::excerpt(plain);
+}
+
+std::int64_t countWords(const Program& program)
+{
+    return std::count_if(program.words.begin(), program.words.end(),
+                         [](const Word& word) { return word.kind != WordKind::Comment; });
+}
+
+std::int64_t countUnderstood(const Program& program)
+{
+    return std::count_if(program.words.begin(), program.words.end(), [](const Word& word) {
+        return word.kind != WordKind::Comment && word.kind != WordKind::Bad && word.is_understood;
+    });
+}
+
+Program readProgram(std::string text, Dialect dialect, const Progress& progress)
+{
+    refuseUnreadable(text);
+    Program program;
+    program.text = std::move(text);
+    program.is_utf8 = isUtf8(program.text);
+    program.dialect = dialect;
+    if (dialect == Dialect::Auto) {
+        const DialectFound found = detectDialect(program.text);
+        if (!found.not_read.empty())
+            throw Error(errors::ncDialectNotRead,
+                        {{"line", std::max<std::int64_t>(found.line, 1)},
+                         {"found", found.not_read},
+                         {"dialect", found.not_read},
+                         {"expected", LT_TEXT("Engine", "Fanuc (G code system A), Haas, Sinumerik or LinuxCNC")}});
+        program.dialect = found.dialect;
+    }
+    const std::string& all = program.text;
+    const auto lines = static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1;
+    program.blocks.reserve(lines);
+    program.words.reserve(lines * 3);
+    BlockScanner scanner(program);
+    std::size_t at = 0;
+    while (at < all.size()) {
+        const std::size_t end = std::min(all.find_first_of("\r\n", at), all.size());
+        Block block;
+        block.begin = static_cast<std::uint32_t>(at);
+        block.length = static_cast<std::uint32_t>(end - at);
+        program.blocks.push_back(block);
+        scanner.scan(program.blocks.back());
+        judgeWords(program, program.blocks.back());
+        at = end < all.size() && all[end] == '\r' && end + 1 < all.size() && all[end + 1] == '\n' ? end + 2 : end + 1;
+        if (program.blocks.size() % 4096 == 0)
+            progress.report(static_cast<double>(at) / static_cast<double>(all.size()));
+    }
+    return program;
+}
+
+namespace {
+
+Diagnostic located(const Program& program, const Block& block, std::uint32_t offset)
+{
+    Diagnostic diagnostic;
+    diagnostic.line = program.lineOf(block);
+    diagnostic.column = program.columnOf(block, offset);
+    diagnostic.block = shown(program, program.textOf(block));
+    return diagnostic;
+}
+
+}  // namespace
+
+void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const ErrorCode& code,
+            Values values)
+{
+    if (!list.isNew(code.key, offset)) return;
+    Diagnostic diagnostic = located(program, block, offset);
+    diagnostic.is_error = true;
+    diagnostic.code = code.key;
+    diagnostic.pattern = code.pattern;
+    diagnostic.values = values;
+    diagnostic.error.emplace(code, std::move(values));
+    diagnostic.error->with("line", diagnostic.line).with("column", diagnostic.column).with("block", diagnostic.block);
+    list.add(std::move(diagnostic));
+}
+
+void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const NoteCode& code,
+            Values values)
+{
+    if (!list.isNew(code.key, offset)) return;
+    Diagnostic diagnostic = located(program, block, offset);
+    diagnostic.code = code.key;
+    diagnostic.pattern = code.pattern;
+    diagnostic.values = std::move(values);
+    list.add(std::move(diagnostic));
+}
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,26 @@
+#include "engine/gcode/toolpath.h"
+
+namespace lathelier::gcode {
+
+const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*)
+{
+    using P = ToolpathParameters;
+    static const std::vector<Field<P>> all{
+        field("dialect", &P::dialect, dialectChoices(),
+              Label{LT_TEXT("Engine", "Control"), LT_TEXT("Engine", "Language of the program.")}),
+        field("nose_radius_mm", &P::nose_radius_mm, {0, 100},
+              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of every tool, for G41 and G42."),
+                    LT_TEXT("Engine", "mm")}),
+        field("tip", &P::tip, {1, 9},
+              Label{LT_TEXT("Engine", "Tip"),
+                    LT_TEXT("Engine",
+                            "Where the imaginary tip lies seen from the nose centre, as Fanuc counts: 3 towards the "
+                            "axis and the chuck.")}),
+        field("integer_words", &P::integer_words,
+              {{"mm", LT_TEXT("Engine", "millimetres")}, {"um", LT_TEXT("Engine", "micrometres")}},
+              Label{LT_TEXT("Engine", "Numbers without a point"),
+                    LT_TEXT("Engine", "What X50 means to a Fanuc or Haas control: 50 mm or 50 µm.")})};
+    return all;
+}
+
+}  // namespace lathelier::gcode

@@ -9,9 +9,9 @@ namespace lathelier::cli {
 const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
-        std::vector<Verb> table{sampleVerb(),     compareVerb(),  roundnessVerb(), cylindricityVerb(),
-                                trajectoryVerb(), frfVerb(),      spindleVerb(),   lobesVerb(),
-                                speedVerb(),      simulateVerb(), verifyVerb()};
+        std::vector<Verb> table{sampleVerb(),   compareVerb(),    roundnessVerb(), cylindricityVerb(), trajectoryVerb(),
+                                frfVerb(),      spindleVerb(),    lobesVerb(),     speedVerb(),        simulateVerb(),
+                                toolpathVerb(), deflectionVerb(), verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &receptance::shaftFiles(), &receptance::spindleFiles(),
                             &receptance::measurementFiles()};

@@ -16,6 +16,8 @@ Verb spindleVerb();
 Verb lobesVerb();
 Verb speedVerb();
 Verb simulateVerb();
+Verb toolpathVerb();
+Verb deflectionVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

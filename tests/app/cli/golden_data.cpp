@@ -181,6 +181,10 @@ void makeData(const std::string& folder)
     ::mkfifo((folder + "/fed.pipe").c_str(), 0666);
 
     makeRecords(write);
+    write("no_feed.nc", "G0 X10. Z0.\nG1 Z-5.\n");
+    write("unknown_word.nc", "G0 X10. Z2.\nG1 Z1. G321 F0.1\n");
+    write("endless.nc", "#1=0\nWHILE[1 EQ 1]DO1\n#1=#1+1\nEND1\nM30\n");
+    write("okuma.min", "$SHAFT.MIN%\nG50 S2000\nNAT01\nG85 NLAP1 D4 F0.3\nG00 X50 Z2\n");
     makeSpindleRecords(write);
     makeWrongKinds(folder);
     makeFrfs(folder);

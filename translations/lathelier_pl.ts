@@ -7163,6 +7163,2042 @@
         <source>Its rest slants the marks on the surface and repeats them along the axis.</source>
         <translation>Jej reszta pochyla ślady na powierzchni i powtarza je wzdłuż osi.</translation>
     </message>
+    <message>
+        <source>A feed of {feed_mm_rev} mm per revolution leaves uncut rings: it has to be below twice the corner radius of {corner_radius_mm} mm.</source>
+        <translation>Posuw {feed_mm_rev} mm na obrót zostawia nieskrawane pierścienie: musi być mniejszy niż dwa promienie naroża {corner_radius_mm} mm.</translation>
+    </message>
+    <message>
+        <source>A cut has no feed per revolution; found {feed_mm_rev} mm per revolution.</source>
+        <translation>Skrawanie nie ma posuwu na obrót; znaleziono {feed_mm_rev} mm na obrót.</translation>
+    </message>
+    <message>
+        <source>The cutting edge stands at {entering_angle_deg}° to the direction of the feed; expected from {minimum_deg}° to {maximum_deg}°.</source>
+        <translation>Krawędź skrawająca stoi pod kątem {entering_angle_deg}° do kierunku posuwu; oczekiwano od {minimum_deg}° do {maximum_deg}°.</translation>
+    </message>
+    <message>
+        <source>K_tc</source>
+        <translation>K_tc</translation>
+    </message>
+    <message>
+        <source>Cutting coefficient along the cutting speed, by chip area.</source>
+        <translation>Współczynnik skrawania wzdłuż prędkości skrawania, od pola przekroju warstwy.</translation>
+    </message>
+    <message>
+        <source>K_te</source>
+        <translation>K_te</translation>
+    </message>
+    <message>
+        <source>Edge coefficient along the cutting speed, by contact length.</source>
+        <translation>Współczynnik krawędziowy wzdłuż prędkości skrawania, od długości styku.</translation>
+    </message>
+    <message>
+        <source>K_rfc</source>
+        <translation>K_rfc</translation>
+    </message>
+    <message>
+        <source>Cutting coefficient along the flow of the chip, by chip area.</source>
+        <translation>Współczynnik skrawania wzdłuż spływu wióra, od pola przekroju warstwy.</translation>
+    </message>
+    <message>
+        <source>K_rfe</source>
+        <translation>K_rfe</translation>
+    </message>
+    <message>
+        <source>Edge coefficient along the flow of the chip, by contact length.</source>
+        <translation>Współczynnik krawędziowy wzdłuż spływu wióra, od długości styku.</translation>
+    </message>
+    <message>
+        <source>Lead angle</source>
+        <translation>Kąt odchylenia krawędzi</translation>
+    </message>
+    <message>
+        <source>The edge enters at 90° less this: -5° is an entering angle of 95°.</source>
+        <translation>Krawędź wchodzi pod kątem 90° minus ten kąt: -5° to kąt przystawienia 95°.</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Promień naroża</translation>
+    </message>
+    <message>
+        <source>Of the insert.</source>
+        <translation>Płytki.</translation>
+    </message>
+    <message>
+        <source>arc of the corner and straight edge</source>
+        <translation>łuk naroża i prosta krawędź</translation>
+    </message>
+    <message>
+        <source>chord between the ends of the edge in cut</source>
+        <translation>cięciwa między końcami czynnej krawędzi</translation>
+    </message>
+    <message>
+        <source>straight edge without a corner</source>
+        <translation>prosta krawędź bez naroża</translation>
+    </message>
+    <message>
+        <source>every pass</source>
+        <translation>każde przejście</translation>
+    </message>
+    <message>
+        <source>passes that leave the final contour</source>
+        <translation>przejścia, które zostawiają kontur końcowy</translation>
+    </message>
+    <message>
+        <source>Corrected passes</source>
+        <translation>Korygowane przejścia</translation>
+    </message>
+    <message>
+        <source>Which passes are written anew.</source>
+        <translation>Które przejścia są pisane na nowo.</translation>
+    </message>
+    <message>
+        <source>Grid of X</source>
+        <translation>Siatka X</translation>
+    </message>
+    <message>
+        <source>Digits of the written program, on diameter.</source>
+        <translation>Cyfry pisanego programu, na średnicy.</translation>
+    </message>
+    <message>
+        <source>Residual allowed</source>
+        <translation>Dopuszczalna reszta</translation>
+    </message>
+    <message>
+        <source>What the written program may leave, on diameter.</source>
+        <translation>Co pisany program może zostawić, na średnicy.</translation>
+    </message>
+    <message>
+        <source>Largest correction</source>
+        <translation>Największa korekcja</translation>
+    </message>
+    <message>
+        <source>On diameter; more is refused.</source>
+        <translation>Na średnicy; większa jest odrzucana.</translation>
+    </message>
+    <message>
+        <source>Robustness</source>
+        <translation>Odporność</translation>
+    </message>
+    <message>
+        <source>Try the corrected program with other springs and forces.</source>
+        <translation>Wypróbuj skorygowany program przy innych sztywnościach i siłach.</translation>
+    </message>
+    <message>
+        <source>Tailstock 20 % stiffer</source>
+        <translation>Konik o 20 % sztywniejszy</translation>
+    </message>
+    <message>
+        <source>Tailstock 20 % softer</source>
+        <translation>Konik o 20 % podatniejszy</translation>
+    </message>
+    <message>
+        <source>All springs 20 % stiffer</source>
+        <translation>Wszystkie sprężyny o 20 % sztywniejsze</translation>
+    </message>
+    <message>
+        <source>All springs 20 % softer</source>
+        <translation>Wszystkie sprężyny o 20 % podatniejsze</translation>
+    </message>
+    <message>
+        <source>Forces 20 % larger</source>
+        <translation>Siły o 20 % większe</translation>
+    </message>
+    <message>
+        <source>Forces 20 % smaller</source>
+        <translation>Siły o 20 % mniejsze</translation>
+    </message>
+    <message>
+        <source>Forces 20 % larger, springs 20 % softer</source>
+        <translation>Siły o 20 % większe, sprężyny o 20 % podatniejsze</translation>
+    </message>
+    <message>
+        <source>The cut runs to z = {z_mm} mm; the stock ends at the chuck face, z = {length_mm} mm.</source>
+        <translation>Skrawanie sięga do z = {z_mm} mm; półfabrykat kończy się przy czole uchwytu, z = {length_mm} mm.</translation>
+    </message>
+    <message>
+        <source>At z = {z_mm} mm a radius of {radius_mm} mm would be left; expected more than {least_mm} mm.</source>
+        <translation>Przy z = {z_mm} mm zostałby promień {radius_mm} mm; oczekiwano więcej niż {least_mm} mm.</translation>
+    </message>
+    <message>
+        <source>No feed move toward the chuck meets the stock.</source>
+        <translation>Żaden ruch roboczy w stronę uchwytu nie trafia w półfabrykat.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the work: chuck, tailstock and rests together leave it free to move.</source>
+        <translation>Nic nie trzyma przedmiotu: uchwyt, konik i podtrzymki razem zostawiają mu swobodę ruchu.</translation>
+    </message>
+    <message>
+        <source>{found} steps along z would be needed; at most {maximum} are taken. Choose a longer step.</source>
+        <translation>Potrzeba by {found} kroków wzdłuż z; przyjmuje się najwyżej {maximum}. Wybierz dłuższy krok.</translation>
+    </message>
+    <message>
+        <source>At z = {z_mm} mm the work is pushed away by {deflection_mm} mm: more than its radius, or beyond what a linear beam means.</source>
+        <translation>Przy z = {z_mm} mm przedmiot jest odpychany o {deflection_mm} mm: więcej niż jego promień albo poza zakresem belki liniowej.</translation>
+    </message>
+    <message>
+        <source>At z = {z_mm} mm the correction would be {correction_um} µm on diameter; at most {maximum_um} µm are allowed.</source>
+        <translation>Przy z = {z_mm} mm korekcja wyniosłaby {correction_um} µm na średnicy; dopuszczalne jest najwyżej {maximum_um} µm.</translation>
+    </message>
+    <message>
+        <source>Blocks on a grid of {grid_um} µm leave {residual_um} µm on diameter; asked are {tolerance_um} µm.</source>
+        <translation>Bloki na siatce {grid_um} µm zostawiają {residual_um} µm na średnicy; wymagane jest {tolerance_um} µm.</translation>
+    </message>
+    <message>
+        <source>The corrected program makes {found} cuts through the stock, the original {expected}.</source>
+        <translation>Skorygowany program wykonuje {found} przejść przez półfabrykat, oryginał {expected}.</translation>
+    </message>
+    <message>
+        <source>The set-up names no stock. State a stock file.</source>
+        <translation>Ustawienie nie podaje półfabrykatu. Podaj plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>{found} measured diameters do not determine {parameters} unknowns.</source>
+        <translation>{found} zmierzonych średnic nie wyznacza {parameters} niewiadomych.</translation>
+    </message>
+    <message>
+        <source>The diameter measured at z = {z_mm} mm lies where nothing is cut; expected {from_mm} to {to_mm} mm.</source>
+        <translation>Średnica zmierzona przy z = {z_mm} mm leży tam, gdzie nic nie jest skrawane; oczekiwano od {from_mm} do {to_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Line {line}, from z = {z_mm} mm: the depth of cut is no more than the scallop of {scallop_um} µm; no force is taken there, though the edge rubs.</source>
+        <translation>Wiersz {line}, od z = {z_mm} mm: głębokość skrawania nie przekracza wysokości grzbietu {scallop_um} µm; siły się tam nie przyjmuje, choć krawędź trze.</translation>
+    </message>
+    <message>
+        <source>Line {line}: a cut toward the free end is taken as if it did not deflect; its material is removed.</source>
+        <translation>Wiersz {line}: skrawanie w stronę wolnego końca przyjmuje się bez ugięcia; jego materiał jest usuwany.</translation>
+    </message>
+    <message>
+        <source>Line {line}: the tool plunges at z = {z_mm} mm; neither force nor groove of that is modelled.</source>
+        <translation>Wiersz {line}: narzędzie wcina się przy z = {z_mm} mm; ani siła, ani rowek nie są modelowane.</translation>
+    </message>
+    <message>
+        <source>Line {line}: the contour slopes by {slope_deg}°; depths are radial and the entering angle is that to the axis. Choose depths normal to the contour for slopes.</source>
+        <translation>Wiersz {line}: kontur jest nachylony o {slope_deg}°; głębokości są promieniowe, a kąt przystawienia liczony do osi. Dla pochyleń wybierz głębokości normalne do konturu.</translation>
+    </message>
+    <message>
+        <source>Line {line}: a slope of {slope_deg}° is steeper than the edge can follow; taken as {used_deg}°.</source>
+        <translation>Wiersz {line}: nachylenie {slope_deg}° jest bardziej strome, niż krawędź może przejść; przyjęto {used_deg}°.</translation>
+    </message>
+    <message>
+        <source>Axial and torsional stiffness are read; they never change a diameter.</source>
+        <translation>Sztywność osiowa i skrętna są odczytane; nigdy nie zmieniają średnicy.</translation>
+    </message>
+    <message>
+        <source>The work is pushed away by up to {deflection_mm} mm, at z = {z_mm} mm: chatter or lifting will come first.</source>
+        <translation>Przedmiot jest odpychany nawet o {deflection_mm} mm, przy z = {z_mm} mm: wcześniej wystąpią drgania lub wysunięcie.</translation>
+    </message>
+    <message>
+        <source>Line {line}: the passes of a thread are neither predicted nor corrected.</source>
+        <translation>Wiersz {line}: przejścia gwintu nie są ani przewidywane, ani korygowane.</translation>
+    </message>
+    <message>
+        <source>The program cuts with {count} tools; the forces are those of the one tool in the set-up.</source>
+        <translation>Program skrawa {count} narzędziami; siły są siłami jedynego narzędzia z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Line {line}: a feed per minute without a spindle speed says no feed per revolution; such a cut cannot be predicted.</source>
+        <translation>Wiersz {line}: posuw na minutę bez prędkości wrzeciona nie mówi, jaki jest posuw na obrót; takiego skrawania nie można przewidzieć.</translation>
+    </message>
+    <message>
+        <source>{found} measured diameters do not determine {expected} unknown stiffnesses; none was sought.</source>
+        <translation>{found} zmierzonych średnic nie wyznacza {expected} nieznanych sztywności; żadnej nie szukano.</translation>
+    </message>
+    <message>
+        <source>Arcs that became straight blocks, so that their ends can move by different amounts: {count}.</source>
+        <translation>Łuki zamienione na bloki prostoliniowe, aby ich końce mogły się przesunąć o różne wielkości: {count}.</translation>
+    </message>
+    <message>
+        <source>The corrected contour is up to {correction_um} µm on diameter smaller than programmed.</source>
+        <translation>Skorygowany kontur jest mniejszy od zaprogramowanego nawet o {correction_um} µm na średnicy.</translation>
+    </message>
+    <message>
+        <source>The written program leaves {residual_um} µm on diameter; asked are {tolerance_um} µm.</source>
+        <translation>Napisany program zostawia {residual_um} µm na średnicy; wymagane jest {tolerance_um} µm.</translation>
+    </message>
+    <message>
+        <source>The measured diameters hardly determine {parameter}: its standard uncertainty is {uncertainty_percent} %.</source>
+        <translation>Zmierzone średnice ledwie wyznaczają {parameter}: niepewność standardowa wynosi {uncertainty_percent} %.</translation>
+    </message>
+    <message>
+        <source>{parameter} ran to the end of its range at {value} times its start: it may have no influence.</source>
+        <translation>{parameter}: wartość doszła do końca zakresu, {value} razy początkowa; być może nie ma wpływu.</translation>
+    </message>
+    <message>
+        <source>From z = {z_mm} mm the tolerance of {tolerance_um} µm cannot be held by the feed alone, not even at {feed_mm_rev} mm per revolution.</source>
+        <translation>Od z = {z_mm} mm samym posuwem nie da się utrzymać tolerancji {tolerance_um} µm, nawet przy {feed_mm_rev} mm na obrót.</translation>
+    </message>
+    <message>
+        <source>pass {pass}, line {line}</source>
+        <translation>przejście {pass}, wiersz {line}</translation>
+    </message>
+    <message>
+        <source>Diameter error along the work</source>
+        <translation>Błąd średnicy wzdłuż przedmiotu</translation>
+    </message>
+    <message>
+        <source>Diameter error</source>
+        <translation>Błąd średnicy</translation>
+    </message>
+    <message>
+        <source>95 % of the samples</source>
+        <translation>95 % próbek</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>przewidywany</translation>
+    </message>
+    <message>
+        <source>corrected program</source>
+        <translation>program skorygowany</translation>
+    </message>
+    <message>
+        <source>Cutting forces</source>
+        <translation>Siły skrawania</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Siła</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>F_t, along the cutting speed</source>
+        <translation>F_t, wzdłuż prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>F_f, along the feed</source>
+        <translation>F_f, wzdłuż posuwu</translation>
+    </message>
+    <message>
+        <source>F_ap, radial</source>
+        <translation>F_ap, promieniowa</translation>
+    </message>
+    <message>
+        <source>Cutting power</source>
+        <translation>Moc skrawania</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Moc</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>kW</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Głębokość</translation>
+    </message>
+    <message>
+        <source>Bent axis of the work</source>
+        <translation>Wygięta oś przedmiotu</translation>
+    </message>
+    <message>
+        <source>toward the tool</source>
+        <translation>w stronę narzędzia</translation>
+    </message>
+    <message>
+        <source>along the cutting speed</source>
+        <translation>wzdłuż prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>narzędzie</translation>
+    </message>
+    <message>
+        <source>Correction of the program</source>
+        <translation>Korekcja programu</translation>
+    </message>
+    <message>
+        <source>Correction on diameter</source>
+        <translation>Korekcja na średnicy</translation>
+    </message>
+    <message>
+        <source>pass {pass}</source>
+        <translation>przejście {pass}</translation>
+    </message>
+    <message>
+        <source>Largest diameter error over depth and feed</source>
+        <translation>Największy błąd średnicy w funkcji głębokości i posuwu</translation>
+    </message>
+    <message>
+        <source>Largest diameter error</source>
+        <translation>Największy błąd średnicy</translation>
+    </message>
+    <message>
+        <source>Mean size of the diameter error</source>
+        <translation>Średnia wielkość błędu średnicy</translation>
+    </message>
+    <message>
+        <source>Range of the diameter error</source>
+        <translation>Rozstęp błędu średnicy</translation>
+    </message>
+    <message>
+        <source>Offset of X on diameter that leaves least</source>
+        <translation>Przesunięcie X na średnicy, które zostawia najmniej</translation>
+    </message>
+    <message>
+        <source>Length of the stock</source>
+        <translation>Długość półfabrykatu</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Wiersz</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>Dodany</translation>
+    </message>
+    <message>
+        <source>Radius to program</source>
+        <translation>Promień do zaprogramowania</translation>
+    </message>
+    <message>
+        <source>Radius programmed</source>
+        <translation>Promień zaprogramowany</translation>
+    </message>
+    <message>
+        <source>Deflection toward the tool</source>
+        <translation>Ugięcie w stronę narzędzia</translation>
+    </message>
+    <message>
+        <source>Deflection along the cutting speed</source>
+        <translation>Ugięcie wzdłuż prędkości skrawania</translation>
+    </message>
+    <message>
+        <source>F_t</source>
+        <translation>F_t</translation>
+    </message>
+    <message>
+        <source>F_f</source>
+        <translation>F_f</translation>
+    </message>
+    <message>
+        <source>F_ap</source>
+        <translation>F_ap</translation>
+    </message>
+    <message>
+        <source>Stiffness at the tool</source>
+        <translation>Sztywność przy narzędziu</translation>
+    </message>
+    <message>
+        <source>Machine and work</source>
+        <translation>Maszyna i przedmiot</translation>
+    </message>
+    <message>
+        <source>Mean error before</source>
+        <translation>Średni błąd przed</translation>
+    </message>
+    <message>
+        <source>Mean error after</source>
+        <translation>Średni błąd po</translation>
+    </message>
+    <message>
+        <source>Largest error after</source>
+        <translation>Największy błąd po</translation>
+    </message>
+    <message>
+        <source>Reduction</source>
+        <translation>Zmniejszenie</translation>
+    </message>
+    <message>
+        <source>Blocks changed</source>
+        <translation>Bloki zmienione</translation>
+    </message>
+    <message>
+        <source>Blocks added</source>
+        <translation>Bloki dodane</translation>
+    </message>
+    <message>
+        <source>Largest correction on diameter</source>
+        <translation>Największa korekcja na średnicy</translation>
+    </message>
+    <message>
+        <source>Largest error of the written program</source>
+        <translation>Największy błąd napisanego programu</translation>
+    </message>
+    <message>
+        <source>Mean error of the written program</source>
+        <translation>Średni błąd napisanego programu</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parametr</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Współczynnik</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Niepewność standardowa</translation>
+    </message>
+    <message>
+        <source>Measured error</source>
+        <translation>Zmierzony błąd</translation>
+    </message>
+    <message>
+        <source>Predicted before</source>
+        <translation>Przewidywany przed</translation>
+    </message>
+    <message>
+        <source>Predicted after</source>
+        <translation>Przewidywany po</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the prediction</source>
+        <translation>Niepewność przewidywania</translation>
+    </message>
+    <message>
+        <source>E_n</source>
+        <translation>E_n</translation>
+    </message>
+    <message>
+        <source>Left before (rms)</source>
+        <translation>Reszta przed (rms)</translation>
+    </message>
+    <message>
+        <source>Left after (rms)</source>
+        <translation>Reszta po (rms)</translation>
+    </message>
+    <message>
+        <source>Largest error with these feeds</source>
+        <translation>Największy błąd z tymi posuwami</translation>
+    </message>
+    <message>
+        <source>Time by that of the program</source>
+        <translation>Czas względem czasu programu</translation>
+    </message>
+    <message>
+        <source>Influence</source>
+        <translation>Wpływ</translation>
+    </message>
+    <message>
+        <source>Largest error at -10 %</source>
+        <translation>Największy błąd przy -10 %</translation>
+    </message>
+    <message>
+        <source>Largest error at +10 %</source>
+        <translation>Największy błąd przy +10 %</translation>
+    </message>
+    <message>
+        <source>Mean error at -10 %</source>
+        <translation>Średni błąd przy -10 %</translation>
+    </message>
+    <message>
+        <source>Mean error at +10 %</source>
+        <translation>Średni błąd przy +10 %</translation>
+    </message>
+    <message>
+        <source>Largest error, least of 95 %</source>
+        <translation>Największy błąd, dół 95 %</translation>
+    </message>
+    <message>
+        <source>Largest error, most of 95 %</source>
+        <translation>Największy błąd, góra 95 %</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Próbki</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Przyczyna</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Leaves (rms)</source>
+        <translation>Zostawia (rms)</translation>
+    </message>
+    <message>
+        <source>Measured errors (rms)</source>
+        <translation>Zmierzone błędy (rms)</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Przesunięcie</translation>
+    </message>
+    <message>
+        <source>Taper at the free end</source>
+        <translation>Stożek na wolnym końcu</translation>
+    </message>
+    <message>
+        <source>Factor on the deflection</source>
+        <translation>Współczynnik ugięcia</translation>
+    </message>
+    <message>
+        <source>Changed blocks</source>
+        <translation>Zmienione bloki</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Przed</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>dodany</translation>
+    </message>
+    <message>
+        <source>mean {mean} µm · range {range} µm · least with X moved by {offset} µm on diameter</source>
+        <translation>średnio {mean} µm · rozstęp {range} µm · najmniej po przesunięciu X o {offset} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>Largest error of the corrected program</source>
+        <translation>Największy błąd skorygowanego programu</translation>
+    </message>
+    <message>
+        <source>{changed} blocks changed, {added} added · largest correction {correction} µm on diameter · {before} µm without it</source>
+        <translation>zmienione bloki: {changed}, dodane: {added} · największa korekcja {correction} µm na średnicy · bez niej {before} µm</translation>
+    </message>
+    <message>
+        <source>Predicted diameter error</source>
+        <translation>Przewidywany błąd średnicy</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korekcja</translation>
+    </message>
+    <message>
+        <source>The corrected program on other machines</source>
+        <translation>Skorygowany program na innych maszynach</translation>
+    </message>
+    <message>
+        <source>Stiffness from measured diameters</source>
+        <translation>Sztywność ze zmierzonych średnic</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Co znaleziono</translation>
+    </message>
+    <message>
+        <source>Predicted and measured</source>
+        <translation>Przewidywane i zmierzone</translation>
+    </message>
+    <message>
+        <source>Deflection of the work</source>
+        <translation>Ugięcie przedmiotu</translation>
+    </message>
+    <message>
+        <source>Along the work</source>
+        <translation>Wzdłuż przedmiotu</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Co, jeśli</translation>
+    </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Wrażliwości</translation>
+    </message>
+    <message>
+        <source>Two equal planes of a Timoshenko beam on springs; at each place the forces of the chip and the depth that the bent work leaves are brought to agree. Forces by chip area and length of the edge in cut, the flow of the chip by Colwell. Vibration, heat and wear are not in it.</source>
+        <translation>Dwie równe płaszczyzny belki Timoszenki na sprężynach; w każdym miejscu uzgadnia się siły wióra z głębokością, którą zostawia wygięty przedmiot. Siły według pola warstwy i długości czynnej krawędzi, spływ wióra według Colwella. Drgań, ciepła i zużycia tu nie ma.</translation>
+    </message>
+    <message>
+        <source>Diameter error of a slender shaft</source>
+        <translation>Błąd średnicy smukłego wałka</translation>
+    </message>
+    <message>
+        <source>Beams in closed form, relative</source>
+        <translation>Belki w postaci zamkniętej, względnie</translation>
+    </message>
+    <message>
+        <source>Of the diameter error, to both sides.</source>
+        <translation>Błędu średnicy, w obie strony.</translation>
+    </message>
+    <message>
+        <source>Least feed</source>
+        <translation>Najmniejszy posuw</translation>
+    </message>
+    <message>
+        <source>The edge rubs below.</source>
+        <translation>Poniżej krawędź trze.</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Największy posuw</translation>
+    </message>
+    <message>
+        <source>Roughness and insert allow no more.</source>
+        <translation>Chropowatość i płytka nie pozwalają na więcej.</translation>
+    </message>
+    <message>
+        <source>As measured.</source>
+        <translation>Jak zmierzono.</translation>
+    </message>
+    <message>
+        <source>Of this diameter.</source>
+        <translation>Tej średnicy.</translation>
+    </message>
+    <message>
+        <source>Tailstock</source>
+        <translation>Konik</translation>
+    </message>
+    <message>
+        <source>Find its radial stiffness.</source>
+        <translation>Znajdź jego sztywność promieniową.</translation>
+    </message>
+    <message>
+        <source>Chuck, radial</source>
+        <translation>Uchwyt, promieniowo</translation>
+    </message>
+    <message>
+        <source>Chuck, tilting</source>
+        <translation>Uchwyt, przechył</translation>
+    </message>
+    <message>
+        <source>Find its tilting stiffness.</source>
+        <translation>Znajdź jego sztywność na przechył.</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Siły</translation>
+    </message>
+    <message>
+        <source>Find one factor on all cutting forces.</source>
+        <translation>Znajdź jeden współczynnik wszystkich sił skrawania.</translation>
+    </message>
+    <message>
+        <source>Stiffness of the tailstock</source>
+        <translation>Sztywność konika</translation>
+    </message>
+    <message>
+        <source>Radial stiffness of the chuck</source>
+        <translation>Sztywność promieniowa uchwytu</translation>
+    </message>
+    <message>
+        <source>Tilting stiffness of the chuck</source>
+        <translation>Sztywność uchwytu na przechył</translation>
+    </message>
+    <message>
+        <source>Stiffness of the rests</source>
+        <translation>Sztywność podtrzymek</translation>
+    </message>
+    <message>
+        <source>Stiffness of the tool post</source>
+        <translation>Sztywność imaka</translation>
+    </message>
+    <message>
+        <source>Axial stiffness</source>
+        <translation>Sztywność osiowa</translation>
+    </message>
+    <message>
+        <source>Along the axis; changes no diameter.</source>
+        <translation>Wzdłuż osi; nie zmienia średnicy.</translation>
+    </message>
+    <message>
+        <source>Tilting stiffness</source>
+        <translation>Sztywność na przechył</translation>
+    </message>
+    <message>
+        <source>Against tilting of the axis.</source>
+        <translation>Przeciw przechyleniu osi.</translation>
+    </message>
+    <message>
+        <source>Torsional stiffness</source>
+        <translation>Sztywność skrętna</translation>
+    </message>
+    <message>
+        <source>About the axis; changes no diameter.</source>
+        <translation>Wokół osi; nie zmienia średnicy.</translation>
+    </message>
+    <message>
+        <source>Of the rest.</source>
+        <translation>Podtrzymki.</translation>
+    </message>
+    <message>
+        <source>Distance from the tool</source>
+        <translation>Odległość od narzędzia</translation>
+    </message>
+    <message>
+        <source>Toward the chuck; negative: behind the tool, on the machined surface.</source>
+        <translation>W stronę uchwytu; ujemna: za narzędziem, na powierzchni obrobionej.</translation>
+    </message>
+    <message>
+        <source>Of tool, turret and slide against being pushed out of the work.</source>
+        <translation>Narzędzia, głowicy i suportu przeciw wypchnięciu z przedmiotu.</translation>
+    </message>
+    <message>
+        <source>Tangential stiffness</source>
+        <translation>Sztywność styczna</translation>
+    </message>
+    <message>
+        <source>Of tool, turret and slide along the cutting speed.</source>
+        <translation>Narzędzia, głowicy i suportu wzdłuż prędkości skrawania.</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Półfabrykat</translation>
+    </message>
+    <message>
+        <source>File of the stock, relative to the set-up&apos;s file.</source>
+        <translation>Plik półfabrykatu, względem pliku ustawienia.</translation>
+    </message>
+    <message>
+        <source>z of the program&apos;s zero</source>
+        <translation>z zera programu</translation>
+    </message>
+    <message>
+        <source>z = this less the program&apos;s Z; 0: the program&apos;s zero is the free end.</source>
+        <translation>z = ta wartość minus Z programu; 0: zero programu jest na wolnym końcu.</translation>
+    </message>
+    <message>
+        <source>Of the work, with its cutting coefficients.</source>
+        <translation>Przedmiotu, ze współczynnikami skrawania.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Narzędzie</translation>
+    </message>
+    <message>
+        <source>The insert.</source>
+        <translation>Płytka.</translation>
+    </message>
+    <message>
+        <source>Chuck</source>
+        <translation>Uchwyt</translation>
+    </message>
+    <message>
+        <source>Springs at the chuck face.</source>
+        <translation>Sprężyny przy czole uchwytu.</translation>
+    </message>
+    <message>
+        <source>Springs at the free end; none: not supported.</source>
+        <translation>Sprężyny na wolnym końcu; brak: niepodparty.</translation>
+    </message>
+    <message>
+        <source>Steady rests</source>
+        <translation>Podtrzymki stałe</translation>
+    </message>
+    <message>
+        <source>Rests that stand at one place.</source>
+        <translation>Podtrzymki, które stoją w jednym miejscu.</translation>
+    </message>
+    <message>
+        <source>Follower rest</source>
+        <translation>Podtrzymka ruchoma</translation>
+    </message>
+    <message>
+        <source>A rest that moves with the tool.</source>
+        <translation>Podtrzymka, która przesuwa się z narzędziem.</translation>
+    </message>
+    <message>
+        <source>Tool post</source>
+        <translation>Imak narzędziowy</translation>
+    </message>
+    <message>
+        <source>Stiffness of tool and turret in series with the work; none: rigid.</source>
+        <translation>Sztywność narzędzia i głowicy szeregowo z przedmiotem; brak: sztywne.</translation>
+    </message>
+    <message>
+        <source>Contact length</source>
+        <translation>Długość styku</translation>
+    </message>
+    <message>
+        <source>What counts as the edge in cut.</source>
+        <translation>Co liczy się jako czynna krawędź.</translation>
+    </message>
+    <message>
+        <source>Moment of the feed force</source>
+        <translation>Moment siły posuwowej</translation>
+    </message>
+    <message>
+        <source>The feed force bends the work, for it acts beside the axis.</source>
+        <translation>Siła posuwowa zgina przedmiot, bo działa obok osi.</translation>
+    </message>
+    <message>
+        <source>radial</source>
+        <translation>promieniowo</translation>
+    </message>
+    <message>
+        <source>normal to the contour</source>
+        <translation>normalnie do konturu</translation>
+    </message>
+    <message>
+        <source>Depth on slopes</source>
+        <translation>Głębokość na pochyleniach</translation>
+    </message>
+    <message>
+        <source>Depth and entering angle on cones and arcs: to the axis or to the contour.</source>
+        <translation>Głębokość i kąt przystawienia na stożkach i łukach: do osi albo do konturu.</translation>
+    </message>
+    <message>
+        <source>Longest step along z.</source>
+        <translation>Najdłuższy krok wzdłuż z.</translation>
+    </message>
+    <message>
+        <source>an object with material, tool and chuck</source>
+        <translation>obiekt z materiałem, narzędziem i uchwytem</translation>
+    </message>
+    <message>
+        <source>the material of the work</source>
+        <translation>materiał przedmiotu</translation>
+    </message>
+    <message>
+        <source>the insert</source>
+        <translation>płytka</translation>
+    </message>
+    <message>
+        <source>the springs of the chuck</source>
+        <translation>sprężyny uchwytu</translation>
+    </message>
+    <message>
+        <source>Set-ups</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>an offset: program or tool</source>
+        <translation>przesunięcie: program albo narzędzie</translation>
+    </message>
+    <message>
+        <source>a taper: tailstock or headstock out of line</source>
+        <translation>stożek: konik lub wrzeciennik poza osią</translation>
+    </message>
+    <message>
+        <source>the work gives way</source>
+        <translation>przedmiot się ugina</translation>
+    </message>
+    <message>
+        <source>it is an arc that runs beyond the work</source>
+        <translation>to łuk, który wychodzi poza przedmiot</translation>
+    </message>
+    <message>
+        <source>Largest at z = {z_mm:1} mm: {error:+1} µm on diameter</source>
+        <translation>Największy przy z = {z_mm:1} mm: {error:+1} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>Repeat the prediction with springs, forces and modulus drawn at random; 95 % of the answers make a band.</source>
+        <translation>Powtórz przewidywanie z losowanymi sprężynami, siłami i modułem; 95 % odpowiedzi tworzy pasmo.</translation>
+    </message>
+    <message>
+        <source>What 10 % of each influence change.</source>
+        <translation>Co zmienia 10 % każdego wpływu.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Largest error over depth and feed of the last pass.</source>
+        <translation>Największy błąd w funkcji głębokości i posuwu ostatniego przejścia.</translation>
+    </message>
+    <message>
+        <source>Measured diameters</source>
+        <translation>Zmierzone średnice</translation>
+    </message>
+    <message>
+        <source>On the finished part: place, diameter, standard uncertainty.</source>
+        <translation>Na gotowej części: miejsce, średnica, niepewność standardowa.</translation>
+    </message>
+    <message>
+        <source>Predicting</source>
+        <translation>Przewidywanie</translation>
+    </message>
+    <message>
+        <source>Drawing samples</source>
+        <translation>Losowanie próbek</translation>
+    </message>
+    <message>
+        <source>Fitting</source>
+        <translation>Dopasowywanie</translation>
+    </message>
+    <message>
+        <source>Correcting</source>
+        <translation>Korygowanie</translation>
+    </message>
+    <message>
+        <source>Hangs most on: {influence} (±10 % change it by {swing:1} µm)</source>
+        <translation>Najbardziej zależy od: {influence} (±10 % zmienia o {swing:1} µm)</translation>
+    </message>
+    <message>
+        <source>Corrected program: {residual:2} µm left, {changed} blocks changed, {added} added</source>
+        <translation>Skorygowany program: zostaje {residual:2} µm, zmienione bloki: {changed}, dodane: {added}</translation>
+    </message>
+    <message>
+        <source>What was measured looks like: {cause}</source>
+        <translation>To, co zmierzono, wygląda na: {cause}</translation>
+    </message>
+    <message>
+        <source>What the measured diameters look like</source>
+        <translation>Na co wyglądają zmierzone średnice</translation>
+    </message>
+    <message>
+        <source>Least depth</source>
+        <translation>Najmniejsza głębokość</translation>
+    </message>
+    <message>
+        <source>Of the last pass.</source>
+        <translation>Ostatniego przejścia.</translation>
+    </message>
+    <message>
+        <source>Largest depth</source>
+        <translation>Największa głębokość</translation>
+    </message>
+    <message>
+        <source>Of the map.</source>
+        <translation>Mapy.</translation>
+    </message>
+    <message>
+        <source>Depths</source>
+        <translation>Głębokości</translation>
+    </message>
+    <message>
+        <source>In the map.</source>
+        <translation>Na mapie.</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Posuwy</translation>
+    </message>
+    <message>
+        <source>For the cycle time.</source>
+        <translation>Do czasu cyklu.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of springs</source>
+        <translation>Niepewność sprężyn</translation>
+    </message>
+    <message>
+        <source>Standard, each by itself.</source>
+        <translation>Standardowa, każdej z osobna.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of forces</source>
+        <translation>Niepewność sił</translation>
+    </message>
+    <message>
+        <source>Standard, all together.</source>
+        <translation>Standardowa, wszystkich razem.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the elastic modulus</source>
+        <translation>Niepewność modułu sprężystości</translation>
+    </message>
+    <message>
+        <source>Standard.</source>
+        <translation>Standardowa.</translation>
+    </message>
+    <message>
+        <source>Drawn for the band.</source>
+        <translation>Losowane do pasma.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Ziarno</translation>
+    </message>
+    <message>
+        <source>Of the random numbers.</source>
+        <translation>Liczb losowych.</translation>
+    </message>
+    <message>
+        <source>from the program</source>
+        <translation>z programu</translation>
+    </message>
+    <message>
+        <source>Fanuc, system A</source>
+        <translation>Fanuc, system A</translation>
+    </message>
+    <message>
+        <source>Haas</source>
+        <translation>Haas</translation>
+    </message>
+    <message>
+        <source>Sinumerik</source>
+        <translation>Sinumerik</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
+    <message>
+        <source>a name without its end</source>
+        <translation>nazwa bez końca</translation>
+    </message>
+    <message>
+        <source>no number of a variable</source>
+        <translation>brak numeru zmiennej</translation>
+    </message>
+    <message>
+        <source>no variable</source>
+        <translation>brak zmiennej</translation>
+    </message>
+    <message>
+        <source>a bracket is missing</source>
+        <translation>brakuje nawiasu</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>dzielenie przez zero</translation>
+    </message>
+    <message>
+        <source>it has no finite value</source>
+        <translation>nie ma skończonej wartości</translation>
+    </message>
+    <message>
+        <source>brackets nested too deep</source>
+        <translation>nawiasy zagnieżdżone zbyt głęboko</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>brak liczby</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>brakuje wartości</translation>
+    </message>
+    <message>
+        <source>an unknown function</source>
+        <translation>nieznana funkcja</translation>
+    </message>
+    <message>
+        <source>the root of a negative number</source>
+        <translation>pierwiastek z liczby ujemnej</translation>
+    </message>
+    <message>
+        <source>This program is written for {found}, which is not read; expected {expected}.</source>
+        <translation>Program napisano dla: {found}, czego się nie czyta; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The program has {found_MiB} MiB; at most {most_MiB} are read.</source>
+        <translation>Program ma {found_MiB} MiB; czyta się najwyżej {most_MiB}.</translation>
+    </message>
+    <message>
+        <source>“{found}” begins no word of an NC program.</source>
+        <translation>„{found}” nie zaczyna żadnego słowa programu NC.</translation>
+    </message>
+    <message>
+        <source>Expected a number behind “{found}”.</source>
+        <translation>Oczekiwano liczby za „{found}”.</translation>
+    </message>
+    <message>
+        <source>The comment is not closed.</source>
+        <translation>Komentarz nie jest zamknięty.</translation>
+    </message>
+    <message>
+        <source>“{found}” cannot be computed: {reason}.</source>
+        <translation>„{found}” nie da się obliczyć: {reason}.</translation>
+    </message>
+    <message>
+        <source>A feed move without a feed: no F is in force.</source>
+        <translation>Ruch roboczy bez posuwu: nie obowiązuje żadne F.</translation>
+    </message>
+    <message>
+        <source>A position without a motion: none of G0, G1, G2, G3 is in force.</source>
+        <translation>Położenie bez ruchu: nie obowiązuje żadne z G0, G1, G2, G3.</translation>
+    </message>
+    <message>
+        <source>An arc needs its centre (I, K) or its radius.</source>
+        <translation>Łuk wymaga środka (I, K) albo promienia.</translation>
+    </message>
+    <message>
+        <source>The radius {radius_mm:4} mm does not reach: half of the chord is {half_chord_mm:4} mm.</source>
+        <translation>Promień {radius_mm:4} mm nie sięga: połowa cięciwy to {half_chord_mm:4} mm.</translation>
+    </message>
+    <message>
+        <source>The end of the arc lies {distance_mm:4} mm off the circle of radius {radius_mm:4} mm.</source>
+        <translation>Koniec łuku leży {distance_mm:4} mm od okręgu o promieniu {radius_mm:4} mm.</translation>
+    </message>
+    <message>
+        <source>The chamfer or rounding of {size_mm:4} mm does not fit between the two moves.</source>
+        <translation>Faza lub zaokrąglenie {size_mm:4} mm nie mieści się między dwoma ruchami.</translation>
+    </message>
+    <message>
+        <source>{cycle} cannot be run: {reason}.</source>
+        <translation>{cycle} nie da się wykonać: {reason}.</translation>
+    </message>
+    <message>
+        <source>The block {found} is not in the program.</source>
+        <translation>Bloku {found} nie ma w programie.</translation>
+    </message>
+    <message>
+        <source>The subprogram {found} is not in this file; what it does is not known.</source>
+        <translation>Podprogramu {found} nie ma w tym pliku; nie wiadomo, co robi.</translation>
+    </message>
+    <message>
+        <source>Subprograms or loops are nested more than {most} deep.</source>
+        <translation>Podprogramy lub pętle są zagnieżdżone głębiej niż {most}.</translation>
+    </message>
+    <message>
+        <source>More than {most} repetitions: the program does not seem to come to an end.</source>
+        <translation>Ponad {most} powtórzeń: wygląda na to, że program się nie kończy.</translation>
+    </message>
+    <message>
+        <source>The program makes more than {most} moves.</source>
+        <translation>Program wykonuje więcej niż {most} ruchów.</translation>
+    </message>
+    <message>
+        <source>“{found}” has no counterpart.</source>
+        <translation>„{found}” nie ma odpowiednika.</translation>
+    </message>
+    <message>
+        <source>The nose of radius {radius_mm:4} mm does not fit into this corner without a gouge.</source>
+        <translation>Naroże o promieniu {radius_mm:4} mm nie wejdzie w ten kąt bez podcięcia.</translation>
+    </message>
+    <message>
+        <source>The program stops itself here: {found}.</source>
+        <translation>Program sam się tu zatrzymuje: {found}.</translation>
+    </message>
+    <message>
+        <source>“{found}” contradicts another word of the same block.</source>
+        <translation>„{found}” przeczy innemu słowu tego samego bloku.</translation>
+    </message>
+    <message>
+        <source>“{found}”: expected {expected}.</source>
+        <translation>„{found}”: oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The block “{block}” may not be changed: {reason}.</source>
+        <translation>Bloku „{block}” nie wolno zmienić: {reason}.</translation>
+    </message>
+    <message>
+        <source>The word “{found}” is not known; it is not modelled.</source>
+        <translation>Słowo „{found}” jest nieznane; nie jest modelowane.</translation>
+    </message>
+    <message>
+        <source>“{found}” is known, but what it does is not modelled.</source>
+        <translation>„{found}” jest znane, ale jego działanie nie jest modelowane.</translation>
+    </message>
+    <message>
+        <source>The block is not modelled because of “{found}”: its moves are missing.</source>
+        <translation>Blok nie jest modelowany z powodu „{found}”: brakuje jego ruchów.</translation>
+    </message>
+    <message>
+        <source>“{found}” has no decimal point; read as {read_as_mm:4} mm.</source>
+        <translation>„{found}” nie ma kropki dziesiętnej; odczytano jako {read_as_mm:4} mm.</translation>
+    </message>
+    <message>
+        <source>“{found}” replaces an earlier word of the same block.</source>
+        <translation>„{found}” zastępuje wcześniejsze słowo tego samego bloku.</translation>
+    </message>
+    <message>
+        <source>“{found}” has no use in this block.</source>
+        <translation>„{found}” nie ma w tym bloku zastosowania.</translation>
+    </message>
+    <message>
+        <source>The feed {found} was given in the other mode (per revolution, per minute).</source>
+        <translation>Posuw {found} podano w innym trybie (na obrót, na minutę).</translation>
+    </message>
+    <message>
+        <source>The program does not state {what}; assumed: {assumed}.</source>
+        <translation>Program nie podaje: {what}; przyjęto: {assumed}.</translation>
+    </message>
+    <message>
+        <source>Nose radius compensation without a known radius: the programmed contour is shown.</source>
+        <translation>Kompensacja promienia naroża bez znanego promienia: pokazany jest zaprogramowany kontur.</translation>
+    </message>
+    <message>
+        <source>The move starts from a position that is not known.</source>
+        <translation>Ruch zaczyna się z nieznanego położenia.</translation>
+    </message>
+    <message>
+        <source>“{found}” shifts the coordinates by an amount that the program does not state.</source>
+        <translation>„{found}” przesuwa współrzędne o wielkość, której program nie podaje.</translation>
+    </message>
+    <message>
+        <source>M99 in the main program starts it again; it is followed once.</source>
+        <translation>M99 w programie głównym zaczyna go od nowa; śledzi się go raz.</translation>
+    </message>
+    <message>
+        <source>Further places with {found}, not listed: {count}.</source>
+        <translation>Dalsze miejsca z {found}, niewymienione: {count}.</translation>
+    </message>
+    <message>
+        <source>“{found}” has no value here; read as 0.</source>
+        <translation>„{found}” nie ma tu wartości; odczytano jako 0.</translation>
+    </message>
+    <message>
+        <source>something is left behind it</source>
+        <translation>coś zostało za nim</translation>
+    </message>
+    <message>
+        <source>it has no words</source>
+        <translation>nie ma słów</translation>
+    </message>
+    <message>
+        <source>the height of the thread or its first cut is missing</source>
+        <translation>brakuje wysokości gwintu lub pierwszego przejścia</translation>
+    </message>
+    <message>
+        <source>one of the words P, I, J, K is missing</source>
+        <translation>brakuje jednego ze słów P, I, J, K</translation>
+    </message>
+    <message>
+        <source>P, J and K must be positive, and K not below J</source>
+        <translation>P, J i K muszą być dodatnie, a K nie mniejsze niż J</translation>
+    </message>
+    <message>
+        <source>this dialect has no such cycle</source>
+        <translation>ten dialekt nie ma takiego cyklu</translation>
+    </message>
+    <message>
+        <source>it stands within the contour of a cycle</source>
+        <translation>stoi w konturze cyklu</translation>
+    </message>
+    <message>
+        <source>P and Q name its contour</source>
+        <translation>P i Q wskazują jego kontur</translation>
+    </message>
+    <message>
+        <source>the position where it starts is not known</source>
+        <translation>położenie, w którym się zaczyna, nie jest znane</translation>
+    </message>
+    <message>
+        <source>its contour has fewer than two moves</source>
+        <translation>jego kontur ma mniej niż dwa ruchy</translation>
+    </message>
+    <message>
+        <source>the depth of its passes is missing</source>
+        <translation>brakuje głębokości jego przejść</translation>
+    </message>
+    <message>
+        <source>diameter or radius</source>
+        <translation>średnica czy promień</translation>
+    </message>
+    <message>
+        <source>diameter (DIAMON)</source>
+        <translation>średnica (DIAMON)</translation>
+    </message>
+    <message>
+        <source>the kind of feed</source>
+        <translation>rodzaj posuwu</translation>
+    </message>
+    <message>
+        <source>mm per revolution (G95)</source>
+        <translation>mm na obrót (G95)</translation>
+    </message>
+    <message>
+        <source>a motion</source>
+        <translation>ruch</translation>
+    </message>
+    <message>
+        <source>G1</source>
+        <translation>G1</translation>
+    </message>
+    <message>
+        <source>G0</source>
+        <translation>G0</translation>
+    </message>
+    <message>
+        <source>bytes that are no text of an NC program</source>
+        <translation>bajty, które nie są tekstem programu NC</translation>
+    </message>
+    <message>
+        <source>a text with one byte for each character</source>
+        <translation>tekst z jednym bajtem na znak</translation>
+    </message>
+    <message>
+        <source>Fanuc (G code system A), Haas, Sinumerik or LinuxCNC</source>
+        <translation>Fanuc (system kodów G A), Haas, Sinumerik albo LinuxCNC</translation>
+    </message>
+    <message>
+        <source>NC programs</source>
+        <translation>Programy NC</translation>
+    </message>
+    <message>
+        <source>nose radius compensation is active</source>
+        <translation>czynna jest kompensacja promienia naroża</translation>
+    </message>
+    <message>
+        <source>it belongs to the contour of a cycle</source>
+        <translation>należy do konturu cyklu</translation>
+    </message>
+    <message>
+        <source>a cycle makes its moves</source>
+        <translation>jego ruchy wykonuje cykl</translation>
+    </message>
+    <message>
+        <source>it is run more than once</source>
+        <translation>jest wykonywany więcej niż raz</translation>
+    </message>
+    <message>
+        <source>it is never run</source>
+        <translation>nigdy nie jest wykonywany</translation>
+    </message>
+    <message>
+        <source>its position is computed</source>
+        <translation>jego położenie jest obliczane</translation>
+    </message>
+    <message>
+        <source>a chamfer, a rounding or an angle shapes its end</source>
+        <translation>jego koniec kształtuje faza, zaokrąglenie lub kąt</translation>
+    </message>
+    <message>
+        <source>its position is not known</source>
+        <translation>jego położenie nie jest znane</translation>
+    </message>
+    <message>
+        <source>it has no place for an X word</source>
+        <translation>nie ma miejsca na słowo X</translation>
+    </message>
+    <message>
+        <source>it has no place for a Z word</source>
+        <translation>nie ma miejsca na słowo Z</translation>
+    </message>
+    <message>
+        <source>it is an arc without its own G word</source>
+        <translation>to łuk bez własnego słowa G</translation>
+    </message>
+    <message>
+        <source>it is an arc without its own G word, behind one that became straight</source>
+        <translation>to łuk bez własnego słowa G za łukiem, który stał się prostą</translation>
+    </message>
+    <message>
+        <source>it is an arc that begins at a changed X</source>
+        <translation>to łuk, który zaczyna się w zmienionym X</translation>
+    </message>
+    <message>
+        <source>T, P, D, Q (0 to 9) or an offset with a number</source>
+        <translation>T, P, D, Q (0 do 9) albo przesunięcie z liczbą</translation>
+    </message>
+    <message>
+        <source>a tool number T</source>
+        <translation>numer narzędzia T</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Sterowanie</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Język programu.</translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation>Promień naroża</translation>
+    </message>
+    <message>
+        <source>Of every tool, for G41 and G42.</source>
+        <translation>Każdego narzędzia, dla G41 i G42.</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Ostrze</translation>
+    </message>
+    <message>
+        <source>Where the imaginary tip lies seen from the nose centre, as Fanuc counts: 3 towards the axis and the chuck.</source>
+        <translation>Gdzie leży umowny wierzchołek widziany ze środka naroża, jak liczy Fanuc: 3 w stronę osi i uchwytu.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milimetry</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>mikrometry</translation>
+    </message>
+    <message>
+        <source>Numbers without a point</source>
+        <translation>Liczby bez kropki</translation>
+    </message>
+    <message>
+        <source>What X50 means to a Fanuc or Haas control: 50 mm or 50 µm.</source>
+        <translation>Co X50 znaczy dla sterowania Fanuc lub Haas: 50 mm czy 50 µm.</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Kolumna</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Waga</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Blok</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>błąd</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>ostrzeżenie</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Bloki</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Słowa</translation>
+    </message>
+    <message>
+        <source>Words understood</source>
+        <translation>Słowa zrozumiane</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Ruchy</translation>
+    </message>
+    <message>
+        <source>Rapid moves</source>
+        <translation>Ruchy szybkie</translation>
+    </message>
+    <message>
+        <source>Feed moves</source>
+        <translation>Ruchy robocze</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Łuki</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Gwinty</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>Program NC</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Ustawienie</translation>
+    </message>
+    <message>
+        <source>Machine, tool, material and stock, from SETUP.json.</source>
+        <translation>Maszyna, narzędzie, materiał i półfabrykat, z SETUP.json.</translation>
+    </message>
+    <message>
+        <source>From FILE (a stock file or SHAFT.json), instead of the one in the set-up.</source>
+        <translation>Z PLIKU (plik półfabrykatu albo SHAFT.json), zamiast podanego w ustawieniu.</translation>
+    </message>
+    <message>
+        <source>a set-up (SETUP.json)</source>
+        <translation>ustawienie (SETUP.json)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Nose radii from FILE, a tool table of LinuxCNC in mm.</source>
+        <translation>Promienie naroży z PLIKU, tablicy narzędzi LinuxCNC w mm.</translation>
+    </message>
+    <message>
+        <source>Following the program</source>
+        <translation>Śledzenie programu</translation>
+    </message>
+    <message>
+        <source>Lines kept</source>
+        <translation>Wiersze bez zmian</translation>
+    </message>
+    <message>
+        <source>Blocks of these lines stay as they are: 12:12, 20:31.</source>
+        <translation>Bloki tych wierszy zostają, jak są: 12:12, 20:31.</translation>
+    </message>
+    <message>
+        <source>{time:0} s in cut</source>
+        <translation>{time:0} s skrawania</translation>
+    </message>
+    <message>
+        <source>Depth of the last pass</source>
+        <translation>Głębokość ostatniego przejścia</translation>
+    </message>
+    <message>
+        <source>red: out of tolerance, blue: within</source>
+        <translation>czerwone: poza tolerancją, niebieskie: w tolerancji</translation>
+    </message>
+    <message>
+        <source>{error_um:1} µm</source>
+        <translation>{error_um:1} µm</translation>
+    </message>
+    <message>
+        <source>as programmed</source>
+        <translation>jak zaprogramowano</translation>
+    </message>
+    <message>
+        <source>ends where it ended, though the block before ends elsewhere</source>
+        <translation>kończy się tam, gdzie się kończył, choć blok przed nim kończy się gdzie indziej</translation>
+    </message>
+    <message>
+        <source>in air the path stays where it was</source>
+        <translation>w powietrzu tor zostaje, gdzie był</translation>
+    </message>
+    <message>
+        <source>{correction_um:+1} µm · dx {dx_um:+1} µm, dy {dy_um:+1} µm at z {z_mm:2} mm · F_t {F_t_N:0} N, F_ap {F_ap_N:0} N · {stiffness:0} N/mm</source>
+        <translation>{correction_um:+1} µm · dx {dx_um:+1} µm, dy {dy_um:+1} µm przy z {z_mm:2} mm · F_t {F_t_N:0} N, F_ap {F_ap_N:0} N · {stiffness:0} N/mm</translation>
+    </message>
+    <message>
+        <source>Drop an NC program and a set-up (SETUP.json) here: the corrected program follows.</source>
+        <translation>Upuść tu program NC i ustawienie (SETUP.json): powstanie skorygowany program.</translation>
+    </message>
+    <message>
+        <source>Drop an NC program and a set-up (SETUP.json) here: the error along the work follows.</source>
+        <translation>Upuść tu program NC i ustawienie (SETUP.json): powstanie błąd wzdłuż przedmiotu.</translation>
+    </message>
+    <message>
+        <source>The NC program that turns the work.</source>
+        <translation>Program NC, który toczy przedmiot.</translation>
+    </message>
+    <message>
+        <source>Machine, tool and material: SETUP.json.</source>
+        <translation>Maszyna, narzędzie i materiał: SETUP.json.</translation>
+    </message>
+    <message>
+        <source>In place of the one that the set-up names: a stock file, SHAFT.json, or a shaft of the project.</source>
+        <translation>Zamiast podanego w ustawieniu: plik półfabrykatu, SHAFT.json albo wał z projektu.</translation>
+    </message>
+    <message>
+        <source>In place of the value in the set-up.</source>
+        <translation>Zamiast wartości z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Tailstock, radial</source>
+        <translation>Konik, promieniowo</translation>
+    </message>
+    <message>
+        <source>Of those of the set-up.</source>
+        <translation>Sił z ustawienia.</translation>
+    </message>
+    <message>
+        <source>The tool meets what it must not meet, first in line {line}. Such moves: {count}.</source>
+        <translation>Narzędzie trafia w to, w co nie może, najpierw w wierszu {line}. Takich ruchów: {count}.</translation>
+    </message>
+    <message>
+        <source>The corrected program meets what it must not meet, first in line {line}. Such moves: {count}.</source>
+        <translation>Skorygowany program trafia w to, w co nie może, najpierw w wierszu {line}. Takich ruchów: {count}.</translation>
+    </message>
+    <message>
+        <source>The spindle is a table of receptances; the chuck stays that of the set-up.</source>
+        <translation>Wrzeciono jest tabelą receptancji; uchwyt pozostaje ten z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Static compliance of the work before the first cut</source>
+        <translation>Podatność statyczna przedmiotu przed pierwszym skrawaniem</translation>
+    </message>
+    <message>
+        <source>Compliance</source>
+        <translation>Podatność</translation>
+    </message>
+    <message>
+        <source>by deflection</source>
+        <translation>z ugięcia</translation>
+    </message>
+    <message>
+        <source>receptance at 0 Hz</source>
+        <translation>receptancja przy 0 Hz</translation>
+    </message>
+    <message>
+        <source>Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep</source>
+        <translation>Wiersz {line}: {kind} przy z = {z_mm:1} mm, na głębokość {depth_mm:2} mm</translation>
+    </message>
+    <message>
+        <source>Check against the stock</source>
+        <translation>Sprawdź względem półfabrykatu</translation>
+    </message>
+    <message>
+        <source>Find rapid moves through stock, and where the tool meets chuck or tailstock.</source>
+        <translation>Znajdź szybkie ruchy przez półfabrykat i miejsca, gdzie narzędzie trafia w uchwyt lub konik.</translation>
+    </message>
+    <message>
+        <source>Checking against the stock</source>
+        <translation>Sprawdzanie względem półfabrykatu</translation>
+    </message>
+    <message>
+        <source>What the tool meets</source>
+        <translation>Co trafia narzędzie</translation>
+    </message>
+    <message>
+        <source>z of the chuck face</source>
+        <translation>z czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>From the free end; empty: the end of the stock.</source>
+        <translation>Od wolnego końca; puste: koniec półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>Radius of the jaws</source>
+        <translation>Promień szczęk</translation>
+    </message>
+    <message>
+        <source>0: everything beyond the chuck face is the chuck.</source>
+        <translation>0: wszystko za czołem uchwytu jest uchwytem.</translation>
+    </message>
+    <message>
+        <source>z of the supported end</source>
+        <translation>z podpartego końca</translation>
+    </message>
+    <message>
+        <source>Of the faced end that the centre stands in, from the free end of the stock.</source>
+        <translation>Splanowanego końca, w którym tkwi kieł, od wolnego końca półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>Centre hole ⌀</source>
+        <translation>⌀ nakiełka</translation>
+    </message>
+    <message>
+        <source>Its largest diameter.</source>
+        <translation>Jego największa średnica.</translation>
+    </message>
+    <message>
+        <source>Angle of the centre</source>
+        <translation>Kąt kła</translation>
+    </message>
+    <message>
+        <source>Included.</source>
+        <translation>Wierzchołkowy.</translation>
+    </message>
+    <message>
+        <source>Quill ⌀</source>
+        <translation>⌀ tulei</translation>
+    </message>
+    <message>
+        <source>Of the body behind the centre.</source>
+        <translation>Korpusu za kłem.</translation>
+    </message>
+    <message>
+        <source>a small clearance</source>
+        <translation>mały prześwit</translation>
+    </message>
+    <message>
+        <source>a feed move above the stock</source>
+        <translation>ruch roboczy nad półfabrykatem</translation>
+    </message>
+    <message>
+        <source>The stock has no length.</source>
+        <translation>Półfabrykat nie ma długości.</translation>
+    </message>
+    <message>
+        <source>Segment {segment} of the stock cannot be: a negative or missing number, or an arc smaller than half its chord.</source>
+        <translation>Odcinek {segment} półfabrykatu jest niemożliwy: liczba ujemna lub brakująca albo łuk mniejszy niż połowa jego cięciwy.</translation>
+    </message>
+    <message>
+        <source>Tool {tool} cannot be: entering angle {entering_angle_deg}°, tip angle {tip_angle_deg}°, corner radius {corner_radius_mm} mm. Both angles together must stay below 180°, and the corner must fit between the edges.</source>
+        <translation>Narzędzie {tool} jest niemożliwe: kąt przystawienia {entering_angle_deg}°, kąt wierzchołkowy {tip_angle_deg}°, promień naroża {corner_radius_mm} mm. Oba kąty razem muszą być mniejsze niż 180°, a naroże musi zmieścić się między krawędziami.</translation>
+    </message>
+    <message>
+        <source>Line {line}, z = {z_mm} mm: a feed move above the stock cuts air over {length_mm} mm.</source>
+        <translation>Wiersz {line}, z = {z_mm} mm: ruch roboczy nad półfabrykatem skrawa powietrze na długości {length_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Line {line}, z = {z_mm} mm: a rapid move passes the stock within 0.1 mm.</source>
+        <translation>Wiersz {line}, z = {z_mm} mm: ruch szybki mija półfabrykat bliżej niż 0,1 mm.</translation>
+    </message>
+    <message>
+        <source>Further places with {what}, not listed: {count}.</source>
+        <translation>Dalsze miejsca z: {what}, niewymienione: {count}.</translation>
+    </message>
+    <message>
+        <source>Line {line}: the move comes from a reference point whose place is not known; only its end is checked. Such moves: {count}.</source>
+        <translation>Wiersz {line}: ruch zaczyna się w punkcie referencyjnym o nieznanym położeniu; sprawdza się tylko jego koniec. Takich ruchów: {count}.</translation>
+    </message>
+    <message>
+        <source>The shape of tool {tool} is not fully stated; assumed are corner radius {corner_radius_mm} mm, entering angle {entering_angle_deg}°, tip angle {tip_angle_deg}°, reach {reach_mm} mm where they are missing.</source>
+        <translation>Kształt narzędzia {tool} nie jest w pełni podany; tam, gdzie brakuje, przyjęto promień naroża {corner_radius_mm} mm, kąt przystawienia {entering_angle_deg}°, kąt wierzchołkowy {tip_angle_deg}°, wysięg {reach_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Tool {tool} has no stated holder: its insert alone is checked.</source>
+        <translation>Narzędzie {tool} nie ma podanej oprawki: sprawdza się samą płytkę.</translation>
+    </message>
+    <message>
+        <source>Length of the stock and number of moves widen the columns of the stock to {step_mm} mm (asked: {asked_mm} mm) and the steps of a feed move to {feed_step_mm} mm.</source>
+        <translation>Długość półfabrykatu i liczba ruchów poszerzają kolumny półfabrykatu do {step_mm} mm (żądano: {asked_mm} mm), a kroki ruchu roboczego do {feed_step_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Line {line}: a thread is taken off down to its root, as if it had no flanks.</source>
+        <translation>Wiersz {line}: gwint zdejmuje się do rdzenia, jakby nie miał boków.</translation>
+    </message>
+    <message>
+        <source>Line {line}: tool {tool} feeds along the axis. It is not stated to be a drill; moves on the axis change no stock and are not checked against it.</source>
+        <translation>Wiersz {line}: narzędzie {tool} posuwa się wzdłuż osi. Nie podano, że to wiertło; ruchy na osi nie zmieniają półfabrykatu i nie są z nim sprawdzane.</translation>
+    </message>
+    <message>
+        <source>The stock is kept after every {every}th pass only; there are {passes}.</source>
+        <translation>Półfabrykat zachowano tylko po co {every}. przejściu; jest ich {passes}.</translation>
+    </message>
+    <message>
+        <source>By the numbers of the program.</source>
+        <translation>Według numerów z programu.</translation>
+    </message>
+    <message>
+        <source>What the tool must not meet; none: not checked.</source>
+        <translation>W co narzędzie nie może trafić; brak: nie sprawdza się.</translation>
+    </message>
+    <message>
+        <source>Centre and quill; none: not there.</source>
+        <translation>Kieł i tuleja; brak: nie ma ich.</translation>
+    </message>
+    <message>
+        <source>Dog-leg of rapid moves</source>
+        <translation>Łamany tor ruchów szybkich</translation>
+    </message>
+    <message>
+        <source>Test the path of a control that moves each axis at its own rate, too.</source>
+        <translation>Sprawdź też tor sterowania, które przesuwa każdą oś z jej własną prędkością.</translation>
+    </message>
+    <message>
+        <source>Rapid rate along x</source>
+        <translation>Szybki przesuw wzdłuż x</translation>
+    </message>
+    <message>
+        <source>Of the slide, on radius; the ratio of both rates shapes the dog-leg.</source>
+        <translation>Suportu, na promieniu; tor łamany zależy od stosunku obu prędkości.</translation>
+    </message>
+    <message>
+        <source>Rapid rate along z</source>
+        <translation>Szybki przesuw wzdłuż z</translation>
+    </message>
+    <message>
+        <source>Of the slide.</source>
+        <translation>Suportu.</translation>
+    </message>
+    <message>
+        <source>Column of stock</source>
+        <translation>Kolumna półfabrykatu</translation>
+    </message>
+    <message>
+        <source>Width along z; wider where stock or program are long.</source>
+        <translation>Szerokość wzdłuż z; większa przy długim półfabrykacie lub programie.</translation>
+    </message>
+    <message>
+        <source>Step of a feed move</source>
+        <translation>Krok ruchu roboczego</translation>
+    </message>
+    <message>
+        <source>Longest step between two tests of the holder.</source>
+        <translation>Najdłuższy krok między dwoma sprawdzeniami oprawki.</translation>
+    </message>
+    <message>
+        <source>Touching</source>
+        <translation>Dotknięcie</translation>
+    </message>
+    <message>
+        <source>What meets no deeper is no finding.</source>
+        <translation>Co nie wchodzi głębiej, nie jest znaleziskiem.</translation>
+    </message>
+    <message>
+        <source>rapid move through stock</source>
+        <translation>szybki ruch przez półfabrykat</translation>
+    </message>
+    <message>
+        <source>holder in stock</source>
+        <translation>oprawka w półfabrykacie</translation>
+    </message>
+    <message>
+        <source>tool in the chuck</source>
+        <translation>narzędzie w uchwycie</translation>
+    </message>
+    <message>
+        <source>tool in the tailstock</source>
+        <translation>narzędzie w koniku</translation>
+    </message>
+    <message>
+        <source>on the straight path</source>
+        <translation>na torze prostym</translation>
+    </message>
+    <message>
+        <source>on the dog-leg path</source>
+        <translation>na torze łamanym</translation>
+    </message>
+    <message>
+        <source>on both paths</source>
+        <translation>na obu torach</translation>
+    </message>
+    <message>
+        <source>feed moves</source>
+        <translation>ruchy robocze</translation>
+    </message>
+    <message>
+        <source>rapid moves</source>
+        <translation>ruchy szybkie</translation>
+    </message>
+    <message>
+        <source>Stock after each pass</source>
+        <translation>Półfabrykat po każdym przejściu</translation>
+    </message>
+    <message>
+        <source>stock before</source>
+        <translation>półfabrykat przed</translation>
+    </message>
+    <message>
+        <source>stock left</source>
+        <translation>pozostały półfabrykat</translation>
+    </message>
+    <message>
+        <source>chuck</source>
+        <translation>uchwyt</translation>
+    </message>
+    <message>
+        <source>tailstock</source>
+        <translation>konik</translation>
+    </message>
+    <message>
+        <source>line {line}: {finding}</source>
+        <translation>wiersz {line}: {finding}</translation>
+    </message>
+    <message>
+        <source>mm³</source>
+        <translation>mm³</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Znalezisko</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Szerokość</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Tor</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Usunięto</translation>
+    </message>
+    <message>
+        <source>Volume of the stock</source>
+        <translation>Objętość półfabrykatu</translation>
+    </message>
+    <message>
+        <source>Removed by all passes</source>
+        <translation>Usunięto we wszystkich przejściach</translation>
+    </message>
+    <message>
+        <source>From the tip along z</source>
+        <translation>Od ostrza wzdłuż z</translation>
+    </message>
+    <message>
+        <source>Toward the chuck.</source>
+        <translation>W stronę uchwytu.</translation>
+    </message>
+    <message>
+        <source>From the tip along x</source>
+        <translation>Od ostrza wzdłuż x</translation>
+    </message>
+    <message>
+        <source>Away from the axis.</source>
+        <translation>Od osi.</translation>
+    </message>
+    <message>
+        <source>Tool number</source>
+        <translation>Numer narzędzia</translation>
+    </message>
+    <message>
+        <source>As the program calls it; 0: every tool that is not listed.</source>
+        <translation>Jak nazywa je program; 0: każde niewymienione narzędzie.</translation>
+    </message>
+    <message>
+        <source>insert with two edges</source>
+        <translation>płytka o dwóch krawędziach</translation>
+    </message>
+    <message>
+        <source>round insert</source>
+        <translation>płytka okrągła</translation>
+    </message>
+    <message>
+        <source>blade</source>
+        <translation>listwa</translation>
+    </message>
+    <message>
+        <source>drill on the axis</source>
+        <translation>wiertło na osi</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Kształt</translation>
+    </message>
+    <message>
+        <source>What cuts.</source>
+        <translation>Co skrawa.</translation>
+    </message>
+    <message>
+        <source>Of the corner that cuts.</source>
+        <translation>Skrawającego naroża.</translation>
+    </message>
+    <message>
+        <source>Entering angle</source>
+        <translation>Kąt przystawienia</translation>
+    </message>
+    <message>
+        <source>Between main edge and feed: 90° less the lead angle.</source>
+        <translation>Między główną krawędzią a posuwem: 90° minus kąt odchylenia.</translation>
+    </message>
+    <message>
+        <source>Tip angle</source>
+        <translation>Kąt wierzchołkowy</translation>
+    </message>
+    <message>
+        <source>Between both edges: C 80°, D 55°, V 35°; of a drill, its point.</source>
+        <translation>Między obiema krawędziami: C 80°, D 55°, V 35°; wiertła: jego ostrza.</translation>
+    </message>
+    <message>
+        <source>Length of the edge</source>
+        <translation>Długość krawędzi</translation>
+    </message>
+    <message>
+        <source>Of an insert; the reach of a blade, the length of a drill.</source>
+        <translation>Płytki; wysięg listwy, długość wiertła.</translation>
+    </message>
+    <message>
+        <source>Of a blade; the diameter of a drill.</source>
+        <translation>Listwy; średnica wiertła.</translation>
+    </message>
+    <message>
+        <source>Width of the shank</source>
+        <translation>Szerokość trzonka</translation>
+    </message>
+    <message>
+        <source>A shank across the axis behind the insert; empty: the insert alone.</source>
+        <translation>Trzonek w poprzek osi za płytką; puste: sama płytka.</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Oprawka</translation>
+    </message>
+    <message>
+        <source>Corners from the tip; their convex hull must not meet stock.</source>
+        <translation>Naroża od ostrza; ich otoczka wypukła nie może trafić w półfabrykat.</translation>
+    </message>
+    <message>
+        <source>Of insert and holder.</source>
+        <translation>Płytki i oprawki.</translation>
+    </message>
+    <message>
+        <source>In place of the chuck in the set-up: SPINDLE.json, or a spindle of the project.</source>
+        <translation>Zamiast uchwytu z ustawienia: SPINDLE.json albo wrzeciono z projektu.</translation>
+    </message>
+    <message>
+        <source>Feed that holds the tolerance</source>
+        <translation>Posuw, który utrzymuje tolerancję</translation>
+    </message>
+    <message>
+        <source>feed of the last pass</source>
+        <translation>posuw ostatniego przejścia</translation>
+    </message>
+    <message>
+        <source>Feed along z</source>
+        <translation>Posuw wzdłuż z</translation>
+    </message>
+    <message>
+        <source>The feed that keeps the last pass within the tolerance, for those who may not change X.</source>
+        <translation>Posuw, który utrzymuje ostatnie przejście w tolerancji, dla tych, którzy nie mogą zmienić X.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -8398,6 +10434,83 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::correction_panel::CorrectionPanel</name>
+    <message>
+        <source>Corrected program…</source>
+        <translation>Skorygowany program…</translation>
+    </message>
+    <message>
+        <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
+        <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
+    </message>
+    <message>
+        <source>Correction along the work (CSV)…</source>
+        <translation>Korekcja wzdłuż przedmiotu (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Correct line %1</source>
+        <translation>Koryguj wiersz %1</translation>
+    </message>
+    <message>
+        <source>Keep line %1</source>
+        <translation>Zostaw wiersz %1</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::correction_panel::CorrectionViews</name>
+    <message>
+        <source>Programs side by side</source>
+        <translation>Programy obok siebie</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Korekcja</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Przed i po</translation>
+    </message>
+    <message>
+        <source>Other machines</source>
+        <translation>Inne maszyny</translation>
+    </message>
+    <message>
+        <source>Changed blocks only</source>
+        <translation>Tylko zmienione bloki</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::correction_panel::DiffModel</name>
+    <message>
+        <source>kept as it was</source>
+        <translation>zostaje, jak był</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Bierz</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Wiersz</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Skorygowany</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::cylindricity_panel::CylindricityPanel</name>
     <message>
         <source>Local radius and axis along the length (CSV)…</source>
@@ -8465,6 +10578,91 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>along the axis %1, angle %2°</source>
         <translation>wzdłuż osi %1, kąt %2°</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::deflection_common::TurningFacts</name>
+    <message>
+        <source>chuck and tailstock</source>
+        <translation>uchwyt i konik</translation>
+    </message>
+    <message>
+        <source>chuck</source>
+        <translation>uchwyt</translation>
+    </message>
+    <message>
+        <source>%L1 blocks</source>
+        <translation>bloki: %L1</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::deflection_panel::DeflectionPanel</name>
+    <message>
+        <source>Error along the work (CSV)…</source>
+        <translation>Błąd wzdłuż przedmiotu (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Set-up as changed here (JSON)…</source>
+        <translation>Ustawienie zmienione tutaj (JSON)…</translation>
+    </message>
+    <message>
+        <source>Set-up (*.json)</source>
+        <translation>Ustawienie (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::deflection_panel::DeflectionViews</name>
+    <message>
+        <source>Error and bent work</source>
+        <translation>Błąd i wygięty przedmiot</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Siły</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Głębokość</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Moc</translation>
+    </message>
+    <message>
+        <source>Depth and feed</source>
+        <translation>Głębokość i posuw</translation>
+    </message>
+    <message>
+        <source>Sensitivities</source>
+        <translation>Wrażliwości</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Zmierzone</translation>
+    </message>
+    <message>
+        <source>Measured diameters</source>
+        <translation>Zmierzone średnice</translation>
+    </message>
+    <message>
+        <source>Stock after each pass</source>
+        <translation>Półfabrykat po każdym przejściu</translation>
+    </message>
+    <message>
+        <source>What the tool meets</source>
+        <translation>Co trafia narzędzie</translation>
+    </message>
+    <message>
+        <source>Compliance</source>
+        <translation>Podatność</translation>
+    </message>
+    <message>
+        <source>Feed along z</source>
+        <translation>Posuw wzdłuż z</translation>
     </message>
 </context>
 <context>

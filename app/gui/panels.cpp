@@ -1,7 +1,9 @@
 #include "app/gui/panels.h"
 
 #include "widgets/compare/compare_panel.h"
+#include "widgets/correction/correction_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
+#include "widgets/deflection/deflection_panel.h"
 #include "widgets/frf/frf_panel.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
@@ -28,6 +30,8 @@ const std::vector<PanelFacts>& panelTable()
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),
                                                speed_panel::speedPanelFacts(),
+                                               deflection_panel::deflectionPanelFacts(),
+                                               correction_panel::correctionPanelFacts(),
                                                training_panel::trainingPanelFacts()};
     return table;
 }

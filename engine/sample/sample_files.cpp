@@ -11,6 +11,7 @@
 #include "engine/project/project.h"
 #include "engine/sample/chatter_sample.h"
 #include "engine/sample/cylinder_sample.h"
+#include "engine/sample/deflection_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
 
@@ -36,8 +37,8 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample(),
-                                                    &chatterSample()};
+    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample(), &chatterSample(),
+                                                    &deflectionSample()};
     return all;
 }
 

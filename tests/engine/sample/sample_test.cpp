@@ -132,7 +132,7 @@ TEST(Sample, WritesAProjectWhoseSourcesAreUnchanged)
 {
     const ScratchFolder folder;
     const std::vector<std::string> files = sample::writeSample(folder.string(), 4);
-    ASSERT_EQ(files.size(), 12u);
+    ASSERT_EQ(files.size(), 18u);
     const project::ProjectFile read = project::readProject(files.back());
     EXPECT_TRUE(read.project.panels.at("roundness").inputs.at("record").synthetic);
     EXPECT_TRUE(project::checkSources(read.project).empty());

@@ -1,0 +1,33 @@
+// The panel "Correction": which words of the program change, why, and what is left then?
+#pragma once
+
+#include "widgets/deflection_common/turning_panel.h"
+
+namespace lathelier::correction_panel {
+
+class CorrectionViews;
+
+/// The panel's line of the panel table.
+PanelFacts correctionPanelFacts();
+
+class CorrectionPanel : public deflection_common::TurningPanel {
+    Q_OBJECT
+
+public:
+    explicit CorrectionPanel(Session& session, QWidget* parent = nullptr);
+
+    CorrectionViews& views() const { return *views_; }
+
+protected:
+    void showResult(const std::shared_ptr<const deflection_common::DeflectionPicture>& picture) override;
+    report::Answer answer(const deflection_common::DeflectionPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void retranslate() override;
+
+private:
+    void take(qlonglong line, bool wanted);
+
+    CorrectionViews* views_;
+};
+
+}  // namespace lathelier::correction_panel

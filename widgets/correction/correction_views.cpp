@@ -1,0 +1,117 @@
+#include "widgets/correction/correction_views.h"
+
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "engine/deflection/deflection_plots.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::correction_panel {
+
+CorrectionViews::CorrectionViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      lines_(new QTableView),
+      model_(new DiffModel(this)),
+      only_changes_(new QCheckBox),
+      reason_(new QLabel),
+      correction_(new plot::ChartView),
+      residual_(new plot::ChartView),
+      robustness_(new CopyTable)
+{
+    lines_->setObjectName("correctionLines");
+    correction_->setObjectName("correctionAlongZ");
+    residual_->setObjectName("correctionResidual");
+    robustness_->setObjectName("correctionRobustness");
+    lines_->setModel(model_);
+    lines_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    lines_->setSelectionMode(QAbstractItemView::SingleSelection);
+    lines_->setWordWrap(false);
+    lines_->setShowGrid(false);
+    lines_->verticalHeader()->hide();
+    lines_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // rows are not measured one by one
+    lines_->verticalHeader()->setDefaultSectionSize(lines_->fontMetrics().height() + 6);
+    for (const int column : {DiffModel::Program, DiffModel::Corrected, DiffModel::Reason})
+        lines_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    lines_->horizontalHeader()->setHighlightSections(false);
+    auto* both = new QWidget;
+    auto* stacked = new QVBoxLayout(both);
+    stacked->setContentsMargins(0, 0, 0, 0);
+    stacked->addWidget(only_changes_);
+    stacked->addWidget(lines_, 1);
+    reason_->setObjectName("correctionReason");
+    reason_->setWordWrap(true);
+    reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
+    stacked->addWidget(reason_);
+    heroes_->add("lines", both);
+    heroes_->add("correction", correction_);
+    heroes_->add("residual", residual_);
+    heroes_->add("robustness", robustness_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(heroes_, 1);
+    connect(only_changes_, &QCheckBox::toggled, model_, &DiffModel::setOnlyChanges);
+    connect(model_, &DiffModel::taken, this, &CorrectionViews::taken);
+    connect(lines_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& now) { markRow(now.row()); });
+    for (plot::PlotWidget* view : {correction_, residual_})
+        connect(view, &plot::PlotWidget::notWritten, this, &CorrectionViews::notWritten);
+    for (plot::ChartView* view : {correction_, residual_})
+        connect(view, &plot::ChartView::clicked, this, [this](double z_mm, double) {
+            const int row = model_->rowAt(z_mm);
+            if (row >= 0) lines_->selectRow(row);
+        });
+    retranslate();
+}
+
+void CorrectionViews::setPicture(const std::shared_ptr<const DeflectionPicture>& picture)
+{
+    const int before = lines_->currentIndex().row();
+    picture_ = picture;
+    model_->setPicture(picture);
+    show();
+    const int row = before >= 0 && before < model_->rowCount() ? before : model_->firstChange();
+    if (row >= 0) {
+        lines_->selectRow(row);
+        lines_->scrollTo(model_->index(row, 0), QAbstractItemView::PositionAtCenter);
+    }
+}
+
+void CorrectionViews::markRow(int row)
+{
+    reason_->setText(model_->index(row, DiffModel::Reason).data().toString());
+    const auto z_mm = model_->placeOf(row);
+    correction_->setMarker(z_mm);
+    residual_->setMarker(z_mm);
+}
+
+void CorrectionViews::show()
+{
+    if (!picture_ || !picture_->study->corrected) return;
+    const deflection::CompensationResult& result = picture_->study->corrected->compensation;
+    const Language& language = screenLanguage();
+    correction_->setData(deflection::correctionPlot(result, language));
+    deflection::ErrorPlotParts parts;
+    parts.corrected = &result;
+    parts.tolerance_um = picture_->study->parameters.tolerance_um;
+    residual_->setData(deflection::errorPlot(result.before, parts, language));
+    heroes_->setAvailable("robustness", !result.robustness.empty());
+    robustness_->setTable(deflection::robustnessTable(result.robustness));
+    lines_->resizeColumnToContents(DiffModel::Take);
+    lines_->resizeColumnToContents(DiffModel::Line);
+}
+
+void CorrectionViews::retranslate()
+{
+    heroes_->setTitle("lines", tr("Programs side by side"));
+    heroes_->setTitle("correction", tr("Correction"));
+    heroes_->setTitle("residual", tr("Before and after"));
+    heroes_->setTitle("robustness", tr("Other machines"));
+    only_changes_->setText(tr("Changed blocks only"));
+    lines_->setAccessibleName(tr("Programs side by side"));
+    robustness_->setAccessibleName(tr("Other machines"));
+    model_->retranslate();
+    show();
+}
+
+}  // namespace lathelier::correction_panel

@@ -1,0 +1,60 @@
+// The program and its correction line by line: what stood there, what is written, and why.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <vector>
+
+#include "widgets/deflection_common/deflection_picture.h"
+
+namespace lathelier::correction_panel {
+
+using deflection_common::DeflectionPicture;
+
+/// Columns Take, Line, Program, Corrected, Reason. A row for each line of the program and for each added block; of
+/// changed blocks alone on demand. Take is ticked for a block that is changed, and not for one that is kept as it was.
+class DiffModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Take, Line, Program, Corrected, Reason, ColumnCount };
+
+    explicit DiffModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    void setPicture(const std::shared_ptr<const DeflectionPicture>& picture);
+    void setOnlyChanges(bool only);
+    bool onlyChanges() const { return only_changes_; }
+    void retranslate();
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    int firstChange() const;                       ///< row; -1: none
+    std::optional<double> placeOf(int row) const;  ///< z in mm of a changed row
+    int rowAt(double z_mm) const;                  ///< of the change nearest to z; -1: none
+
+signals:
+    void taken(qlonglong line, bool take);  ///< the user wants this block changed, or kept as it was
+
+private:
+    /// What stands in one row.
+    struct Row {
+        std::int64_t line = 0;
+        int change = -1;        ///< index into the changes; -1: none
+        bool is_first = false;  ///< of its block
+        bool is_kept = false;   ///< the user keeps this block
+    };
+    void rebuild();
+    const deflection::ProgramChange* changeOf(const Row& row) const;
+    QString textOf(const Row& row) const;
+
+    std::shared_ptr<const DeflectionPicture> picture_;
+    std::vector<Row> rows_;
+    bool only_changes_ = false;
+};
+
+}  // namespace lathelier::correction_panel

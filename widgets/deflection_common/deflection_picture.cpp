@@ -1,0 +1,96 @@
+#include "widgets/deflection_common/deflection_picture.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/deflection/deflection_codes.h"
+#include "engine/report/result_json.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/deflection_common/turning_files.h"
+
+namespace lathelier::deflection_common {
+namespace {
+
+template <class Store>
+auto taken(const project::PanelState& state, const char* role, Stores& stores, const Progress& progress,
+           DeflectionPicture& picture)
+{
+    const project::Source& source = state.inputs.at(role);
+    auto loaded = stores.of<Store>()->load(source, progress);
+    picture.inputs.insert(picture.inputs.end(), loaded->inputs.begin(), loaded->inputs.end());
+    picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
+    picture.synthetic |= source.synthetic;
+    return loaded;
+}
+
+deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progress& progress,
+                             DeflectionPicture& picture)
+{
+    const auto program = taken<ProgramStore>(state, programRole, stores, progress.part(0, 0.3), picture);
+    const auto machine = taken<SetupStore>(state, setupRole, stores, progress.part(0.3, 0.4), picture);
+    std::optional<Shaft> stock = machine->file.stock;
+    if (auto stated = chatter_common::takeShaft(state, stores, progress))
+        stock = chatter_common::noted(picture, *std::move(stated));
+    deflection::TurningSetup setup = machine->file.setup;
+    if (auto spindle = chatter_common::takeSpindle(state, stores, progress)) {
+        const receptance::SpindleReceptance chuck = chatter_common::noted(picture, *std::move(spindle));
+        if (const receptance::SpindleSprings* springs = chuck.springs()) {
+            setup.chuck.radial_N_mm = springs->radial_N_mm;
+            setup.chuck.tilt_N_mm_rad = springs->tilt_N_mm_rad;
+        } else {
+            picture.notes.push_back({notes::spindleHasNoSprings, {}});
+        }
+    }
+    const std::string& path = state.inputs.at(programRole).path;
+    if (!stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
+    try {
+        gcode::Program read =
+            gcode::readProgram(program->file.text, picture.question.reading.dialect, progress.part(0.4, 0.6));
+        gcode::Toolpath moves = findToolpath(read, picture.question.reading, {}, progress.part(0.6, 1));
+        for (const gcode::Diagnostic& diagnostic : moves.diagnostics)
+            if (diagnostic.error) throw Error(*diagnostic.error);
+        return deflection::turningJob(std::move(read), std::move(moves), *std::move(stock),
+                                      changed(std::move(setup), picture.question.changes));
+    } catch (Error& error) {
+        throw error.with("path", path);
+    }
+}
+
+}  // namespace
+
+DeflectionPicture deflectionPicture(const project::PanelState& state, Wanted wanted, Stores& stores,
+                                    const Progress& progress)
+{
+    DeflectionPicture picture;
+    picture.question = fromValues<DeflectionQuestion>(state.parameters);
+    auto job = std::make_shared<deflection::TurningJob>(
+        jobOf(state, stores, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), picture));
+    deflection::StudyParameters asked = picture.question.study;
+    asked.correction = wanted == Wanted::Correction;
+    if (asked.correction) asked.band = asked.sensitivities = asked.map = asked.feed = false;
+    const DeflectionQuestion& q = picture.question;
+    try {
+        picture.study = std::make_shared<deflection::TurningStudy>(deflection::studyTurning(
+            *job, asked,
+            {q.band, q.map, {0, q.map.least_feed_mm_rev, q.map.largest_feed_mm_rev}, q.identification, q.compensation},
+            progress.part(0.3, 1)));
+    } catch (Error& error) {
+        throw error.with("path", state.inputs.at(programRole).path);
+    }
+    picture.notes.insert(picture.notes.end(), picture.study->notes.begin(), picture.study->notes.end());
+    picture.job = std::move(job);
+    return picture;
+}
+
+report::Document reportOf(const DeflectionPicture& picture, const Language& language)
+{
+    deflection::TurningStudy study = *picture.study;
+    study.notes = picture.notes;  // those of the files as well
+    report::Document document = deflection::studyReport(study, language);
+    document.inputs = picture.inputs;
+    document.synthetic = picture.synthetic;
+    document.results = {report::toText(report::wholeResult("deflection", picture.inputs, toValues(picture.question),
+                                                           deflection::toJson(study), picture.notes))};
+    return document;
+}
+
+}  // namespace lathelier::deflection_common

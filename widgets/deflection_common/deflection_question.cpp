@@ -1,0 +1,83 @@
+#include "widgets/deflection_common/deflection_question.h"
+
+#include "engine/core/field_within.h"
+#include "engine/deflection/influences.h"
+
+namespace lathelier::deflection_common {
+namespace {
+
+template <class Member>
+Field<DeflectionQuestion> change(const char* key, Member SetupChanges::*member, Range range, const Label& label)
+{
+    const Field<SetupChanges> inner = field(key, member, range, label);
+    return {inner.info, [inner](const DeflectionQuestion& q) { return inner.get(q.changes); },
+            [inner](DeflectionQuestion& q, const Value& value) { inner.set(q.changes, value); }};
+}
+
+std::vector<Field<DeflectionQuestion>> allFields()
+{
+    using Q = DeflectionQuestion;
+    const Text as_stated = LT_TEXT("Engine", "In place of the value in the set-up.");
+    const Text N_mm = LT_TEXT("Engine", "N/mm");
+    std::vector<Field<Q>> all{
+        within(&Q::study, "tolerance_um"),
+        change("changed_tailstock_N_mm", &SetupChanges::tailstock_N_mm, {0, 1e12},
+               Label{LT_TEXT("Engine", "Tailstock, radial"), as_stated, N_mm}),
+        change("changed_chuck_N_mm", &SetupChanges::chuck_N_mm, {1, 1e12},
+               Label{LT_TEXT("Engine", "Chuck, radial"), as_stated, N_mm}),
+        change("changed_chuck_N_mm_rad", &SetupChanges::chuck_N_mm_rad, {1, 1e15},
+               Label{LT_TEXT("Engine", "Chuck, tilting"), as_stated, LT_TEXT("Engine", "N·mm/rad")}),
+        change("changed_forces_percent", &SetupChanges::forces_percent, {1, 1000},
+               Label{LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Of those of the set-up."),
+                     LT_TEXT("Engine", "%")}),
+        within(&Q::study, "measured"),
+        within(&Q::map, "cutting_speed_m_min"),
+        within(&Q::study, "band"),
+        within(&Q::study, "sensitivities"),
+        within(&Q::study, "feed"),
+        within(&Q::study, "map")};
+    all.push_back(
+        change("changed_z_zero_mm", &SetupChanges::z_zero_mm, {-1e5, 1e5},
+               Label{LT_TEXT("Engine", "z of the program's zero"), as_stated, LT_TEXT("Engine", "mm"), true}));
+    all.push_back(foldedWithin(&Q::study, "check_stock"));
+    for (const char* key : {"springs_percent", "forces_percent", "modulus_percent", "samples"})
+        all.push_back(foldedWithin(&Q::band, key));
+    for (const char* key : {"least_depth_mm", "largest_depth_mm", "map_least_feed_mm_rev", "map_largest_feed_mm_rev"})
+        all.push_back(foldedWithin(&Q::map, key));
+    for (const char* key : {"seek_tailstock", "seek_chuck_radial", "seek_chuck_tilt", "seek_forces"})
+        all.push_back(foldedWithin(&Q::identification, key));
+    for (const char* key : {"corrected_runs", "residual_tolerance_um", "largest_correction_um", keptLinesKey})
+        all.push_back(foldedWithin(&Q::compensation, key));
+    for (const char* key : {"dialect", "integer_words"}) all.push_back(foldedWithin(&Q::reading, key));
+    return all;
+}
+
+}  // namespace
+
+DeflectionQuestion::DeflectionQuestion()
+{
+    study.band = study.sensitivities = study.feed = study.map = true;
+}
+
+const std::vector<Field<DeflectionQuestion>>& fieldsOf(const DeflectionQuestion*)
+{
+    static const std::vector<Field<DeflectionQuestion>> all = allFields();
+    return all;
+}
+
+deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChanges& changes)
+{
+    if (changes.forces_percent)
+        setup = deflection::scaled(std::move(setup), deflection::Influence::Forces, *changes.forces_percent / 100);
+    if (changes.chuck_N_mm) setup.chuck.radial_N_mm = *changes.chuck_N_mm;
+    if (changes.chuck_N_mm_rad) setup.chuck.tilt_N_mm_rad = *changes.chuck_N_mm_rad;
+    if (changes.z_zero_mm) setup.z_zero_mm = *changes.z_zero_mm;
+    if (changes.tailstock_N_mm) {
+        if (!setup.tailstock) setup.tailstock.emplace();
+        setup.tailstock->radial_N_mm = *changes.tailstock_N_mm;
+        if (*changes.tailstock_N_mm <= 0) setup.tailstock.reset();
+    }
+    return setup;
+}
+
+}  // namespace lathelier::deflection_common

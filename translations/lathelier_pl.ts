@@ -9199,6 +9199,38 @@
         <source>The feed that keeps the last pass within the tolerance, for those who may not change X.</source>
         <translation>Posuw, który utrzymuje ostatnie przejście w tolerancji, dla tych, którzy nie mogą zmienić X.</translation>
     </message>
+    <message>
+        <source>The stock states {stock_MPa} MPa for its elastic modulus, the set-up {setup_MPa} MPa; that of the set-up is used.</source>
+        <translation>Półfabrykat podaje moduł sprężystości {stock_MPa} MPa, ustawienie {setup_MPa} MPa; użyto modułu z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Place and radial stiffness, in place of those in the set-up.</source>
+        <translation>Miejsce i sztywność promieniowa, zamiast tych z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Follower rest, radial</source>
+        <translation>Podtrzymka ruchoma, promieniowo</translation>
+    </message>
+    <message>
+        <source>In place of the value in the set-up; 0: without one.</source>
+        <translation>Zamiast wartości z ustawienia; 0: bez niej.</translation>
+    </message>
+    <message>
+        <source>Follower rest, distance from the tool</source>
+        <translation>Podtrzymka ruchoma, odległość od narzędzia</translation>
+    </message>
+    <message>
+        <source>Tool post, radial</source>
+        <translation>Zespół narzędziowy, promieniowo</translation>
+    </message>
+    <message>
+        <source>In place of the value in the set-up; 0: rigid.</source>
+        <translation>Zamiast wartości z ustawienia; 0: sztywny.</translation>
+    </message>
+    <message>
+        <source>Tool post, tangential</source>
+        <translation>Zespół narzędziowy, stycznie</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

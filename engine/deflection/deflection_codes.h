@@ -127,6 +127,13 @@ inline constexpr NoteCode spindleHasNoSprings{
     "spindle_has_no_springs", Severity::Warning,
     LT_TEXT("Engine", "The spindle is a table of receptances; the chuck stays that of the set-up.")};
 
+inline constexpr NoteCode materialOfSetup{
+    "material_of_setup", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The stock states {stock_MPa} MPa for its elastic modulus, the set-up {setup_MPa} MPa; that of the set-up is "
+        "used.")};
+
 inline constexpr NoteCode tooFewForStiffness{
     "too_few_for_stiffness", Severity::Info,
     LT_TEXT("Engine", "{found} measured diameters do not determine {expected} unknown stiffnesses; none was sought.")};

@@ -209,6 +209,18 @@ ProgramChange changeOf(const gcode::BlockChange& change, const CorrectedNode* co
     return made;
 }
 
+/// The set-up's material is the one of the cutting coefficients; a stock that states another one may be the wrong
+/// stock.
+void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& list)
+{
+    if (!stock.material) return;
+    constexpr double same = 0.001;
+    const double stated_MPa = stock.material->elastic_modulus_MPa;
+    const double used_MPa = setup.material.elastic.elastic_modulus_MPa;
+    if (std::abs(stated_MPa - used_MPa) > same * used_MPa)
+        list.push_back({notes::materialOfSetup, {{"stock_MPa", stated_MPa}, {"setup_MPa", used_MPa}}});
+}
+
 }  // namespace
 
 std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
@@ -223,6 +235,7 @@ TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock,
     TurningJob job{
         std::move(program), std::move(path), std::move(stock), std::move(setup), std::move(noses), {}, {}, {}};
     job.runs = toolRuns(toolMoves(job.path, job.setup, job.notes));
+    noteOtherMaterial(job.stock, job.setup, job.notes);
     job.plan = workPlan(job.stock, job.runs, job.setup);
     return job;
 }

@@ -24,7 +24,7 @@ struct TurningJob {
     gcode::Noses noses;         ///< that the moves were found with
     std::vector<ToolRun> runs;  ///< of the moves, filled in by turningJob()
     WorkPlan plan;              ///< stock and runs on one row of nodes, filled in by turningJob()
-    Notes notes;                ///< threads, several tools, feeds per minute without a speed
+    Notes notes;                ///< threads, several tools, feeds per minute without a speed, another material
 };
 
 /// Moves in the coordinates of the work. Feeds per minute become feeds per revolution by the speed at the end of the

@@ -6,12 +6,67 @@
 namespace lathelier::deflection_common {
 namespace {
 
-template <class Member>
-Field<DeflectionQuestion> change(const char* key, Member SetupChanges::*member, Range range, const Label& label)
+constexpr double rigid_N_mm = 1e12;  ///< 1 kN moves it by less than a millionth of a micrometre
+
+Field<DeflectionQuestion> ofChanges(const Field<SetupChanges>& inner)
 {
-    const Field<SetupChanges> inner = field(key, member, range, label);
     return {inner.info, [inner](const DeflectionQuestion& q) { return inner.get(q.changes); },
             [inner](DeflectionQuestion& q, const Value& value) { inner.set(q.changes, value); }};
+}
+
+Field<DeflectionQuestion> change(const char* key, std::optional<double> SetupChanges::*member, Range range,
+                                 const Label& label)
+{
+    return ofChanges(field(key, member, range, label));
+}
+
+/// What a lathe may have beside chuck and tailstock.
+std::vector<Field<DeflectionQuestion>> restFields()
+{
+    using C = SetupChanges;
+    const Text N_mm = LT_TEXT("Engine", "N/mm");
+    const Label rests{LT_TEXT("Engine", "Steady rests"),
+                      LT_TEXT("Engine", "Place and radial stiffness, in place of those in the set-up."),
+                      {},
+                      true};
+    return {ofChanges(rows("changed_steady_rests", &C::steady_rests, Range{0, 20}, rests)),
+            change("changed_follower_N_mm", &C::follower_N_mm, {0, 1e12},
+                   Label{LT_TEXT("Engine", "Follower rest, radial"),
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: without one."), N_mm, true}),
+            change("changed_follower_offset_mm", &C::follower_offset_mm, {-1e5, 1e5},
+                   Label{LT_TEXT("Engine", "Follower rest, distance from the tool"),
+                         LT_TEXT("Engine", "Toward the chuck; negative: behind the tool, on the machined surface."),
+                         LT_TEXT("Engine", "mm"), true}),
+            change("changed_post_radial_N_mm", &C::post_radial_N_mm, {0, 1e12},
+                   Label{LT_TEXT("Engine", "Tool post, radial"),
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), N_mm, true}),
+            change("changed_post_tangential_N_mm", &C::post_tangential_N_mm, {0, 1e12},
+                   Label{LT_TEXT("Engine", "Tool post, tangential"),
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), N_mm, true})};
+}
+
+/// A rest that moves with the tool, as changed. A distance alone changes the one that there is.
+void changeFollower(std::optional<deflection::FollowerRest>& rest, const SetupChanges& changes)
+{
+    if (changes.follower_N_mm) {
+        if (*changes.follower_N_mm <= 0) return rest.reset();
+        if (!rest) rest.emplace();
+        rest->radial_N_mm = *changes.follower_N_mm;
+    }
+    if (rest && changes.follower_offset_mm) rest->offset_mm = *changes.follower_offset_mm;
+}
+
+/// The tool post as changed; a direction that is not stated, or 0, is rigid.
+void changePost(std::optional<deflection::ToolPost>& post, const SetupChanges& changes)
+{
+    const auto takeOver = [&post](const std::optional<double>& stated_N_mm, double deflection::ToolPost::*member) {
+        if (!stated_N_mm) return;
+        if (!post) post = deflection::ToolPost{rigid_N_mm, rigid_N_mm};
+        (*post).*member = *stated_N_mm > 0 ? *stated_N_mm : rigid_N_mm;
+    };
+    takeOver(changes.post_radial_N_mm, &deflection::ToolPost::radial_N_mm);
+    takeOver(changes.post_tangential_N_mm, &deflection::ToolPost::tangential_N_mm);
+    if (post && post->radial_N_mm >= rigid_N_mm && post->tangential_N_mm >= rigid_N_mm) post.reset();
 }
 
 std::vector<Field<DeflectionQuestion>> allFields()
@@ -39,6 +94,7 @@ std::vector<Field<DeflectionQuestion>> allFields()
     all.push_back(
         change("changed_z_zero_mm", &SetupChanges::z_zero_mm, {-1e5, 1e5},
                Label{LT_TEXT("Engine", "z of the program's zero"), as_stated, LT_TEXT("Engine", "mm"), true}));
+    for (Field<Q>& one : restFields()) all.push_back(std::move(one));
     all.push_back(foldedWithin(&Q::study, "check_stock"));
     for (const char* key : {"springs_percent", "forces_percent", "modulus_percent", "samples"})
         all.push_back(foldedWithin(&Q::band, key));
@@ -77,6 +133,9 @@ deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChan
         setup.tailstock->radial_N_mm = *changes.tailstock_N_mm;
         if (*changes.tailstock_N_mm <= 0) setup.tailstock.reset();
     }
+    if (!changes.steady_rests.empty()) setup.steady_rests = changes.steady_rests;
+    changeFollower(setup.follower_rest, changes);
+    changePost(setup.tool_post, changes);
     return setup;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/deflection/turning_study.h"
 #include "engine/gcode/toolpath.h"
@@ -10,11 +11,16 @@ namespace lathelier::deflection_common {
 
 /// What differs from the set-up's file; none: as the file has it.
 struct SetupChanges {
-    std::optional<double> tailstock_N_mm;  ///< radial
-    std::optional<double> chuck_N_mm;      ///< radial
-    std::optional<double> chuck_N_mm_rad;  ///< tilting
-    std::optional<double> forces_percent;  ///< of all cutting coefficients
-    std::optional<double> z_zero_mm;       ///< z of the program's zero
+    std::optional<double> tailstock_N_mm;              ///< radial
+    std::optional<double> chuck_N_mm;                  ///< radial
+    std::optional<double> chuck_N_mm_rad;              ///< tilting
+    std::optional<double> forces_percent;              ///< of all cutting coefficients
+    std::optional<double> z_zero_mm;                   ///< z of the program's zero
+    std::vector<deflection::SteadyRest> steady_rests;  ///< instead of those in the file; empty: those in the file
+    std::optional<double> follower_N_mm;               ///< of a rest that moves with the tool; 0: without one
+    std::optional<double> follower_offset_mm;          ///< from the tool toward the chuck
+    std::optional<double> post_radial_N_mm;            ///< of tool, turret and slide; 0: rigid
+    std::optional<double> post_tangential_N_mm;        ///< of tool, turret and slide; 0: rigid
 };
 
 struct DeflectionQuestion {

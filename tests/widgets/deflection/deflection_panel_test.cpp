@@ -67,6 +67,34 @@ private slots:
         QVERIFY(study().prediction.summary.max_um > 2 * before);
     }
 
+    void restsAndToolPostAreTriedOnTheSetUp()
+    {
+        open();
+        settle();
+        const double before = study().prediction.summary.max_um;
+        set("changed_follower_offset_mm", 5.0);  // of no rest
+        settle();
+        QCOMPARE(study().prediction.summary.max_um, before);
+        set("changed_follower_N_mm", 50000.0);
+        settle();
+        QVERIFY(study().prediction.summary.max_um < 0.5 * before);
+        set("changed_follower_N_mm", 0.0);
+        settle();
+        QCOMPARE(study().prediction.summary.max_um, before);
+        set("changed_post_radial_N_mm", 20000.0);  // the other direction is rigid
+        settle();
+        QVERIFY(study().prediction.summary.max_um > before);
+        set("changed_post_radial_N_mm", 0.0);
+        settle();
+        QCOMPARE(study().prediction.summary.max_um, before);
+        Rows rests;
+        rests.rows.push_back({{{"z_mm", 150.0}, {"radial_N_mm", 100000.0}}});
+        set("changed_steady_rests", rests);
+        settle();
+        QCOMPARE(panel_->result()->job->setup.steady_rests.size(), std::size_t{1});
+        QVERIFY(study().prediction.summary.max_um < before);
+    }
+
     void theToolIsDraggedAlongTheWork()
     {
         open();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lathelier::form {
 
@@ -83,6 +84,17 @@ ZoneOptimum ZoneProblem::descend(const Vector2d& start)
         result.held = result.held || active.limit;
         if (active.inner != MinimaxStep<2>::none) addTo(result.inner, working_[active.inner]);
         if (active.outer != MinimaxStep<2>::none) addTo(result.outer, working_[active.outer]);
+    }
+    // The last step may end before all that holds it is known: it was good enough.
+    constexpr std::size_t generic = 4;  // contacts of a minimum zone
+    if (goal_ == MinimaxGoal::Width && !result.held && result.outer.size() + result.inner.size() < generic) {
+        const CirclePoints::Extremes e = points_.extremes(found.place);
+        const double same = 1e-9 * e.width() + 8 * std::numeric_limits<double>::epsilon() * e.farthest;
+        for (const std::size_t index : working_) {
+            const double distance = (points_.point(index) - found.place).norm();
+            if (e.farthest - distance <= same) addTo(result.outer, index);
+            if (distance - e.nearest <= same) addTo(result.inner, index);
+        }
     }
     return result;
 }

@@ -63,6 +63,12 @@ RC_GTEST_PROP(CirclesProperty, ContactsAreWhereTheCircleRests, ())
     RC_ASSERT(circles.MCCI.contacts.size() >= 2U);
 }
 
+TEST(Circles, AllContactsOfAZoneAreListedWhenItsLastStepIsCutShort)
+{
+    const ReferenceCircles circles = fitCircles(scattered(33110237378259, 9, 0.001));
+    EXPECT_EQ(circles.MZCI.contacts.size(), 4u);
+}
+
 RC_GTEST_PROP(CirclesProperty, RotationTranslationScaleAndOrderDoNotMatter, ())
 {
     const Points points = anyProfile();

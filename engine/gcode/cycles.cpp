@@ -85,21 +85,24 @@ CycleMoves driveThread(const Point& start, const DriveThread& thread)
     const double full = peak + thread.height_mm;
     const double taper = thread.taper_length_mm;
     const bool hasEntry = taper > 0 && (thread.tapers & 1) != 0, hasExit = taper > 0 && (thread.tapers & 2) != 0;
+    // The infeed shifts each pass; the last one ends where it would without a compound angle, K·tan Q before the end.
+    const double lean = std::tan(thread.compound_rad);
     CycleMoves moves;
     const auto pass = [&](double depth) {
-        const double shift = forward * (depth - peak) * std::tan(thread.compound_rad);
-        const double x = start.x_mm + inward * depth, z0 = start.z_mm + shift, z1 = thread.end_z_mm + shift;
+        const double shift = forward * (depth - peak) * lean;
+        const double x = start.x_mm + inward * depth, rest = start.x_mm + inward * (depth - full);
+        const double z0 = start.z_mm + shift, z1 = thread.end_z_mm - forward * thread.height_mm * lean + shift;
         const double shallow = x - inward * thread.height_mm;
+        moves.push_back(to(MoveKind::Rapid, {rest, z0}));
         if (hasEntry) {
-            moves.push_back(to(MoveKind::Rapid, {shallow, z0}));
+            moves.push_back(to(MoveKind::Thread, {shallow, z0}));
             moves.push_back(to(MoveKind::Thread, {x, z0 + forward * taper}));
         } else {
             moves.push_back(to(MoveKind::Rapid, {x, z0}));
         }
         if (hasExit) moves.push_back(to(MoveKind::Thread, {x, z1 - forward * taper}));
         moves.push_back(to(MoveKind::Thread, {hasExit ? shallow : x, z1}));
-        moves.push_back(to(MoveKind::Rapid, {start.x_mm, z1}));
-        moves.push_back(to(MoveKind::Rapid, {start.x_mm, z0}));
+        moves.push_back(to(MoveKind::Rapid, {rest, z1}));
     };
     const double degression = thread.degression > 0 ? thread.degression : 1;
     for (int n = 1; moves.size() < mostCycleMoves; ++n) {
@@ -108,7 +111,7 @@ CycleMoves driveThread(const Point& start, const DriveThread& thread)
         pass(depth);
     }
     for (int k = 0; k <= thread.springs; ++k) pass(full);
-    moves.push_back(to(MoveKind::Rapid, start));
+    moves.push_back(to(MoveKind::Rapid, {start.x_mm, thread.end_z_mm}));
     return moves;
 }
 

@@ -43,7 +43,8 @@ struct MultiThread {
 };
 CycleMoves multiThread(const Point& start, const MultiThread& thread);
 
-/// G76 of LinuxCNC: pass n at depth |peak| + first·n^(1/degression) from the drive line, full depth, springs.
+/// G76 of LinuxCNC: pass n at depth |peak| + first·n^(1/degression) from the drive line, full depth, springs. The tool
+/// ends on the drive line, at its end.
 struct DriveThread {
     double end_z_mm = 0;         ///< of the drive line
     double peak_mm = 0;          ///< I: from the drive line to the peak; negative: external

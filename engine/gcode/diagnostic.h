@@ -43,6 +43,7 @@ public:
     /// By line and column, with one more for each code of which places were left out.
     std::vector<Diagnostic> sorted() const;
     bool hasErrors() const;
+    std::size_t size() const { return list_.size(); }
 
 private:
     struct Seen {

@@ -66,7 +66,11 @@ std::uint32_t Interpreter::placeOf(const Word* word) const
 
 void Interpreter::error(const ErrorCode& code, const Word* word, Values values)
 {
+    // A loop over a wrong block tells nothing new, and its program is refused anyway.
+    constexpr int mostRepeated = 1000;
+    const std::size_t before = diagnostics_.size();
     report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values));
+    if (diagnostics_.size() == before && ++repeatedErrors_ > mostRepeated) stop();
 }
 
 void Interpreter::warn(const NoteCode& code, const Word* word, Values values)

@@ -184,6 +184,7 @@ private:
     std::size_t pc_ = 0;    ///< block that is run
     std::size_t next_ = 0;  ///< block that comes then
     bool stopped_ = false;
+    int repeatedErrors_ = 0;  ///< errors that were reported before
     bool inContour_ = false;  ///< the contour of a cycle is collected
     bool inFinish_ = false;   ///< G70 runs it
     bool statedDiameter_ = false;

@@ -184,6 +184,32 @@ TEST(Moves, FlowOfAllDialects)
     EXPECT_DOUBLE_EQ(f.moves[5].x_mm, 3.5);
 }
 
+TEST(Moves, ThreadOfADriveLine)
+{
+    // Moves of LinuxCNC's interpreter for its G76.
+    const Toolpath path = pathOf(
+        "G18 G21 G7 G90 G97 S500 M3\nG0 X24 Z3\nG76 P1.5 Z-20 I-2 J0.2 R1.5 K0.92 Q29.5 H1 E1.5 L2\nG0 X50 Z50\n",
+        Dialect::LinuxCnc);
+    EXPECT_FALSE(path.has_errors);
+    const std::vector<std::pair<double, double>> first{{12, 3},          {12.36, 2.9434},   {10.9, 2.9434},
+                                                       {10.9, -18.2963}, {11.36, -19.7963}, {12.36, -19.7963}};
+    ASSERT_GT(path.moves.size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_NEAR(path.moves[i].x_mm, first[i].first, 1e-4) << i;
+        EXPECT_NEAR(path.moves[i].z_mm, first[i].second, 1e-4) << i;
+    }
+    const Move& last = path.moves[path.moves.size() - 2];  // on the drive line, at its end
+    EXPECT_DOUBLE_EQ(last.x_mm, 12);
+    EXPECT_DOUBLE_EQ(last.z_mm, -20);
+}
+
+TEST(Moves, ALoopOverAWrongBlockEndsSoon)
+{
+    const Toolpath path = pathOf("#1=0\no1 while [#1 LT 3]\n#2=[#1 +]\no1 endwhile\n", Dialect::LinuxCnc);
+    EXPECT_TRUE(path.has_errors);
+    EXPECT_FALSE(diagnosticOf(path, "nc_loop_limit"));  // stopped before the limit of loops
+}
+
 TEST(Moves, NoseRadiusCompensation)
 {
     const Noses noses = readToolTable(keptProgram("tools.tbl"));

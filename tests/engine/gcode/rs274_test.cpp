@@ -202,6 +202,8 @@ void expectSameMoves(const std::string& program, const TemporaryFolder& folder)
     ASSERT_FALSE(path.has_errors) << program;
     std::vector<Move> ours = path.moves;
     std::erase_if(ours, [](const Move& move) { return move.kind == MoveKind::Dwell; });
+    for (Move& move : ours)
+        if (move.kind == MoveKind::Thread) move.kind = MoveKind::Feed;  // printed as a feed between synchronisations
     const std::vector<Move> theirs = movesOfLinuxCnc(program, folder.path());
     ASSERT_EQ(ours.size(), theirs.size()) << program;
     const double limit_mm = program.find("G20") == std::string::npos ? 1e-4 : 1e-4 * 25.4;  // four digits are printed
@@ -222,6 +224,16 @@ TEST(Rs274, KeptProgramsMoveAlike)
     const TemporaryFolder folder;
     for (const char* name : {"caseA_linuxcnc.ngc", "contour_linuxcnc.ngc", "flow.ngc"})
         expectSameMoves(keptProgram(name), folder);
+}
+
+TEST(Rs274, ThreadingCyclesMoveAlike)
+{
+    const TemporaryFolder folder;
+    for (const char* words : {"I-2 E1.5 L0", "I-2 E1.5 L1", "I-2 E1.5 L2", "I-2 E1.5 L3", "I3 E1 L3"})
+        expectSameMoves(fmt::format("G18 G21 G7 G90 G97 S500 M3\nG0 X24 Z3\n"
+                                    "G76 P1.5 Z-20 {} J0.2 R1.5 K0.92 Q29.5 H1\nG0 X50 Z50\nM2\n",
+                                    words),
+                        folder);
 }
 
 TEST(Rs274, RandomProgramsMoveAlike)

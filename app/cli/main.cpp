@@ -10,7 +10,7 @@
 namespace {
 
 /// A run is short and its arrays are large: memory that was given back is asked for again at once, and each time the
-/// system would fill it with zeros page by page (a fifth of a comparison of ten million points).
+/// system would fill it with zeros page by page (a tenth of the time of a comparison of ten million points).
 void keepFreedMemory()
 {
     mallopt(M_MMAP_THRESHOLD, 256 << 20);

@@ -35,24 +35,10 @@ Json jsonOf(const DeflectionMap& map)
         {{"depth_mm", map.depth_mm}, {"feed_mm_rev", map.feed_mm_rev}, {"max_um", map.max_um}, {"time_s", map.time_s}});
 }
 
-/// Insert, chuck and tailstock as the set-up has them.
-stock::StockParameters stockParameters(const TurningJob& job)
-{
-    stock::StockParameters parameters;
-    parameters.z_zero_mm = job.setup.z_zero_mm;
-    stock::TurningTool tool;
-    tool.corner_radius_mm = job.setup.tool.corner_radius_mm;
-    tool.entering_angle_deg = 90 - job.setup.tool.lead_angle_deg;
-    parameters.tools = {tool};
-    parameters.chuck.emplace();
-    if (job.setup.tailstock) parameters.tailstock.emplace();
-    return parameters;
-}
-
 /// What the check found and what follows for trust in the answer; remarks on single moves stay in its own list.
 void checkStock(const TurningJob& job, TurningStudy& study, const Progress& progress)
 {
-    const stock::StockParameters parameters = stockParameters(job);
+    const stock::StockParameters parameters = stockParameters(job.setup);
     study.stock = stock::simulateStock(job.stock, job.path.moves, parameters, progress.part(0, 0.5));
     append(study.stock->notes, study.notes);
     if (!study.stock->findings.empty())
@@ -90,6 +76,19 @@ report::Finding largestError(const FinalContour& contour, const std::optional<Ve
 }
 
 }  // namespace
+
+stock::StockParameters stockParameters(const TurningSetup& setup)
+{
+    stock::StockParameters parameters;
+    parameters.z_zero_mm = setup.z_zero_mm;
+    stock::TurningTool tool;
+    tool.corner_radius_mm = setup.tool.corner_radius_mm;
+    tool.entering_angle_deg = 90 - setup.tool.lead_angle_deg;
+    parameters.tools = {tool};
+    parameters.chuck.emplace();
+    if (setup.tailstock) parameters.tailstock.emplace();
+    return parameters;
+}
 
 const std::vector<Field<StudyParameters>>& fieldsOf(const StudyParameters*)
 {

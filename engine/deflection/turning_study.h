@@ -55,6 +55,9 @@ struct TurningStudy {
     Notes notes;                                     ///< of all parts
 };
 
+/// What the check against the stock knows of a set-up: insert, chuck, tailstock, zero.
+stock::StockParameters stockParameters(const TurningSetup& setup);
+
 /// Fewer measured diameters than springs that are sought: only the triage, with the note tooFewForStiffness. Errors:
 /// those of the parts. Throws Cancelled.
 TurningStudy studyTurning(const TurningJob& job, const StudyParameters& parameters, const StudyDetails& details = {},

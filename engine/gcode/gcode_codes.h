@@ -68,6 +68,10 @@ inline constexpr ErrorCode ncLoops{
     "nc_loop_limit", ErrorKind::InputRejected,
     LT_TEXT("Engine", "More than {most} repetitions: the program does not seem to come to an end.")};
 
+inline constexpr ErrorCode ncBlocksRun{
+    "nc_block_limit", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "More than {most} blocks are run: the program does not seem to come to an end.")};
+
 inline constexpr ErrorCode ncMoves{"nc_move_limit", ErrorKind::InputRejected,
                                    LT_TEXT("Engine", "The program makes more than {most} moves.")};
 

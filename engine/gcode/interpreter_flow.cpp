@@ -157,6 +157,7 @@ void Interpreter::runAll()
     bool hasRun = false;
     std::size_t pc = 0;
     std::int64_t executed = 0;
+    const auto most = static_cast<std::int64_t>(program_.blocks.size()) + parameters_.most_blocks_run;
     while (!stopped_) {
         const bool isEnd = pc >= program_.blocks.size();
         const bool isNext = !isEnd && hasSections && hasRun && pc > 0 &&
@@ -176,6 +177,10 @@ void Interpreter::runAll()
             hasRun = word->kind != WordKind::Comment && word->letter != 'O';
         if (result_.moves.size() > mostMoves) {
             error(errors::ncMoves, nullptr, {{"most", static_cast<std::int64_t>(mostMoves)}});
+            break;
+        }
+        if (executed > most) {
+            error(errors::ncBlocksRun, nullptr, {{"most", most}});
             break;
         }
         if ((++executed & 4095) == 0) progress_.check();

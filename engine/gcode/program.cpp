@@ -128,6 +128,18 @@ Program readProgram(std::string text, Dialect dialect, const Progress& progress)
     return program;
 }
 
+std::vector<Word> wordsOfLine(std::string line, Dialect dialect)
+{
+    Program program;
+    program.text = std::move(line);
+    program.dialect = dialect;
+    Block& block = program.blocks.emplace_back();
+    block.length = static_cast<std::uint32_t>(program.text.size());
+    BlockScanner(program).scan(block);
+    judgeWords(program, block);
+    return std::move(program.words);
+}
+
 namespace {
 
 Diagnostic located(const Program& program, const Block& block, std::uint32_t offset)

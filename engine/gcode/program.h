@@ -81,6 +81,10 @@ std::int64_t countUnderstood(const Program& program);
 /// else is a diagnostic. Cost: one pass, about 0.3 µs a word; 24 bytes for each word and 20 for each block.
 Program readProgram(std::string text, Dialect dialect = Dialect::Auto, const Progress& progress = {});
 
+/// The words of one line alone, judged as readProgram() does: for an editor, which shows few lines of many. Offsets are
+/// those in `line`.
+std::vector<Word> wordsOfLine(std::string line, Dialect dialect);
+
 /// Adds a diagnostic at a byte of a block: line, column and the text of the block are filled in.
 void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const ErrorCode& code,
             Values values = {});

@@ -20,6 +20,12 @@ struct Nose {
         3;  ///< Fanuc's number: 3 towards -X -Z, 2 +X -Z, 1 +X +Z, 4 -X +Z, 5 +Z, 6 +X, 7 -Z, 8 -X, 9 and 0 centre
 };
 
+/// Limits of a run; beyond them the answer is an error diagnostic at the block.
+inline constexpr std::int64_t mostLoops = 500000;       ///< repetitions, backward jumps and calls together
+inline constexpr std::int64_t mostBlocksRun = 2500000;  ///< default of ToolpathParameters
+inline constexpr std::size_t mostMoves = 4000000;       ///< of a program
+inline constexpr int deepestCalls = 32;                 ///< subprograms and loops within each other
+
 enum class IntegerWords { Millimetre, Micrometre };
 
 struct ToolpathParameters {
@@ -27,6 +33,7 @@ struct ToolpathParameters {
     std::optional<double> nose_radius_mm;                   ///< of every tool
     int tip = 3;                                            ///< of every tool, with nose_radius_mm
     IntegerWords integer_words = IntegerWords::Millimetre;  ///< what X50 means to Fanuc and Haas: 50 mm or 50 µm
+    std::int64_t most_blocks_run = mostBlocksRun;           ///< besides each block once; no field: nobody chooses it
 };
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*);
@@ -57,11 +64,6 @@ struct Toolpath {
     bool has_errors = false;              ///< a diagnostic is an error: the moves are not to be trusted
     ToolpathParameters parameters;        ///< that were used
 };
-
-/// Limits of a run; beyond them the answer is an error diagnostic at the block.
-inline constexpr std::int64_t mostLoops = 500000;  ///< repetitions, backward jumps and calls together
-inline constexpr std::size_t mostMoves = 4000000;  ///< of a program
-inline constexpr int deepestCalls = 32;            ///< subprograms and loops within each other
 
 /// Runs the program. Whatever it does not understand or cannot do is in the diagnostics; never throws for that.
 /// Marks words of `program` that turn out not to be understood. Throws Cancelled. Cost: about 0.5 µs a block.

@@ -3,6 +3,7 @@
 // (expanded uncertainty, k = 2).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +18,12 @@ namespace lathelier::report {
 
 /// A place of the part, as far as it is known; views mark it.
 struct Place {
-    std::optional<Interval> z_mm;     ///< along the axis, as the views of the panel count it
-    std::optional<double> angle_deg;  ///< about the axis, 0…360
-    std::optional<int> upr;           ///< undulations per revolution
+    std::optional<Interval> z_mm;           ///< along the axis, as the views of the panel count it
+    std::optional<double> angle_deg;        ///< about the axis, 0…360
+    std::optional<int> upr;                 ///< undulations per revolution
+    std::optional<std::int64_t> line = {};  ///< of a program, from 1
 
-    bool isAny() const { return z_mm || angle_deg || upr; }  ///< there is something to mark
+    bool isAny() const { return z_mm || angle_deg || upr || line; }  ///< there is something to mark
     friend bool operator==(const Place&, const Place&) = default;
 };
 

@@ -71,6 +71,10 @@ inline constexpr NoteCode drillingNotModelled{
             "Line {line}: tool {tool} feeds along the axis. It is not stated to be a drill; moves on the axis change "
             "no stock and are not checked against it.")};
 
+inline constexpr NoteCode programTimeIncomplete{
+    "program_time_incomplete", Severity::Warning,
+    LT_TEXT("Engine", "Feed moves that state no feed or no speed are not in the time: {count}.")};
+
 inline constexpr NoteCode outlinesThinned{
     "stock_outlines_thinned", Severity::Info,
     LT_TEXT("Engine", "The stock is kept after every {every}th pass only; there are {passes}.")};

@@ -5,14 +5,11 @@
 #include <limits>
 
 #include "engine/core/texts.h"
-#include "engine/stock/stock_work.h"
-#include "engine/stock/tool_travel.h"
 
 namespace lathelier::stock {
 namespace {
 
 constexpr double slender = 6;  ///< length by radius
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// One region for each closed polyline.
 void addRegions(report::Plot& plot, Text name, report::ColourRole colour, const StockOutline& outline)
@@ -47,11 +44,18 @@ std::string passName(std::size_t index, const StockPass& pass, const Language& l
                 {{"pass", static_cast<std::int64_t>(index + 1)}, {"line", pass.line}}, language);
 }
 
-void addPasses(report::Plot& plot, const StockResult& result, const Language& language)
+/// Numbers of the passes whose stock was kept, up to the one that is asked for.
+std::vector<std::size_t> keptPasses(const StockResult& result, const std::optional<std::size_t>& last)
 {
     std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < result.passes.size(); ++i)
+    for (std::size_t i = 0; i < result.passes.size() && (!last || i <= *last); ++i)
         if (result.passes[i].is_kept) kept.push_back(i);
+    return kept;
+}
+
+void addPasses(report::Plot& plot, const StockResult& result, const std::vector<std::size_t>& kept,
+               const Language& language)
+{
     const std::size_t every = kept.size() / mostDrawnPasses + 1;
     for (std::size_t k = 0; k < kept.size(); ++k) {
         const bool is_last = k + 1 == kept.size();
@@ -61,35 +65,6 @@ void addPasses(report::Plot& plot, const StockResult& result, const Language& la
         curve.thin = !is_last;
         if (!is_last && kept.size() > 8) curve.name = std::string();
         plot.curves.push_back(std::move(curve));
-    }
-}
-
-void addPath(report::Plot& plot, const StockResult& result, std::span<const gcode::Move> moves)
-{
-    report::Curve feed{LT_TEXT("Engine", "feed moves"), {}, {}}, rapid{LT_TEXT("Engine", "rapid moves"), {}, {}};
-    feed.colour = report::ColourRole::Copy;
-    rapid.colour = report::ColourRole::Neutral;
-    rapid.style = report::Curve::Style::Dashed;
-    TipFollower follower(result.parameters.z_zero_mm);
-    ToolTravel travel;
-    for (const gcode::Move& move : moves) {
-        follower.take(move, arcChord_mm, travel);
-        if (travel.corners.size() < 2) continue;
-        report::Curve& curve = travel.is_rapid ? rapid : feed;
-        const Corner& from = travel.corners.front();
-        const bool continues = !curve.x.empty() && curve.x.back() == from.z_mm && curve.y.back() == from.x_mm;
-        if (!continues && !curve.x.empty()) {
-            curve.x.push_back(nothing);
-            curve.y.push_back(nothing);
-        }
-        for (std::size_t i = continues ? 1 : 0; i < travel.corners.size(); ++i) {
-            curve.x.push_back(travel.corners[i].z_mm);
-            curve.y.push_back(travel.corners[i].x_mm);
-        }
-    }
-    for (report::Curve* curve : {&feed, &rapid}) {
-        curve->spoken = false;
-        if (!curve->x.empty()) plot.curves.push_back(std::move(*curve));
     }
 }
 
@@ -109,7 +84,7 @@ void addRegion(report::Plot& plot, Text name, const ConvexPolygon& shape)
 
 }  // namespace
 
-report::Plot stockPlot(const StockResult& result, std::span<const gcode::Move> moves, const Language& language)
+report::Plot stockPlot(const StockResult& result, const StockPlotParts& parts, const Language& language)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Stock after each pass");
@@ -120,17 +95,18 @@ report::Plot stockPlot(const StockResult& result, std::span<const gcode::Move> m
     for (const double x_mm : result.before.x_mm) widest_mm = std::fmax(widest_mm, x_mm);
     plot.equal_scales = result.length_mm < slender * widest_mm;
     addRegions(plot, LT_TEXT("Engine", "stock before"), report::ColourRole::Neutral, result.before);
-    const auto last =
-        std::find_if(result.passes.rbegin(), result.passes.rend(), [](const StockPass& pass) { return pass.is_kept; });
-    if (last != result.passes.rend())
-        addRegions(plot, LT_TEXT("Engine", "stock left"), report::ColourRole::Original, last->after);
+    const std::vector<std::size_t> kept = keptPasses(result, parts.pass);
+    if (!kept.empty())
+        addRegions(plot, LT_TEXT("Engine", "stock left"), report::ColourRole::Original,
+                   result.passes[kept.back()].after);
     if (result.parameters.chuck)
         addRegion(plot, LT_TEXT("Engine", "chuck"), regionOf(*result.parameters.chuck, result.length_mm));
     if (result.parameters.tailstock)
         addRegion(plot, LT_TEXT("Engine", "tailstock"), regionOf(*result.parameters.tailstock));
     plot.curves.push_back(outlineCurve(std::string(), result.before));
-    addPasses(plot, result, language);
-    if (!moves.empty()) addPath(plot, result, moves);
+    addPasses(plot, result, kept, language);
+    if (parts.path)
+        for (report::Curve& curve : parts.path->curves(parts.window)) plot.curves.push_back(std::move(curve));
     for (const StockFinding& finding : result.findings) {
         if (plot.marks.size() == mostDrawnFindings) break;
         plot.marks.push_back({finding.z_mm, finding.x_mm,

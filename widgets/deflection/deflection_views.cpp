@@ -102,7 +102,11 @@ void DeflectionViews::show()
     heroes_->setAvailable("stock", study.stock.has_value());
     heroes_->setAvailable("findings", study.stock && !study.stock->findings.empty());
     if (study.stock) {
-        stock_->setData(stock::stockPlot(*study.stock, picture_->job->path.moves, language));
+        constexpr int enough_px = 2000;
+        stock::StockPlotParts drawn;
+        drawn.path = &picture_->drawn;
+        drawn.window = picture_->drawn.whole(enough_px);
+        stock_->setData(stock::stockPlot(*study.stock, drawn, language));
         findings_->setTable(deflection::findingsTable(*study.stock));
     }
     compliance_->setData(deflection::compliancePlot(study.compliance));

@@ -5,6 +5,7 @@
 
 #include "engine/core/input_file.h"
 #include "engine/report/document.h"
+#include "engine/stock/drawn_path.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/deflection_common/deflection_question.h"
 
@@ -17,6 +18,7 @@ struct DeflectionPicture {
     DeflectionQuestion question;                            ///< as asked
     std::shared_ptr<const deflection::TurningJob> job;      ///< never null
     std::shared_ptr<const deflection::TurningStudy> study;  ///< never null
+    stock::DrawnPath drawn;                                 ///< of the program
     std::vector<InputFile> inputs;                          ///< files and items
     Notes notes;                                            ///< of the files and of the result
     bool synthetic = false;                                 ///< a source is marked as synthetic

@@ -127,6 +127,9 @@ TEST(Reading, LimitsEndQuickly)
 {
     EXPECT_TRUE(diagnosticOf(pathOf("#1=0\nWHILE[1 EQ 1]DO1\n#1=#1+1\nEND1\n", Dialect::Fanuc), "nc_loop_limit"));
     EXPECT_TRUE(diagnosticOf(pathOf("N1 G0 X1. Z1.\nGOTO1\n", Dialect::Fanuc), "nc_loop_limit"));
+    std::string longBody = "WHILE[1 EQ 1]DO1\n";
+    for (int i = 0; i < 1000; ++i) longBody += "#1=#1+1\n";
+    EXPECT_TRUE(diagnosticOf(pathOf("#1=0\n" + longBody + "END1\n", Dialect::Fanuc), "nc_block_limit"));
     EXPECT_TRUE(diagnosticOf(pathOf("O1\nM98P1\n", Dialect::Fanuc), "nc_nesting_too_deep"));
     EXPECT_TRUE(
         diagnosticOf(pathOf("o1 sub\no1 call\no1 endsub\no1 call\n", Dialect::LinuxCnc), "nc_nesting_too_deep"));

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "tests/engine/gcode/run_program.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::gcode {
 namespace {
@@ -180,23 +181,7 @@ private:
     int loops_ = 100;
 };
 
-class TemporaryFolder {
-public:
-    TemporaryFolder()
-    {
-        std::string pattern = (std::filesystem::temp_directory_path() / "rs274-XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
-void expectSameMoves(const std::string& program, const TemporaryFolder& folder)
+void expectSameMoves(const std::string& program, const ScratchFolder& folder)
 {
     const Toolpath path = pathOf(program, Dialect::LinuxCnc);
     ASSERT_FALSE(path.has_errors) << program;
@@ -221,14 +206,14 @@ void expectSameMoves(const std::string& program, const TemporaryFolder& folder)
 
 TEST(Rs274, KeptProgramsMoveAlike)
 {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (const char* name : {"caseA_linuxcnc.ngc", "contour_linuxcnc.ngc", "flow.ngc"})
         expectSameMoves(keptProgram(name), folder);
 }
 
 TEST(Rs274, ThreadingCyclesMoveAlike)
 {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (const char* words : {"I-2 E1.5 L0", "I-2 E1.5 L1", "I-2 E1.5 L2", "I-2 E1.5 L3", "I3 E1 L3"})
         expectSameMoves(fmt::format("G18 G21 G7 G90 G97 S500 M3\nG0 X24 Z3\n"
                                     "G76 P1.5 Z-20 {} J0.2 R1.5 K0.92 Q29.5 H1\nG0 X50 Z50\nM2\n",
@@ -238,7 +223,7 @@ TEST(Rs274, ThreadingCyclesMoveAlike)
 
 TEST(Rs274, RandomProgramsMoveAlike)
 {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (std::uint32_t seed = 1; seed <= 40 && !HasFatalFailure(); ++seed)
         expectSameMoves(RandomProgram(seed).text(), folder);
 }

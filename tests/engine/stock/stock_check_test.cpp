@@ -354,7 +354,10 @@ TEST(StockCheck, ResultsAreDescribedAndDrawn)
     ASSERT_EQ(json["stock_passes"].size(), 1U);
     EXPECT_EQ(json["stock_passes"][0]["contour"]["z_mm"].size(), json["stock_passes"][0]["contour"]["x_mm"].size());
     EXPECT_GT(json["stock_passes"][0]["removed_mm3"].get<double>(), 1000);
-    const report::Plot plot = stockPlot(result, moves);
+    const DrawnPath drawn(moves, 0, 100);
+    StockPlotParts parts;
+    parts.path = &drawn;
+    const report::Plot plot = stockPlot(result, parts);
     EXPECT_EQ(plot.marks.size(), 1U);
     EXPECT_TRUE(plot.equal_scales);
     EXPECT_EQ(plot.regions.size(), 3U);

@@ -1,0 +1,181 @@
+#include "engine/stock/program_check.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/texts.h"
+#include "engine/gcode/toolpath_files.h"
+#include "engine/report/quantity_table.h"
+#include "engine/stock/stock_codes.h"
+#include "engine/stock/stock_quantities.h"
+
+namespace lathelier::stock {
+namespace {
+
+constexpr std::size_t mostFindingsSaid = 3;
+constexpr double s_per_min = 60;
+constexpr int paper_px = 2000;  ///< a drawing on paper is resolved no finer
+
+report::Finding saidOf(const gcode::Diagnostic& remark, const Language& language)
+{
+    report::Place place;
+    place.line = remark.line;
+    report::Finding finding{
+        LT_TEXT("Engine", "Line {line}: {remark}"),
+        {{"line", remark.line}, {"remark", fill(text(remark.pattern, language), remark.values, language)}},
+        remark.is_error ? std::optional<Verdict>(Verdict::Fail) : std::nullopt,
+        place};
+    return finding;
+}
+
+report::Finding saidOf(const StockFinding& found)
+{
+    report::Place place;
+    place.line = found.line;
+    place.z_mm = Interval{found.z_mm, found.z_mm};
+    return {LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep"),
+            {{"line", found.line}, {"kind", nameOf(found.kind)}, {"z_mm", found.z_mm}, {"depth_mm", found.depth_mm}},
+            Verdict::Fail,
+            place};
+}
+
+std::int64_t countErrors(const gcode::Toolpath& path)
+{
+    return std::count_if(path.diagnostics.begin(), path.diagnostics.end(),
+                         [](const gcode::Diagnostic& remark) { return remark.is_error; });
+}
+
+}  // namespace
+
+ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
+                          const std::optional<CheckedStock>& stock, const Progress& progress)
+{
+    ProgramCheck check;
+    check.program =
+        gcode::readProgram(std::move(text), parameters.dialect, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
+    check.path = gcode::findToolpath(check.program, parameters, {},
+                                     progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
+    const gcode::RapidRates rates =
+        stock ? gcode::RapidRates{stock->parameters.rapid_x_m_min, stock->parameters.rapid_z_m_min}
+              : gcode::RapidRates{};
+    check.times = gcode::timesOf(check.path.moves, rates);
+    if (stock) check.z_zero_mm = stock->parameters.z_zero_mm;
+    check.drawn = DrawnPath(check.path.moves, check.z_zero_mm, check.program.blocks.size(), progress.part(0.5, 0.6));
+    if (stock && !check.path.has_errors) {
+        check.stock = simulateStock(stock->shaft, check.path.moves, stock->parameters,
+                                    progress.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock")));
+        check.notes = check.stock->notes;
+    }
+    if (check.times.all.moves_without_time > 0)
+        check.notes.push_back({notes::programTimeIncomplete, {{"count", check.times.all.moves_without_time}}});
+    progress.report(1);
+    return check;
+}
+
+report::Answer answer(const ProgramCheck& check, const Language& language)
+{
+    report::Answer answer;
+    const std::int64_t errors = countErrors(check.path);
+    answer.quantity = LT_TEXT("Engine", "Time of the program");
+    if (!check.path.has_errors && !check.path.moves.empty()) answer.value = check.times.all.time_s() / s_per_min;
+    answer.unit = LT_TEXT("Engine", "min");
+    answer.decimals = 2;
+    if (check.path.has_errors) {
+        answer.verdict = Verdict::Fail;
+        answer.verdict_words = LT_TEXT("Engine", "✗ errors in the program");
+    } else if (check.stock) {
+        answer.verdict = check.stock->findings.empty() ? Verdict::Pass : Verdict::Fail;
+        answer.verdict_words = check.stock->findings.empty() ? LT_TEXT("Engine", "✓ the tool meets nothing it must not")
+                                                             : LT_TEXT("Engine", "✗ the tool meets what it must not");
+    } else {
+        answer.verdict_words = LT_TEXT("Engine", "not checked against stock");
+    }
+    answer.sentence =
+        LT_TEXT("Engine",
+                "{errors} errors · {remarks} remarks · {understood} of {words} words understood · in feed "
+                "{feed} min over {way} mm");
+    answer.values = {{"errors", errors},
+                     {"remarks", static_cast<std::int64_t>(check.path.diagnostics.size()) - errors},
+                     {"understood", check.path.words_understood},
+                     {"words", check.path.words},
+                     {"feed", fixed(check.times.all.feed_time_s / s_per_min, 2, language)},
+                     {"way", fixed(check.times.all.feed_length_mm, 0, language)}};
+    for (const bool wanted : {true, false}) {
+        for (const gcode::Diagnostic& remark : check.path.diagnostics)
+            if (remark.is_error == wanted && answer.findings.size() < mostFindingsSaid)
+                answer.findings.push_back(saidOf(remark, language));
+        if (!wanted || !check.stock) continue;
+        for (const StockFinding& found : check.stock->findings)
+            if (answer.findings.size() < mostFindingsSaid) answer.findings.push_back(saidOf(found));
+    }
+    return answer;
+}
+
+report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const Language& language)
+{
+    parts.path = &check.drawn;
+    if (check.stock) {
+        report::Plot plot = stockPlot(*check.stock, parts, language);
+        plot.title = LT_TEXT("Engine", "Path of the tool and stock");
+        return plot;
+    }
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Path of the tool");
+    plot.x = {LT_TEXT("Engine", "z, from the program's zero toward the chuck"), LT_TEXT("Engine", "mm")};
+    plot.y = {LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "mm")};
+    plot.curves = check.drawn.curves(parts.window);
+    return plot;
+}
+
+report::Table passTable(const ProgramCheck& check)
+{
+    const std::vector<StockPass> none;
+    return report::listTable<StockPass>(LT_TEXT("Engine", "Passes"), check.stock ? check.stock->passes : none,
+                                        {"line", "tool", "removed_mm3"});
+}
+
+report::Table toolTable(const ProgramCheck& check)
+{
+    return report::listTable<gcode::ToolTime>(
+        LT_TEXT("Engine", "Tools"), check.times.tools,
+        {"tool", "line", "moves", "time_s", "feed_time_s", "rapid_time_s", "feed_length_mm", "rapid_length_mm"});
+}
+
+Json toJson(const ProgramCheck& check)
+{
+    gcode::Toolpath without_moves;
+    without_moves.parameters = check.path.parameters;
+    without_moves.words = check.path.words;
+    without_moves.words_understood = check.path.words_understood;
+    without_moves.diagnostics = check.path.diagnostics;
+    Json json = gcode::toJson(without_moves);
+    json.erase("moves");
+    json["times"] = nestedJson(describedValues(check.times));
+    if (check.stock)
+        json.update(nestedJson(describedValues(*check.stock)));
+    else
+        json["findings"] = Json();
+    return json;
+}
+
+report::Document programReport(const ProgramCheck& check, const Language& language)
+{
+    report::Document document = gcode::toolpathReport(check.path);
+    report::Section& first = document.sections.front();
+    first.blocks.insert(first.blocks.begin(), answer(check, language));
+    StockPlotParts parts;
+    parts.window = check.drawn.whole(paper_px);
+    report::Section path{LT_TEXT("Engine", "Path of the tool"),
+                         {meridianPlot(check, parts, language), toolTable(check)}};
+    if (check.stock) {
+        path.blocks.push_back(passTable(check));
+        path.blocks.push_back(report::listTable<StockFinding>(LT_TEXT("Engine", "What the tool meets"),
+                                                              check.stock->findings,
+                                                              {"line", "kind_name", "z_mm", "x_mm", "depth_mm"}));
+    }
+    if (!check.notes.empty()) path.blocks.push_back(check.notes);
+    document.sections.push_back(std::move(path));
+    return document;
+}
+
+}  // namespace lathelier::stock

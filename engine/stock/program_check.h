@@ -1,0 +1,50 @@
+// What a person wants to know of an NC program before it runs: whether it was understood, how long it takes, what each
+// pass takes off, what the tool meets.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/core/json.h"
+#include "engine/gcode/program_time.h"
+#include "engine/gcode/toolpath.h"
+#include "engine/report/document.h"
+#include "engine/stock/drawn_path.h"
+#include "engine/stock/stock_plots.h"
+
+namespace lathelier::stock {
+
+/// What the program cuts, where that is known.
+struct CheckedStock {
+    Shaft shaft;                 ///< before the first cut
+    StockParameters parameters;  ///< zero, tools, chuck, tailstock, rapid rates
+};
+
+struct ProgramCheck {
+    gcode::Program program;            ///< as read
+    gcode::Toolpath path;              ///< its moves
+    gcode::ProgramTimes times;         ///< at the rapid rates of the parameters
+    DrawnPath drawn;                   ///< of `path`, in the coordinates of the stock
+    std::optional<StockResult> stock;  ///< where stock is known and the moves are to be trusted
+    double z_zero_mm = 0;              ///< z = z_zero - Z in `drawn`
+    Notes notes;                       ///< of the stock; programTimeIncomplete
+};
+
+/// An error in the program is an answer, not an exception. Errors: those of gcode::readProgram() and simulateStock().
+/// Throws Cancelled.
+ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
+                          const std::optional<CheckedStock>& stock = {}, const Progress& progress = {});
+
+/// The time it takes; fail when the program has errors or a tool meets what it must not, pass when it was checked
+/// against stock. Findings point at their lines.
+report::Answer answer(const ProgramCheck& check, const Language& language = {});
+
+/// Stock with the path, or the path alone in program coordinates. `parts.path` is set here.
+report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts = {}, const Language& language = {});
+
+report::Table passTable(const ProgramCheck& check);  ///< empty without stock
+report::Table toolTable(const ProgramCheck& check);  ///< by tool: line, times, ways
+Json toJson(const ProgramCheck& check);              ///< diagnostics, words, times; keys of the stock; without moves
+report::Document programReport(const ProgramCheck& check, const Language& language = {});
+
+}  // namespace lathelier::stock

@@ -13,7 +13,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/title_block_dialog.h"
 #include "app/gui/waiting.h"
-#include "widgets/core/form/number_edit.h"
+#include "widgets/core/form/typing.h"
 #include "widgets/core/report/report_files.h"
 
 namespace lathelier {

@@ -8,6 +8,7 @@
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/pass/pass_panel.h"
+#include "widgets/program/program_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
@@ -30,6 +31,7 @@ const std::vector<PanelFacts>& panelTable()
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),
                                                speed_panel::speedPanelFacts(),
+                                               program_panel::programPanelFacts(),
                                                deflection_panel::deflectionPanelFacts(),
                                                correction_panel::correctionPanelFacts(),
                                                training_panel::trainingPanelFacts()};

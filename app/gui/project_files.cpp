@@ -12,7 +12,7 @@
 #include "app/gui/settings.h"
 #include "app/gui/waiting.h"
 #include "engine/sample/sample_files.h"
-#include "widgets/core/form/number_edit.h"
+#include "widgets/core/form/typing.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {

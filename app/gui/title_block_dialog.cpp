@@ -13,7 +13,7 @@
 #include "engine/core/error.h"
 #include "engine/io/io_codes.h"
 #include "widgets/core/form/form.h"
-#include "widgets/core/form/number_edit.h"
+#include "widgets/core/form/typing.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {

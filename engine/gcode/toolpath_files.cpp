@@ -6,6 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/texts.h"
+
 namespace lathelier::gcode {
 namespace {
 
@@ -39,23 +41,6 @@ void addNumber(std::string& line, double value)
 {
     if (isKnown(value)) fmt::format_to(std::back_inserter(line), "{}", value);
     line += ',';
-}
-
-report::Table diagnosticTable(const Toolpath& path)
-{
-    constexpr std::size_t most = 200;
-    report::Table table{LT_TEXT("Engine", "Remarks"),
-                        {LT_TEXT("Engine", "Line"), LT_TEXT("Engine", "Column"), LT_TEXT("Engine", "Severity"),
-                         LT_TEXT("Engine", "Remark"), LT_TEXT("Engine", "Block")},
-                        {},
-                        {}};
-    for (const Diagnostic& remark : path.diagnostics) {
-        if (table.rows.size() >= most) break;
-        table.rows.push_back({remark.line, remark.column,
-                              remark.is_error ? LT_TEXT("Engine", "error") : LT_TEXT("Engine", "warning"),
-                              sentence(remark), remark.block});
-    }
-    return table;
 }
 
 }  // namespace
@@ -111,7 +96,23 @@ void writeMoves(const Toolpath& path, const std::function<void(std::string_view)
     append(text);
 }
 
-report::Section toolpathSummary(const Toolpath& path)
+report::Table diagnosticTable(const std::vector<Diagnostic>& diagnostics, const Language& language)
+{
+    report::Table table{LT_TEXT("Engine", "Remarks"),
+                        {LT_TEXT("Engine", "Line"), LT_TEXT("Engine", "Column"), LT_TEXT("Engine", "Severity"),
+                         LT_TEXT("Engine", "Remark"), LT_TEXT("Engine", "Block")},
+                        {},
+                        {0, 0}};
+    for (const Diagnostic& remark : diagnostics) {
+        if (table.rows.size() >= mostTabled) break;
+        table.rows.push_back({remark.line, remark.column,
+                              remark.is_error ? LT_TEXT("Engine", "error") : LT_TEXT("Engine", "warning"),
+                              fill(text(remark.pattern, language), remark.values, language), remark.block});
+    }
+    return table;
+}
+
+report::Section toolpathSummary(const Toolpath& path, const Language& language)
 {
     const auto count = [&path](MoveKind kind) -> Value {
         return static_cast<std::int64_t>(std::count_if(path.moves.begin(), path.moves.end(),
@@ -129,15 +130,15 @@ report::Section toolpathSummary(const Toolpath& path)
                                  {LT_TEXT("Engine", "Threads"), count(MoveKind::Thread), {}}}};
     report::Section section{LT_TEXT("Engine", "NC program"), {}};
     section.blocks.push_back(std::move(table));
-    if (!path.diagnostics.empty()) section.blocks.push_back(diagnosticTable(path));
+    if (!path.diagnostics.empty()) section.blocks.push_back(diagnosticTable(path.diagnostics, language));
     return section;
 }
 
-report::Document toolpathReport(const Toolpath& path)
+report::Document toolpathReport(const Toolpath& path, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "NC program");
-    document.sections = {toolpathSummary(path)};
+    document.sections = {toolpathSummary(path, language)};
     return document;
 }
 

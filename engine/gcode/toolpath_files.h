@@ -23,8 +23,13 @@ Json toJson(const Toolpath& path);
 /// speed_limit_rpm,dwell_s,tool; what does not exist is empty. Decimal point in every locale; handed on in steps.
 void writeMoves(const Toolpath& path, const std::function<void(std::string_view)>& append);
 
-/// Counts, diagnostics and the path in the meridian plane.
-report::Section toolpathSummary(const Toolpath& path);
-report::Document toolpathReport(const Toolpath& path);
+inline constexpr std::size_t mostTabled = 200;  ///< remarks in a table on paper
+
+/// Line, Column, Severity, Remark, Block.
+report::Table diagnosticTable(const std::vector<Diagnostic>& diagnostics, const Language& language = {});
+
+/// Counts and diagnostics.
+report::Section toolpathSummary(const Toolpath& path, const Language& language = {});
+report::Document toolpathReport(const Toolpath& path, const Language& language = {});
 
 }  // namespace lathelier::gcode

@@ -127,6 +127,22 @@ report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const
     return plot;
 }
 
+std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& language)
+{
+    std::vector<Remark> remarks;
+    for (const gcode::Diagnostic& found : check.path.diagnostics)
+        remarks.push_back({found.line, found.column, found.is_error,
+                           fill(text(found.pattern, language), found.values, language), found.block});
+    if (check.stock)
+        for (const StockFinding& found : check.stock->findings) {
+            const gcode::Block& block = check.program.blocks.at(static_cast<std::size_t>(found.line - 1));
+            remarks.push_back({found.line, 0, true, report::findingText(saidOf(found), language),
+                               gcode::shown(check.program, check.program.textOf(block))});
+        }
+    std::stable_sort(remarks.begin(), remarks.end(), [](const Remark& a, const Remark& b) { return a.line < b.line; });
+    return remarks;
+}
+
 report::Table passTable(const ProgramCheck& check)
 {
     const std::vector<StockPass> none;
@@ -160,7 +176,7 @@ Json toJson(const ProgramCheck& check)
 
 report::Document programReport(const ProgramCheck& check, const Language& language)
 {
-    report::Document document = gcode::toolpathReport(check.path);
+    report::Document document = gcode::toolpathReport(check.path, language);
     report::Section& first = document.sections.front();
     first.blocks.insert(first.blocks.begin(), answer(check, language));
     StockPlotParts parts;

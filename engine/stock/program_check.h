@@ -42,6 +42,16 @@ report::Answer answer(const ProgramCheck& check, const Language& language = {});
 /// Stock with the path, or the path alone in program coordinates. `parts.path` is set here.
 report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts = {}, const Language& language = {});
 
+/// What is remarked in the text and what the tool meets, by line: Line, Severity, Remark, Block.
+struct Remark {
+    std::int64_t line = 0;    ///< from 1
+    std::int64_t column = 0;  ///< in characters, from 1; 0: the whole block
+    bool is_error = false;    ///< else a warning
+    std::string text;         ///< in the language that was asked for
+    std::string block;        ///< of the program, at most 40 characters
+};
+std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& language = {});
+
 report::Table passTable(const ProgramCheck& check);  ///< empty without stock
 report::Table toolTable(const ProgramCheck& check);  ///< by tool: line, times, ways
 Json toJson(const ProgramCheck& check);              ///< diagnostics, words, times; keys of the stock; without moves

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "widgets/core/form/form.h"
-#include "widgets/core/form/number_edit.h"
+#include "widgets/core/form/typing.h"
 
 namespace lathelier::compare_panel {
 namespace {

@@ -42,6 +42,28 @@ std::vector<InputRole> turningRoles()
     return roles;
 }
 
+/// What the program alone can be judged with: it needs no set-up, and the spindle does not matter.
+std::vector<InputRole> programRoles()
+{
+    std::vector<InputRole> roles = turningRoles();
+    roles.resize(3);
+    roles[1].required = false;
+    return roles;
+}
+
+std::vector<FieldInfo> fieldsOfKeys(const std::vector<std::string>& keys)
+{
+    std::vector<FieldInfo> fields;
+    const std::vector<FieldInfo> all = infos<DeflectionQuestion>();
+    for (const std::string& key : keys)
+        for (const FieldInfo& info : all)
+            if (info.key == key) {
+                fields.push_back(info);
+                fields.back().advanced = false;
+            }
+    return fields;
+}
+
 }  // namespace
 
 PanelInputs deflectionInputs(const std::vector<std::string>& unfolded, Text invitation)
@@ -50,22 +72,27 @@ PanelInputs deflectionInputs(const std::vector<std::string>& unfolded, Text invi
     inputs.roles = turningRoles();
     inputs.defaults = toValues(DeflectionQuestion{});
     inputs.invitation = invitation;
-    const std::vector<FieldInfo> all = infos<DeflectionQuestion>();
-    for (const std::string& key : unfolded)
-        for (const FieldInfo& info : all)
-            if (info.key == key) {
-                inputs.fields.push_back(info);
-                inputs.fields.back().advanced = false;
-            }
-    for (const FieldInfo& info : all)
-        if (std::find(unfolded.begin(), unfolded.end(), info.key) == unfolded.end()) {
-            inputs.fields.push_back(info);
-            inputs.fields.back().advanced = true;
-        }
+    inputs.fields = fieldsOfKeys(unfolded);
+    for (const FieldInfo& info : infos<DeflectionQuestion>()) {
+        const bool is_open = std::find(unfolded.begin(), unfolded.end(), info.key) != unfolded.end();
+        if (is_open || info.key == draftsKey) continue;  // drafts are made by an editor
+        inputs.fields.push_back(info);
+        inputs.fields.back().advanced = true;
+    }
     return inputs;
 }
 
-PanelFacts deflectionFacts(const char* id, Text title, const char* icon, Wanted wanted)
+PanelInputs programInputs(const std::vector<std::string>& keys, Text invitation)
+{
+    PanelInputs inputs;
+    inputs.roles = programRoles();
+    inputs.defaults = toValues(DeflectionQuestion{});
+    inputs.invitation = invitation;
+    inputs.fields = fieldsOfKeys(keys);
+    return inputs;
+}
+
+PanelFacts turningFacts(const char* id, Text title, const char* icon)
 {
     PanelFacts facts;
     facts.id = id;
@@ -74,8 +101,15 @@ PanelFacts deflectionFacts(const char* id, Text title, const char* icon, Wanted 
     facts.state = "deflection";
     facts.workspaces = {{"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 40}};
     facts.kinds = {&gcode::programFiles(), &deflection::setupFiles()};
-    facts.roles = turningRoles();
+    facts.roles = programRoles();
     facts.part_inputs = {programRole};
+    return facts;
+}
+
+PanelFacts deflectionFacts(const char* id, Text title, const char* icon, Wanted wanted)
+{
+    PanelFacts facts = turningFacts(id, title, icon);
+    facts.roles = turningRoles();
     facts.report = [wanted](const project::PanelState& state, Stores& stores, const Language& language,
                             const Progress& progress) {
         return reportOf(deflectionPicture(state, wanted, stores, progress), language);
@@ -92,6 +126,20 @@ void assignTurningFiles(project::PanelState& state, const std::vector<FoundFile>
                                                                       : chatter_common::shaftRole;
         state.inputs[role] = newSource(QString::fromStdString(file.path));
     }
+}
+
+Worker::Job readingJob(const project::PanelState& state, std::shared_ptr<Stores> stores)
+{
+    return [state, stores = std::move(stores)](const Progress& progress) -> std::shared_ptr<const void> {
+        const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
+        if (const auto given = state.inputs.find(programRole); given != state.inputs.end())
+            stores->of<ProgramStore>()->load(given->second, part);
+        if (const auto given = state.inputs.find(setupRole); given != state.inputs.end())
+            stores->of<SetupStore>()->load(given->second, part);
+        chatter_common::takeShaft(state, *stores, part);
+        chatter_common::takeSpindle(state, *stores, part);
+        return nullptr;
+    };
 }
 
 QString understoodTurning(const std::string& role, const project::Source& source, Stores& stores)

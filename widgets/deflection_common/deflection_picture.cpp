@@ -5,28 +5,15 @@
 #include "engine/deflection/deflection_codes.h"
 #include "engine/report/result_json.h"
 #include "widgets/chatter_common/taken_input.h"
-#include "widgets/deflection_common/turning_files.h"
 
 namespace lathelier::deflection_common {
 namespace {
 
-template <class Store>
-auto taken(const project::PanelState& state, const char* role, Stores& stores, const Progress& progress,
-           DeflectionPicture& picture)
-{
-    const project::Source& source = state.inputs.at(role);
-    auto loaded = stores.of<Store>()->load(source, progress);
-    picture.inputs.insert(picture.inputs.end(), loaded->inputs.begin(), loaded->inputs.end());
-    picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
-    picture.synthetic |= source.synthetic;
-    return loaded;
-}
-
 deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progress& progress,
                              DeflectionPicture& picture)
 {
-    const auto program = taken<ProgramStore>(state, programRole, stores, progress.part(0, 0.3), picture);
-    const auto machine = taken<SetupStore>(state, setupRole, stores, progress.part(0.3, 0.4), picture);
+    std::string program = takeProgram(state, stores, progress.part(0, 0.3), picture);
+    const auto machine = takeFile<SetupStore>(state, setupRole, stores, progress.part(0.3, 0.4), picture);
     std::optional<Shaft> stock = machine->file.stock;
     if (auto stated = chatter_common::takeShaft(state, stores, progress))
         stock = chatter_common::noted(picture, *std::move(stated));
@@ -44,7 +31,7 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
     if (!stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
     try {
         gcode::Program read =
-            gcode::readProgram(program->file.text, picture.question.reading.dialect, progress.part(0.4, 0.6));
+            gcode::readProgram(std::move(program), picture.question.reading.dialect, progress.part(0.4, 0.6));
         gcode::Toolpath moves = findToolpath(read, picture.question.reading, {}, progress.part(0.6, 1));
         for (const gcode::Diagnostic& diagnostic : moves.diagnostics)
             if (diagnostic.error) throw Error(*diagnostic.error);

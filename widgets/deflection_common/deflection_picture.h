@@ -8,11 +8,9 @@
 #include "engine/stock/drawn_path.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/deflection_common/deflection_question.h"
+#include "widgets/deflection_common/turning_files.h"
 
 namespace lathelier::deflection_common {
-
-inline constexpr const char* programRole = "program";
-inline constexpr const char* setupRole = "setup";  ///< besides: shaftRole for the stock, spindleRole for the chuck
 
 struct DeflectionPicture {
     DeflectionQuestion question;                            ///< as asked

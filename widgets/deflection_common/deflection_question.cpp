@@ -105,6 +105,8 @@ std::vector<Field<DeflectionQuestion>> allFields()
     for (const char* key : {"corrected_runs", "residual_tolerance_um", "largest_correction_um", keptLinesKey})
         all.push_back(foldedWithin(&Q::compensation, key));
     for (const char* key : {"dialect", "integer_words"}) all.push_back(foldedWithin(&Q::reading, key));
+    all.push_back(rows(draftsKey, &Q::drafts, Range{0, 1000},
+                       Label{LT_TEXT("Engine", "Changed programs"), LT_TEXT("Engine", "Not saved yet."), {}, true}));
     return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/deflection/turning_study.h"
 #include "engine/gcode/toolpath.h"
+#include "widgets/deflection_common/program_draft.h"
 
 namespace lathelier::deflection_common {
 
@@ -31,6 +32,7 @@ struct DeflectionQuestion {
     deflection::IdentificationParameters identification;
     deflection::CompensationParameters compensation;
     gcode::ToolpathParameters reading;
+    std::vector<ProgramDraft> drafts;  ///< what stands in for files of programs
 
     DeflectionQuestion();
 };

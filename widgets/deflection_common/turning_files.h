@@ -1,13 +1,19 @@
-// NC programs and set-ups that were read.
+// NC programs and set-ups that were read, and how a computation takes them.
 #pragma once
 
 #include <string>
 
+#include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/gcode/program_kind.h"
 #include "widgets/core/files/file_cache.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/deflection_common/program_draft.h"
 
 namespace lathelier::deflection_common {
+
+inline constexpr const char* programRole = "program";
+inline constexpr const char* setupRole = "setup";  ///< besides: shaftRole for the stock, spindleRole for the chuck
 
 /// The text of a program and what was understood of it.
 struct ProgramFile {
@@ -34,5 +40,31 @@ protected:
     deflection::SetupFile read(const project::Source& source, io::InputFiles& inputs,
                                const Progress& progress) const override;
 };
+
+/// Loads the file of an input for a picture, which gets its name and digest, its notes, and whether it is synthetic.
+template <class Store, class Picture>
+auto takeFile(const project::PanelState& state, const char* role, Stores& stores, const Progress& progress,
+              Picture& picture)
+{
+    const project::Source& source = state.inputs.at(role);
+    auto loaded = stores.of<Store>()->load(source, progress);
+    picture.inputs.insert(picture.inputs.end(), loaded->inputs.begin(), loaded->inputs.end());
+    picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
+    picture.synthetic |= source.synthetic;
+    return loaded;
+}
+
+/// The text of the program: that of its file, or what the user has made of it (noted: programEdited). Of the drafts of
+/// the question the one that is used is kept.
+template <class Picture>
+std::string takeProgram(const project::PanelState& state, Stores& stores, const Progress& progress, Picture& picture)
+{
+    const auto loaded = takeFile<ProgramStore>(state, programRole, stores, progress, picture);
+    std::vector<ProgramDraft>& drafts = picture.question.drafts;
+    std::erase_if(drafts, [&](const ProgramDraft& draft) { return draft.path != state.inputs.at(programRole).path; });
+    if (drafts.empty()) return loaded->file.text;
+    picture.notes.push_back({notes::programEdited, {}});
+    return bytesOf(drafts.front().text, loaded->file.text);
+}
 
 }  // namespace lathelier::deflection_common

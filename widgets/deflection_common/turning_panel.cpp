@@ -35,4 +35,9 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
     return understoodTurning(role.role, source, session().stores());
 }
 
+Worker::Job TurningPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return readingJob(state, session().sharedStores());
+}
+
 }  // namespace lathelier::deflection_common

@@ -19,6 +19,7 @@ protected:
     report::Document document(const DeflectionPicture& picture) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
 
 private:
     Wanted wanted_;

@@ -32,6 +32,7 @@ void RegionFill::draw(QCPPainter* painter)
 void ChartLines::draw(QCPPainter* painter)
 {
     names_.clear();
+    drawPointedOut(*painter);
     const QPen dashed(style_.limit, style_.lineWidth, Qt::DashLine);
     for (const report::Limit& limit : chart_.limits)
         drawLine(*painter, limit.direction == report::Limit::Direction::Vertical, limit.place, limit.name, dashed);
@@ -49,6 +50,31 @@ void ChartLines::draw(QCPPainter* painter)
     painter->setBrush(style_.marker);
     for (const QPointF& place : markedPlaces)
         painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.lineWidth, 3 * style_.lineWidth);
+}
+
+void ChartLines::drawPointedOut(QCPPainter& painter)
+{
+    const auto onScreen = [this](const QPolygonF& corners) {
+        QPolygonF places;
+        for (const QPointF& corner : corners) {
+            const QPointF at = pixel(corner.x(), corner.y());
+            places << QPointF(std::clamp(at.x(), -farAway, farAway), std::clamp(at.y(), -farAway, farAway));
+        }
+        return places;
+    };
+    QColor ground = style_.limit;
+    ground.setAlpha(70);
+    painter.setPen(QPen(style_.limit, style_.lineWidth));
+    painter.setBrush(ground);
+    for (const QPolygonF& shape : pointedOut.shapes) painter.drawPolygon(onScreen(shape));
+    painter.setPen(QPen(style_.marker, 2.5 * style_.lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    for (const QPolygonF& line : pointedOut.lines) painter.drawPolyline(onScreen(line));
+    if (!pointedOut.place) return;
+    painter.setPen(QPen(style_.background, 1));
+    painter.setBrush(style_.marker);
+    painter.drawEllipse(pixel(pointedOut.place->x(), pointedOut.place->y()), 3 * style_.lineWidth,
+                        3 * style_.lineWidth);
 }
 
 void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen)

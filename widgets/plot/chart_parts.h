@@ -43,6 +43,7 @@ public:
     std::optional<double> markedX;      ///< an upright line
     std::vector<QPointF> markedPlaces;  ///< on paths
     std::optional<std::size_t> chosen;  ///< the handle that keys move
+    PointedOut pointedOut;              ///< by a linked view
 
     double reach() const { return 0.4 * QFontMetricsF(font).height(); }  ///< radius of a point's handle
 
@@ -56,6 +57,7 @@ private:
     {
         return {mParentPlot->xAxis->coordToPixel(x), mParentPlot->yAxis->coordToPixel(y)};
     }
+    void drawPointedOut(QCPPainter& painter);
     void drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen);
     void drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name);
     void drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen);

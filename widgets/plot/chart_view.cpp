@@ -39,6 +39,19 @@ bool isRead(const report::Curve& curve)
     return curve.spoken && !curve.thin;
 }
 
+/// A line whose x does not rise from sample to sample, such as an outline: a graph would sort it, or miss parts of it.
+bool isPath(const report::Curve& curve)
+{
+    if (!curve.along.empty()) return true;
+    if (curve.style != report::Curve::Style::Line && curve.style != report::Curve::Style::Dashed) return false;
+    double last = -infinity;
+    for (const double x : curve.x) {
+        if (x < last) return true;
+        if (!std::isnan(x)) last = x;
+    }
+    return false;
+}
+
 std::size_t samplesOf(const report::Curve& curve)
 {
     return std::min(curve.x.size(), curve.y.size());
@@ -63,6 +76,8 @@ ChartView::ChartView(QWidget* parent) : PlotCanvas(parent), content_(std::make_u
 {
     content_->lines = new ChartLines(&plot(), content_->data, style());
     connect(&plot(), &QCustomPlot::afterLayout, this, &ChartView::keepScalesEqual);
+    for (QCPAxis* axis : {plot().xAxis, plot().yAxis})
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] { emit rangeChanged(); });
     refresh(false);
 }
 
@@ -137,7 +152,7 @@ void ChartView::build()
             bars->setData(toQt(places), toQt(curve.y), true);
             bars->setWidth(curve.x.size() > 1 ? curve.x[1] - curve.x[0] : 1);
             c.drawn.push_back(bars);
-        } else if (!curve.along.empty()) {
+        } else if (isPath(curve)) {
             auto* path = new QCPCurve(plot().xAxis, plot().yAxis);
             path->setData(toQt(curve.x), toQt(curve.y));
             c.drawn.push_back(path);
@@ -319,6 +334,17 @@ QString ChartView::pathReadout(double x, double y) const
     parts << "X " + number(px) << "Y " + number(py);
     parts << tr("radius vector %1 %2").arg(number(std::hypot(px, py)), screenUnit(data.x.unit));
     return parts.join(" · ");
+}
+
+void ChartView::pointOut(PointedOut what)
+{
+    content_->lines->pointedOut = std::move(what);
+    drawOverlay();
+}
+
+const PointedOut& ChartView::pointedOut() const
+{
+    return content_->lines->pointedOut;
 }
 
 void ChartView::setMarker(std::optional<double> place)

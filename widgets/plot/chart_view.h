@@ -2,10 +2,20 @@
 // pointer that reads, zoom and pan, a marked place, and handles to drag. 1e6 points draw smoothly.
 #pragma once
 
+#include <QPolygonF>
+#include <vector>
+
 #include "engine/report/chart.h"
 #include "widgets/plot/plot_canvas.h"
 
 namespace lathelier::plot {
+
+/// What a linked view points out in the plane: a stretch of a path, the outline of a tool. In data coordinates.
+struct PointedOut {
+    std::vector<QPolygonF> lines;   ///< drawn thick
+    std::vector<QPolygonF> shapes;  ///< closed and shaded
+    std::optional<QPointF> place;   ///< a dot
+};
 
 class ChartView : public PlotCanvas {
     Q_OBJECT
@@ -26,9 +36,15 @@ public:
     void setMarker(std::optional<double> place);
     std::optional<double> marker() const;
 
+    /// Drawn over the curves, which are not drawn again for it.
+    void pointOut(PointedOut what);
+    const PointedOut& pointedOut() const;
+
     QString csv() const override;
 
 signals:
+    void rangeChanged();  ///< another part of the plane is shown
+
     /// A handle is dragged, or moved by the arrow keys after Tab or a click has chosen it; `dropped` when it is let go.
     void handleMoved(const QString& key, double x, double y, bool dropped);
 

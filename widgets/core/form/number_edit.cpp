@@ -239,9 +239,4 @@ void NumberEdit::changeEvent(QEvent* event)
     }
 }
 
-void takeOverTyping(const QWidget* window)
-{
-    for (NumberEdit* edit : window->findChildren<NumberEdit*>()) edit->takeOver();
-}
-
 }  // namespace lathelier

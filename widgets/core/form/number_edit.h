@@ -6,12 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/core/form/typing.h"
+
 namespace lathelier {
 
 /// Takes a number with point or comma; may be empty when it is optional. Up, Down and the wheel (when focused) step by
 /// a readable amount for its size. What is outside the range is marked with a symbol and said in the tooltip, and is
 /// not announced. Typing is announced after a short pause, Enter and leaving the field at once.
-class NumberEdit : public QLineEdit {
+class NumberEdit : public QLineEdit, public TypingEditor {
     Q_OBJECT
 public:
     NumberEdit(double minimum, double maximum, QWidget* parent = nullptr);
@@ -25,7 +27,7 @@ public:
     std::optional<double> number() const { return number_; }  ///< the last sound one
     void setNumber(std::optional<double> number);             ///< shows it, announces nothing
     bool isSound() const { return sound_; }
-    void takeOver() { announce(); }  ///< what is typed counts now, not after the pause
+    void takeOver() override { announce(); }  ///< what is typed counts now, not after the pause
 
 signals:
     void numberChanged();  ///< by the user; number() is sound
@@ -62,8 +64,5 @@ private:
     std::vector<double> usual_;
     QTimer pause_;
 };
-
-/// Takes over what is being typed in any number field of `window`: before saving, closing, reporting, exporting.
-void takeOverTyping(const QWidget* window);
 
 }  // namespace lathelier

@@ -17,7 +17,7 @@
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
-#include "widgets/core/form/number_edit.h"
+#include "widgets/core/form/typing.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/hero_views.h"

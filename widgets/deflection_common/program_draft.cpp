@@ -1,0 +1,52 @@
+#include "widgets/deflection_common/program_draft.h"
+
+#include <QString>
+#include <QTextCodec>
+#include <algorithm>
+
+namespace lathelier::deflection_common {
+namespace {
+
+/// As UTF-8; none: it is not.
+std::optional<QString> decoded(const std::string& bytes)
+{
+    QTextCodec::ConverterState state;
+    QString text = QTextCodec::codecForName("UTF-8")->toUnicode(bytes.data(), static_cast<int>(bytes.size()), &state);
+    if (state.invalidChars > 0 || state.remainingChars > 0) return std::nullopt;
+    return text;
+}
+
+}  // namespace
+
+const std::vector<Field<ProgramDraft>>& fieldsOf(const ProgramDraft*)
+{
+    using D = ProgramDraft;
+    static const auto all =
+        described<D>(field("path", &D::path,
+                           Label{LT_TEXT("Engine", "File"), LT_TEXT("Engine", "That was changed."), {}, false, true}),
+                     field("text", &D::text,
+                           Label{LT_TEXT("Engine", "Program"), LT_TEXT("Engine", "As changed."), {}, false, true}));
+    return all;
+}
+
+const ProgramDraft* draftOf(const std::vector<ProgramDraft>& drafts, const std::string& path)
+{
+    const auto found =
+        std::find_if(drafts.begin(), drafts.end(), [&](const ProgramDraft& draft) { return draft.path == path; });
+    return found == drafts.end() ? nullptr : &*found;
+}
+
+std::string toUtf8(const std::string& bytes)
+{
+    return decoded(bytes) ? bytes : QString::fromLatin1(bytes.data(), static_cast<int>(bytes.size())).toStdString();
+}
+
+std::string bytesOf(const std::string& utf8, const std::string& file)
+{
+    if (decoded(file)) return utf8;
+    const QString text = QString::fromStdString(utf8);
+    const bool fits = std::all_of(text.begin(), text.end(), [](QChar c) { return c.unicode() < 0x100; });
+    return fits ? text.toLatin1().toStdString() : utf8;
+}
+
+}  // namespace lathelier::deflection_common

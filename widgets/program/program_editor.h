@@ -1,0 +1,75 @@
+// The text of an NC program: syntax colours, line numbers, remarks in place. Only visible lines are looked at, so a
+// million of them scroll.
+#pragma once
+
+#include <Qsci/qsciscintilla.h>
+
+#include <QTimer>
+#include <vector>
+
+#include "engine/gcode/program.h"
+#include "widgets/core/form/typing.h"
+
+namespace lathelier::program_panel {
+
+/// Something to be shown at a line.
+struct LineRemark {
+    std::int64_t line = 0;    ///< from 1
+    std::int64_t column = 0;  ///< in characters, from 1; 0: the whole line
+    bool is_error = false;    ///< else a warning
+    QString text;             ///< what people read
+};
+
+class ProgramEditor : public QsciScintilla, public TypingEditor {
+    Q_OBJECT
+
+public:
+    explicit ProgramEditor(QWidget* parent = nullptr);
+
+    /// Shows another text, as if it had been loaded, or replaces the part that differs when the file is the same one.
+    void setProgram(const QByteArray& utf8, const QString& file, gcode::Dialect dialect);
+    QByteArray program() const;  ///< UTF-8, line ends as they are
+
+    void setRemarks(std::vector<LineRemark> remarks);
+    const std::vector<LineRemark>& remarks() const { return remarks_; }
+
+    /// Puts the caret at the beginning of a line and shows it in the middle; the keyboard stays where it is.
+    void goToLine(std::int64_t line);
+    std::int64_t line() const;  ///< of the caret, from 1
+
+    bool isTyping() const { return pause_.isActive(); }  ///< typed, and not announced yet
+    void takeOver() override;
+
+    /// The next or an earlier place of a text after the caret, round about; false when there is none.
+    bool find(const QString& wanted, bool forward);
+
+    /// How a place of the text is drawn, for tests: index of the style.
+    int styleAt(std::int64_t line, int column) const;
+    enum Style { Plain, Comment, Preparatory, Miscellaneous, Coordinate, Technology, Number, Control, NotUnderstood };
+
+signals:
+    void edited();                     ///< a while after the last key, or by takeOver()
+    void lineReached(qlonglong line);  ///< the caret came to another line
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void restyle();
+    void styleVisible();
+    void styleLine(long line);
+    void fitMargin();
+    void markRemarks();
+    void sayRemark(int position, int x, int y);
+    long send(unsigned int message, unsigned long w = 0, long l = 0) const { return SendScintilla(message, w, l); }
+
+    gcode::Dialect dialect_ = gcode::Dialect::Fanuc;
+    QString file_;
+    std::vector<LineRemark> remarks_;
+    QTimer pause_;
+    qlonglong line_ = 0;
+    bool loading_ = false;
+};
+
+}  // namespace lathelier::program_panel

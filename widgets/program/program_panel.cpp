@@ -1,0 +1,186 @@
+#include "widgets/program/program_panel.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "engine/gcode/toolpath_files.h"
+#include "engine/io/file.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/deflection_common/deflection_inputs.h"
+#include "widgets/program/program_editor.h"
+#include "widgets/program/program_views.h"
+
+namespace lathelier::program_panel {
+namespace {
+
+using namespace deflection_common;
+
+PanelInputs panelInputs()
+{
+    return programInputs({"changed_z_zero_mm", "dialect", "integer_words"},
+                         LT_TEXT("Engine",
+                                 "Drop an NC program here: its path, its remarks and its time follow. With a "
+                                 "set-up (SETUP.json) it is checked against the stock."));
+}
+
+}  // namespace
+
+PanelFacts programPanelFacts()
+{
+    PanelFacts facts = turningFacts("program", LT_TEXT("Engine", "Program"), "program");
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(programPicture(state, stores, progress), language); };
+    facts.make = [](Session& session) -> PanelBase* { return new ProgramPanel(session); };
+    return facts;
+}
+
+ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
+    : Panel(owner, programPanelFacts(), panelInputs(), parent), views_(new ProgramViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &ProgramViews::edited, this, &ProgramPanel::keepDraft);
+    connect(views_, &ProgramViews::saveWanted, this, &ProgramPanel::askAndSave);
+    connect(views_, &ProgramViews::discardWanted, this,
+            [this] { setDraft(tr("Discard the changes of the program"), std::nullopt); });
+    connect(views_, &ProgramViews::notWritten, this, &ProgramPanel::sayNotWritten);
+}
+
+ProgramPanel::Compute ProgramPanel::compute(const project::PanelState& state) const
+{
+    fromValues<DeflectionQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return programPicture(state, *stores, progress);
+    };
+}
+
+/// What is typed meanwhile stays; else the text follows the project, also when it is undone.
+void ProgramPanel::showResult(const std::shared_ptr<const ProgramPicture>& picture)
+{
+    const auto source = state().inputs.find(programRole);
+    const bool is_asked = source != state().inputs.end() && source->second.path == picture->file;
+    const auto asked = fromValues<DeflectionQuestion>(state().parameters);
+    const ProgramDraft* draft = draftOf(asked.drafts, picture->file);
+    const bool is_newest = draft ? picture->isDraft() && draft->text == picture->text : !picture->isDraft();
+    views_->setPicture(picture, is_asked && is_newest && !views_->editor()->isTyping());
+}
+
+void ProgramPanel::keepDraft()
+{
+    const auto picture = result();
+    if (!picture) return;
+    const std::string text = views_->editor()->program().toStdString();
+    if (text == picture->file_text)
+        setDraft(tr("Edit the program"), std::nullopt);
+    else
+        setDraft(tr("Edit the program"), text);
+}
+
+void ProgramPanel::setDraft(const QString& step, const std::optional<std::string>& utf8)
+{
+    const auto picture = result();
+    if (!picture) return;
+    editState(
+        step,
+        [&](project::PanelState& state) {
+            auto question = fromValues<DeflectionQuestion>(state.parameters);
+            std::erase_if(question.drafts, [&](const ProgramDraft& draft) { return draft.path == picture->file; });
+            if (utf8) question.drafts.push_back({picture->file, *utf8});
+            lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
+        },
+        utf8 ? "program.text" : QString());
+}
+
+void ProgramPanel::saveTo(const QString& path)
+{
+    views_->editor()->takeOver();
+    const auto picture = result();
+    if (!picture) return;
+    const std::string text = views_->editor()->program().toStdString();
+    // The bytes of the file say whether it is Latin-1.
+    const auto file = session().stores().of<ProgramStore>()->known(state().inputs.at(programRole));
+    io::writeFile(path.toStdString(), bytesOf(text, file ? file->file.text : std::string()));
+    const bool is_same = QFileInfo(path) == QFileInfo(QString::fromStdString(picture->file));
+    editState(tr("Save the program"), [&](project::PanelState& state) {
+        auto question = fromValues<DeflectionQuestion>(state.parameters);
+        std::erase_if(question.drafts, [&](const ProgramDraft& draft) { return draft.path == picture->file; });
+        lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
+        if (!is_same) state.inputs[programRole] = newSource(path);
+    });
+    if (is_same) session().takeNewFiles();
+}
+
+/// Under a name of its own; the dialog asks before it takes that of a file that is there.
+void ProgramPanel::askAndSave()
+{
+    const auto picture = result();
+    if (!picture) return;
+    const QFileInfo file(QString::fromStdString(picture->file));
+    QFileDialog dialog(this, tr("Save the program"), file.dir().path(),
+                       tr("NC program (*.nc *.ngc *.mpf *.tap);;All files (*)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(file.suffix());
+    dialog.selectFile(tr("%1 changed").arg(file.completeBaseName()).replace(' ', '_') + '.' + file.suffix());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().value(0);
+    try {
+        saveTo(path);
+        emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, facts().title});
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+report::Answer ProgramPanel::answer(const ProgramPicture& picture) const
+{
+    return stock::answer(*picture.check, screenLanguage());
+}
+
+report::Document ProgramPanel::document(const ProgramPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> ProgramPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    auto* panel = const_cast<ProgramPanel*>(this);  // saving changes the project, as the button does
+    return {{tr("Program as it stands here…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
+             [panel](const QString& path) { panel->saveTo(path); }},
+            {tr("Moves of the tool (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
+                 std::string text;
+                 gcode::writeMoves(picture->check->path, [&text](std::string_view part) { text += part; });
+                 io::writeFile(path.toStdString(), text);
+             }}};
+}
+
+void ProgramPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    assignTurningFiles(state, files);
+}
+
+QString ProgramPanel::understood(const InputRole& role, const project::Source& source) const
+{
+    return understoodTurning(role.role, source, session().stores());
+}
+
+Worker::Job ProgramPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return readingJob(state, session().sharedStores());
+}
+
+void ProgramPanel::showPlace(const report::Place& place)
+{
+    if (!place.line) return;
+    views_->heroes()->setHero("program");
+    views_->goToLine(*place.line);
+}
+
+void ProgramPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::program_panel

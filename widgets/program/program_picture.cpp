@@ -1,0 +1,63 @@
+#include "widgets/program/program_picture.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/deflection/turning_study.h"
+#include "engine/report/result_json.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/deflection_common/turning_files.h"
+
+namespace lathelier::program_panel {
+namespace {
+
+using namespace deflection_common;
+
+/// Stock and tool as far as they are known.
+std::optional<stock::CheckedStock> takeStock(const project::PanelState& state, Stores& stores, const Progress& progress,
+                                             ProgramPicture& picture)
+{
+    std::optional<Shaft> shaft;
+    if (state.inputs.count(setupRole) > 0) {
+        const auto setup = takeFile<SetupStore>(state, setupRole, stores, progress, picture);
+        shaft = setup->file.stock;
+        picture.parameters = deflection::stockParameters(changed(setup->file.setup, picture.question.changes));
+    }
+    if (auto stated = chatter_common::takeShaft(state, stores, progress))
+        shaft = chatter_common::noted(picture, *std::move(stated));
+    if (!shaft) return std::nullopt;
+    return stock::CheckedStock{*std::move(shaft), picture.parameters};
+}
+
+}  // namespace
+
+ProgramPicture programPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    ProgramPicture picture;
+    picture.question = fromValues<DeflectionQuestion>(state.parameters);
+    picture.file = state.inputs.at(programRole).path;
+    std::string text = takeProgram(state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")), picture);
+    picture.file_text = toUtf8(stores.of<ProgramStore>()->load(state.inputs.at(programRole), progress)->file.text);
+    picture.text = picture.isDraft() ? picture.question.drafts.front().text : picture.file_text;
+    const std::optional<stock::CheckedStock> stock = takeStock(state, stores, progress.part(0.1, 0.2), picture);
+    try {
+        picture.check = std::make_shared<stock::ProgramCheck>(
+            stock::checkProgram(std::move(text), picture.question.reading, stock, progress.part(0.2, 1)));
+    } catch (Error& error) {
+        throw error.with("path", picture.file);
+    }
+    picture.notes.insert(picture.notes.end(), picture.check->notes.begin(), picture.check->notes.end());
+    return picture;
+}
+
+report::Document reportOf(const ProgramPicture& picture, const Language& language)
+{
+    report::Document document = stock::programReport(*picture.check, language);
+    document.inputs = picture.inputs;
+    document.synthetic = picture.synthetic;
+    if (!picture.notes.empty()) document.sections.front().blocks.emplace_back(picture.notes);
+    document.results = {report::toText(report::wholeResult("program", picture.inputs, toValues(picture.question),
+                                                           stock::toJson(*picture.check), picture.notes))};
+    return document;
+}
+
+}  // namespace lathelier::program_panel

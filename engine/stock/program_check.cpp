@@ -1,6 +1,7 @@
 #include "engine/stock/program_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
@@ -43,6 +44,23 @@ std::int64_t countErrors(const gcode::Toolpath& path)
 {
     return std::count_if(path.diagnostics.begin(), path.diagnostics.end(),
                          [](const gcode::Diagnostic& remark) { return remark.is_error; });
+}
+
+/// Shows stock and feed moves at first; retreats to far places are not worth the room.
+void showCuts(report::Plot& plot, const ProgramCheck& check)
+{
+    constexpr double air = 0.06;
+    Interval z{0, check.stock->length_mm}, x{0, 0};
+    for (const double radius : check.stock->before.x_mm) x.to = std::fmax(x.to, radius);
+    for (std::size_t i = 0; i < check.drawn.corners(); ++i) {
+        if (!check.drawn.isPiece(i) || check.drawn.isRapid(i)) continue;
+        const Corner& corner = check.drawn.corner(i);
+        z = {std::min(z.from, corner.z_mm), std::max(z.to, corner.z_mm)};
+        x = {std::min(x.from, corner.x_mm), std::max(x.to, corner.x_mm)};
+    }
+    const double z_air = air * (z.to - z.from), x_air = 2 * air * (x.to - x.from);
+    plot.x.range = Interval{z.from - z_air, z.to + z_air};
+    plot.y.range = Interval{x.from - x_air, x.to + x_air};
 }
 
 }  // namespace
@@ -117,6 +135,9 @@ report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const
     if (check.stock) {
         report::Plot plot = stockPlot(*check.stock, parts, language);
         plot.title = LT_TEXT("Engine", "Path of the tool and stock");
+        for (report::Curve& curve : plot.curves)
+            if (curve.thin) curve.name = std::string();  // a table lists the passes
+        showCuts(plot, check);
         return plot;
     }
     report::Plot plot;

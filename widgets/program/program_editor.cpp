@@ -323,4 +323,11 @@ void ProgramEditor::showEvent(QShowEvent* event)
     styleVisible();
 }
 
+/// More lines may have come into view, which Scintilla does not say.
+void ProgramEditor::resizeEvent(QResizeEvent* event)
+{
+    QsciScintilla::resizeEvent(event);
+    styleVisible();
+}
+
 }  // namespace lathelier::program_panel

@@ -9231,6 +9231,114 @@
         <source>Tool post, tangential</source>
         <translation>Zespół narzędziowy, stycznie</translation>
     </message>
+    <message>
+        <source>The program was changed here and is not saved: the answer is that of the changed text.</source>
+        <translation>Program został tu zmieniony i nie jest zapisany: odpowiedź dotyczy zmienionego tekstu.</translation>
+    </message>
+    <message>
+        <source>More than {most} blocks are run: the program does not seem to come to an end.</source>
+        <translation>Wykonywanych jest ponad {most} bloków: program zdaje się nie mieć końca.</translation>
+    </message>
+    <message>
+        <source>Time in feed</source>
+        <translation>Czas posuwu</translation>
+    </message>
+    <message>
+        <source>Time in rapid</source>
+        <translation>Czas ruchu szybkiego</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Postój</translation>
+    </message>
+    <message>
+        <source>Way in feed</source>
+        <translation>Droga posuwu</translation>
+    </message>
+    <message>
+        <source>Way in rapid</source>
+        <translation>Droga ruchu szybkiego</translation>
+    </message>
+    <message>
+        <source>Feed moves without feed or speed</source>
+        <translation>Ruchy robocze bez posuwu lub prędkości</translation>
+    </message>
+    <message>
+        <source>Line {line}: {remark}</source>
+        <translation>Wiersz {line}: {remark}</translation>
+    </message>
+    <message>
+        <source>Running the program</source>
+        <translation>Wykonywanie programu</translation>
+    </message>
+    <message>
+        <source>Time of the program</source>
+        <translation>Czas programu</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>✗ errors in the program</source>
+        <translation>✗ błędy w programie</translation>
+    </message>
+    <message>
+        <source>✓ the tool meets nothing it must not</source>
+        <translation>✓ narzędzie na nic nie trafia</translation>
+    </message>
+    <message>
+        <source>✗ the tool meets what it must not</source>
+        <translation>✗ narzędzie trafia na przeszkodę</translation>
+    </message>
+    <message>
+        <source>not checked against stock</source>
+        <translation>bez sprawdzenia z półfabrykatem</translation>
+    </message>
+    <message>
+        <source>{errors} errors · {remarks} remarks · {understood} of {words} words understood · in feed {feed} min over {way} mm</source>
+        <translation>błędy: {errors} · uwagi: {remarks} · zrozumiane słowa: {understood} z {words} · posuwem {feed} min na {way} mm</translation>
+    </message>
+    <message>
+        <source>Path of the tool and stock</source>
+        <translation>Tor narzędzia i półfabrykat</translation>
+    </message>
+    <message>
+        <source>Path of the tool</source>
+        <translation>Tor narzędzia</translation>
+    </message>
+    <message>
+        <source>z, from the program&apos;s zero toward the chuck</source>
+        <translation>z, od zera programu do uchwytu</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Przejścia</translation>
+    </message>
+    <message>
+        <source>Feed moves that state no feed or no speed are not in the time: {count}.</source>
+        <translation>Ruchy robocze bez podanego posuwu lub prędkości nie są wliczone w czas: {count}.</translation>
+    </message>
+    <message>
+        <source>Changed programs</source>
+        <translation>Zmienione programy</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Jeszcze niezapisane.</translation>
+    </message>
+    <message>
+        <source>That was changed.</source>
+        <translation>Który został zmieniony.</translation>
+    </message>
+    <message>
+        <source>As changed.</source>
+        <translation>Po zmianie.</translation>
+    </message>
+    <message>
+        <source>Drop an NC program here: its path, its remarks and its time follow. With a set-up (SETUP.json) it is checked against the stock.</source>
+        <translation>Upuść tu program NC: pokażą się jego tor, uwagi i czas. Z ustawieniem (SETUP.json) jest sprawdzany względem półfabrykatu.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -11108,6 +11216,132 @@ odchyłka %3</translation>
     <message>
         <source>%1 %2/div</source>
         <translation>%1 %2/dz.</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::program_panel::ProgramPanel</name>
+    <message>
+        <source>Discard the changes of the program</source>
+        <translation>Odrzuć zmiany programu</translation>
+    </message>
+    <message>
+        <source>Edit the program</source>
+        <translation>Zmień program</translation>
+    </message>
+    <message>
+        <source>Save the program</source>
+        <translation>Zapisz program</translation>
+    </message>
+    <message>
+        <source>NC program (*.nc *.ngc *.mpf *.tap);;All files (*)</source>
+        <translation>Program NC (*.nc *.ngc *.mpf *.tap);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 zmieniony</translation>
+    </message>
+    <message>
+        <source>Program as it stands here…</source>
+        <translation>Program w obecnej postaci…</translation>
+    </message>
+    <message>
+        <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
+        <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
+    </message>
+    <message>
+        <source>Moves of the tool (CSV)…</source>
+        <translation>Ruchy narzędzia (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::program_panel::ProgramViews</name>
+    <message>
+        <source>changed, not saved</source>
+        <translation>zmieniony, niezapisany</translation>
+    </message>
+    <message>
+        <source>as on the disk</source>
+        <translation>jak na dysku</translation>
+    </message>
+    <message>
+        <source>Line %1: no move</source>
+        <translation>Wiersz %1: bez ruchu</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 to Ø %3, Z %4 · tool %5</source>
+        <translation>Wiersz %1: %2 do Ø %3, Z %4 · narzędzie %5</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>ruch szybki</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>posuw</translation>
+    </message>
+    <message>
+        <source>Find in the program</source>
+        <translation>Szukaj w programie</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nie znaleziono</translation>
+    </message>
+    <message>
+        <source>Program and path</source>
+        <translation>Program i tor</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Przejścia</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Find the one before</source>
+        <translation>Znajdź poprzednie</translation>
+    </message>
+    <message>
+        <source>Find the next one</source>
+        <translation>Znajdź następne</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Zapisz jako…</translation>
+    </message>
+    <message>
+        <source>Save the program as a new file</source>
+        <translation>Zapisz program jako nowy plik</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Odrzuć zmiany</translation>
+    </message>
+    <message>
+        <source>Take the program of the file again</source>
+        <translation>Weź znów program z pliku</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Tekst programu</translation>
+    </message>
+    <message>
+        <source>Path of the tool</source>
+        <translation>Tor narzędzia</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,11 @@
-// Stock: a roughing program of 200 moves at 20 and 5 µm, 750 moves on 240 mm with a holder, 1e5 short moves. One core.
+// Stock: a path of 1e6 moves as it is drawn, a roughing program of 200 moves at 20 and 5 µm, 750 moves on 240 mm with a
+// holder, 1e5 short moves. One core.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "engine/core/parallel.h"
+#include "engine/stock/drawn_path.h"
 #include "engine/stock/stock_check.h"
 
 namespace lathelier::stock {
@@ -75,6 +79,43 @@ void moves100000(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(simulateStock(rod(290, 40), moves, parameters));
 }
 BENCHMARK(moves100000)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// The path of 1e6 short moves: made, thinned for a screen, pointed at.
+std::vector<gcode::Move> contour(int count)
+{
+    std::vector<gcode::Move> moves(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        gcode::Move& move = moves[static_cast<std::size_t>(i)];
+        move.line = i + 1;
+        move.kind = gcode::MoveKind::Feed;
+        move.x_mm = 15 + 0.2 * std::sin(0.001 * i);
+        move.z_mm = -0.0003 * i;
+    }
+    return moves;
+}
+
+void pathMade(benchmark::State& state)
+{
+    const std::vector<gcode::Move> moves = contour(1000000);
+    for (auto _ : state) benchmark::DoNotOptimize(DrawnPath(moves, 0, moves.size()));
+}
+BENCHMARK(pathMade)->Unit(benchmark::kMillisecond);
+
+void pathThinned(benchmark::State& state)
+{
+    const std::vector<gcode::Move> moves = contour(1000000);
+    const DrawnPath path(moves, 0, moves.size());
+    for (auto _ : state) benchmark::DoNotOptimize(path.curves(path.whole(1000)));
+}
+BENCHMARK(pathThinned)->Unit(benchmark::kMillisecond);
+
+void pathPointedAt(benchmark::State& state)
+{
+    const std::vector<gcode::Move> moves = contour(1000000);
+    const DrawnPath path(moves, 0, moves.size());
+    for (auto _ : state) benchmark::DoNotOptimize(path.nearest({150, 15}, 0.3, 0.01));
+}
+BENCHMARK(pathPointedAt)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace lathelier::stock

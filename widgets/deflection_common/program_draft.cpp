@@ -3,6 +3,7 @@
 #include <QString>
 #include <QTextCodec>
 #include <algorithm>
+#include <filesystem>
 
 namespace lathelier::deflection_common {
 namespace {
@@ -21,18 +22,27 @@ std::optional<QString> decoded(const std::string& bytes)
 const std::vector<Field<ProgramDraft>>& fieldsOf(const ProgramDraft*)
 {
     using D = ProgramDraft;
-    static const auto all =
-        described<D>(field("path", &D::path,
-                           Label{LT_TEXT("Engine", "File"), LT_TEXT("Engine", "That was changed."), {}, false, true}),
-                     field("text", &D::text,
-                           Label{LT_TEXT("Engine", "Program"), LT_TEXT("Engine", "As changed."), {}, false, true}));
+    static const auto all = described<D>(
+        field("path", &D::path,
+              Label{LT_TEXT("Engine", "File"), LT_TEXT("Engine", "That was changed."), {}, false, true}),
+        field("sha256", &D::sha256,
+              Label{LT_TEXT("Engine", "Digest"), LT_TEXT("Engine", "Of the file as it was read."), {}, false, true}),
+        field("text", &D::text,
+              Label{LT_TEXT("Engine", "Program"), LT_TEXT("Engine", "As changed."), {}, false, true}));
     return all;
 }
 
-const ProgramDraft* draftOf(const std::vector<ProgramDraft>& drafts, const std::string& path)
+bool isOf(const ProgramDraft& draft, const std::string& path, const std::string& sha256)
 {
-    const auto found =
-        std::find_if(drafts.begin(), drafts.end(), [&](const ProgramDraft& draft) { return draft.path == path; });
+    if (draft.path == path) return true;
+    const auto nameOf = [](const std::string& of) { return std::filesystem::path(of).filename(); };
+    return !sha256.empty() && draft.sha256 == sha256 && nameOf(draft.path) == nameOf(path);
+}
+
+const ProgramDraft* draftOf(const std::vector<ProgramDraft>& drafts, const std::string& path, const std::string& sha256)
+{
+    const auto found = std::find_if(drafts.begin(), drafts.end(),
+                                    [&](const ProgramDraft& draft) { return isOf(draft, path, sha256); });
     return found == drafts.end() ? nullptr : &*found;
 }
 

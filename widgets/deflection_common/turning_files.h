@@ -61,7 +61,9 @@ std::string takeProgram(const project::PanelState& state, Stores& stores, const 
 {
     const auto loaded = takeFile<ProgramStore>(state, programRole, stores, progress, picture);
     std::vector<ProgramDraft>& drafts = picture.question.drafts;
-    std::erase_if(drafts, [&](const ProgramDraft& draft) { return draft.path != state.inputs.at(programRole).path; });
+    std::erase_if(drafts, [&](const ProgramDraft& draft) {
+        return !isOf(draft, state.inputs.at(programRole).path, loaded->inputs.front().sha256);
+    });
     if (drafts.empty()) return loaded->file.text;
     picture.notes.push_back({notes::programEdited, {}});
     return bytesOf(drafts.front().text, loaded->file.text);

@@ -25,6 +25,12 @@ PanelInputs panelInputs()
                                  "set-up (SETUP.json) it is checked against the stock."));
 }
 
+void forgetDraft(DeflectionQuestion& question, const ProgramPicture& picture)
+{
+    std::erase_if(question.drafts,
+                  [&](const ProgramDraft& draft) { return isOf(draft, picture.file, picture.sha256); });
+}
+
 }  // namespace
 
 PanelFacts programPanelFacts()
@@ -61,7 +67,7 @@ void ProgramPanel::showResult(const std::shared_ptr<const ProgramPicture>& pictu
     const auto source = state().inputs.find(programRole);
     const bool is_asked = source != state().inputs.end() && source->second.path == picture->file;
     const auto asked = fromValues<DeflectionQuestion>(state().parameters);
-    const ProgramDraft* draft = draftOf(asked.drafts, picture->file);
+    const ProgramDraft* draft = draftOf(asked.drafts, picture->file, picture->sha256);
     const bool is_newest = draft ? picture->isDraft() && draft->text == picture->text : !picture->isDraft();
     views_->setPicture(picture, is_asked && is_newest && !views_->editor()->isTyping());
 }
@@ -85,8 +91,8 @@ void ProgramPanel::setDraft(const QString& step, const std::optional<std::string
         step,
         [&](project::PanelState& state) {
             auto question = fromValues<DeflectionQuestion>(state.parameters);
-            std::erase_if(question.drafts, [&](const ProgramDraft& draft) { return draft.path == picture->file; });
-            if (utf8) question.drafts.push_back({picture->file, *utf8});
+            forgetDraft(question, *picture);
+            if (utf8) question.drafts.push_back({picture->file, picture->sha256, *utf8});
             lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
         },
         utf8 ? "program.text" : QString());
@@ -104,7 +110,7 @@ void ProgramPanel::saveTo(const QString& path)
     const bool is_same = QFileInfo(path) == QFileInfo(QString::fromStdString(picture->file));
     editState(tr("Save the program"), [&](project::PanelState& state) {
         auto question = fromValues<DeflectionQuestion>(state.parameters);
-        std::erase_if(question.drafts, [&](const ProgramDraft& draft) { return draft.path == picture->file; });
+        forgetDraft(question, *picture);
         lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
         if (!is_same) state.inputs[programRole] = newSource(path);
     });

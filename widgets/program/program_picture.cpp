@@ -36,7 +36,9 @@ ProgramPicture programPicture(const project::PanelState& state, Stores& stores, 
     picture.question = fromValues<DeflectionQuestion>(state.parameters);
     picture.file = state.inputs.at(programRole).path;
     std::string text = takeProgram(state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")), picture);
-    picture.file_text = toUtf8(stores.of<ProgramStore>()->load(state.inputs.at(programRole), progress)->file.text);
+    const auto loaded = stores.of<ProgramStore>()->load(state.inputs.at(programRole), progress);
+    picture.sha256 = loaded->inputs.front().sha256;
+    picture.file_text = toUtf8(loaded->file.text);
     picture.text = picture.isDraft() ? picture.question.drafts.front().text : picture.file_text;
     const std::optional<stock::CheckedStock> stock = takeStock(state, stores, progress.part(0.1, 0.2), picture);
     try {

@@ -196,6 +196,17 @@ private slots:
         QVERIFY(panel_->result()->text.find("(B)") != std::string::npos);
     }
 
+    void aDraftFollowsItsFileToAnotherFolder()
+    {
+        using deflection_common::isOf;
+        const deflection_common::ProgramDraft draft{"/a/one.nc", "1234", "G0"};
+        QVERIFY(isOf(draft, "/a/one.nc", "9999"));   // the same file, written by another program
+        QVERIFY(isOf(draft, "/b/one.nc", "1234"));   // moved with its project
+        QVERIFY(!isOf(draft, "/b/one.nc", "9999"));  // another program of that name
+        QVERIFY(!isOf(draft, "/b/two.nc", "1234"));
+        QVERIFY(!isOf({"/a/one.nc", "", "G0"}, "/b/one.nc", ""));
+    }
+
     void textIsFound()
     {
         open();

@@ -9339,6 +9339,14 @@
         <source>Drop an NC program here: its path, its remarks and its time follow. With a set-up (SETUP.json) it is checked against the stock.</source>
         <translation>Upuść tu program NC: pokażą się jego tor, uwagi i czas. Z ustawieniem (SETUP.json) jest sprawdzany względem półfabrykatu.</translation>
     </message>
+    <message>
+        <source>Digest</source>
+        <translation>Skrót</translation>
+    </message>
+    <message>
+        <source>Of the file as it was read.</source>
+        <translation>Pliku, jaki odczytano.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

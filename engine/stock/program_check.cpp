@@ -135,8 +135,12 @@ report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const
     if (check.stock) {
         report::Plot plot = stockPlot(*check.stock, parts, language);
         plot.title = LT_TEXT("Engine", "Path of the tool and stock");
+        // Tables list passes and findings; the drawing needs the room.
         for (report::Curve& curve : plot.curves)
-            if (curve.thin) curve.name = std::string();  // a table lists the passes
+            if (std::holds_alternative<std::string>(curve.name)) curve.name = std::string();
+        for (std::size_t k = 0; k < plot.marks.size(); ++k)
+            plot.marks[k].name = fill(text(LT_TEXT("Engine", "line {line}"), language),
+                                      {{"line", check.stock->findings[k].line}}, language);
         showCuts(plot, check);
         return plot;
     }

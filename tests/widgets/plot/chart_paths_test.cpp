@@ -99,6 +99,45 @@ private slots:
         view_->setData({});
         QVERIFY(!view_->grab().isNull());
     }
+
+    /// Every side of a closed outline is drawn, also where only a part of it is shown and no corner lies in it.
+    void anOutlineIsDrawnWhereItGoesBack()
+    {
+        report::Plot data;
+        data.title = "Outline";
+        data.x = {"z", Text{"mm"}};
+        data.y = {"radius", Text{"mm"}};
+        data.x.range = Interval{45, 55};
+        data.y.range = Interval{-5, 15};
+        report::Curve curve;
+        curve.x = {0, 0, 100, 100, 0};
+        curve.y = {1, 10, 10, 1, 1};
+        data.curves.push_back(curve);
+        view_->setData(data);
+        const auto isDrawn = [this](double y) {
+            const QImage drawn = view_->grab().toImage();
+            const QPoint place = view_->pixelAt(50, y).toPoint();
+            for (int dy = -2; dy <= 2; ++dy)
+                if (drawn.pixelColor(place + QPoint(7, dy)).saturation() > 80) return true;
+            return false;
+        };
+        QTRY_VERIFY(isDrawn(1));
+        QTRY_VERIFY(isDrawn(10));
+    }
+
+    void whatIsPointedOutIsDrawnAndTakenAway()
+    {
+        const QPoint place = view_->pixelAt(0, 0).toPoint();
+        const auto colour = [&] { return view_->grab().toImage().pixelColor(place + QPoint(4, 0)); };
+        const QColor before = colour();
+        plot::PointedOut out;
+        out.lines.push_back(QPolygonF() << QPointF(-6, 0) << QPointF(6, 0));
+        out.place = QPointF(6, 0);
+        view_->pointOut(out);
+        QTRY_VERIFY(colour() != before);
+        view_->pointOut({});
+        QTRY_COMPARE(colour(), before);
+    }
 };
 
 QTEST_MAIN(ChartPathsTest)

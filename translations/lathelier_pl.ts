@@ -9347,6 +9347,10 @@
         <source>Of the file as it was read.</source>
         <translation>Pliku, jaki odczytano.</translation>
     </message>
+    <message>
+        <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the workspace Chatter; the cutting coefficients stay those of the set-up.</source>
+        <translation>Moduł sprężystości pochodzi z wału projektu, {modulus_MPa} MPa, jak w obszarze Drgania; współczynniki skrawania pozostają te z ustawienia.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

@@ -138,6 +138,12 @@ inline constexpr NoteCode materialOfSetup{
         "The stock states {stock_MPa} MPa for its elastic modulus, the set-up {setup_MPa} MPa; that of the set-up is "
         "used.")};
 
+inline constexpr NoteCode materialOfShaft{
+    "material_of_shaft", Severity::Info,
+    LT_TEXT("Engine",
+            "The elastic modulus is that of the project's shaft, {modulus_MPa} MPa, as in the workspace Chatter; the "
+            "cutting coefficients stay those of the set-up.")};
+
 inline constexpr NoteCode tooFewForStiffness{
     "too_few_for_stiffness", Severity::Info,
     LT_TEXT("Engine", "{found} measured diameters do not determine {expected} unknown stiffnesses; none was sought.")};

@@ -14,10 +14,17 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
 {
     std::string program = takeProgram(state, stores, progress.part(0, 0.3), picture);
     const auto machine = takeFile<SetupStore>(state, setupRole, stores, progress.part(0.3, 0.4), picture);
-    std::optional<Shaft> stock = machine->file.stock;
-    if (auto stated = chatter_common::takeShaft(state, stores, progress))
-        stock = chatter_common::noted(picture, *std::move(stated));
     deflection::TurningSetup setup = machine->file.setup;
+    std::optional<Shaft> stock = machine->file.stock;
+    if (auto stated = chatter_common::takeShaft(state, stores, progress)) {
+        stock = chatter_common::noted(picture, *std::move(stated));
+        // A shaft of the project is one definition for all panels, and its material with it. A file gives geometry.
+        if (!state.inputs.at(chatter_common::shaftRole).item.empty() && stock->material) {
+            setup.material.elastic = *stock->material;
+            picture.notes.push_back(
+                {notes::materialOfShaft, {{"modulus_MPa", setup.material.elastic.elastic_modulus_MPa}}});
+        }
+    }
     if (auto spindle = chatter_common::takeSpindle(state, stores, progress)) {
         const receptance::SpindleReceptance chuck = chatter_common::noted(picture, *std::move(spindle));
         if (const receptance::SpindleSprings* springs = chuck.springs()) {

@@ -4,11 +4,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "engine/core/shaft_item.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/receptance/spindle_file.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"
+#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/deflection/deflection_panel.h"
@@ -51,6 +53,27 @@ private slots:
         QCOMPARE(views().error()->data().limits.size(), std::size_t{2});
         QVERIFY(panel_->reportDocument().has_value());
         QCOMPARE(panel_->reportDocument()->inputs.size(), std::size_t{3});  // program, set-up, stock
+    }
+
+    void aShaftOfTheProjectBringsItsMaterial()
+    {
+        open();
+        settle();
+        const double before = study().prediction.summary.max_um;
+        Shaft shaft;
+        shaft.segments = {{287.5, 34, 34, 0, {}, {}}};
+        shaft.material.emplace();
+        shaft.material->elastic_modulus_MPa = 70000;
+        session_->edit("Use", [&](project::Project& project) {
+            project.items["bar"].kind = shaftItem;
+            project.items["bar"].values = lathelier::toValues(shaft);
+            project.panels["deflection"].inputs[chatter_common::shaftRole].item = "bar";
+        });
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::materialOfShaft));
+        QVERIFY(!contains(panel_->result()->notes, notes::materialOfSetup));
+        QCOMPARE(panel_->result()->job->setup.material.elastic.elastic_modulus_MPa, 70000.0);
+        QVERIFY(study().prediction.summary.max_um > before + 1);
     }
 
     void aStifferTailstockLeavesASmallerError()

@@ -24,7 +24,7 @@ double meanAbove(double a, double b, double floor)
 }
 
 /// Minutes of a revolution in the mean of a straight way between two radii; NaN: no speed is stated.
-double meanTurn_min(const Move& move, double from_x_mm, double to_x_mm)
+double meanTurnMinutes(const Move& move, double from_x_mm, double to_x_mm)
 {
     if (!isKnown(move.cutting_speed_m_min)) return 1 / move.speed_rpm;
     const double per_mm = 2 * std::numbers::pi / (mm_per_m * move.cutting_speed_m_min);
@@ -40,7 +40,7 @@ double feedTime_s(const Move& move, const Point& from, const Point& to)
     // The lead of a thread counts along the axis that moves farther.
     const double way =
         move.kind == MoveKind::Thread ? std::max(std::abs(to.x_mm - from.x_mm), std::abs(to.z_mm - from.z_mm)) : length;
-    return s_per_min * way / move.feed_mm_rev * meanTurn_min(move, from.x_mm, to.x_mm);
+    return s_per_min * way / move.feed_mm_rev * meanTurnMinutes(move, from.x_mm, to.x_mm);
 }
 
 void addStraight(const Move& move, const Point& from, const Point& to, double& length_mm, double& time_s)

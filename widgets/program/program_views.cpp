@@ -165,6 +165,7 @@ void ProgramViews::show()
     const stock::ProgramCheck& check = *picture_->check;
     const std::vector<stock::Remark> remarks = stock::remarksOf(check, screenLanguage());
     std::vector<LineRemark> marks;
+    marks.reserve(remarks.size());
     for (const stock::Remark& remark : remarks)
         marks.push_back({remark.line, remark.column, remark.is_error, QString::fromStdString(remark.text)});
     editor_->setRemarks(std::move(marks));

@@ -9296,7 +9296,7 @@
         <translation>bez sprawdzenia z półfabrykatem</translation>
     </message>
     <message>
-        <source>{errors} errors · {remarks} remarks · {understood} of {words} words understood · in feed {feed} min over {way} mm</source>
+        <source>errors: {errors} · remarks: {remarks} · {understood} of {words} words understood · in feed {feed} min over {way} mm</source>
         <translation>błędy: {errors} · uwagi: {remarks} · zrozumiane słowa: {understood} z {words} · posuwem {feed} min na {way} mm</translation>
     </message>
     <message>

@@ -110,7 +110,7 @@ report::Answer answer(const ProgramCheck& check, const Language& language)
     }
     answer.sentence =
         LT_TEXT("Engine",
-                "{errors} errors · {remarks} remarks · {understood} of {words} words understood · in feed "
+                "errors: {errors} · remarks: {remarks} · {understood} of {words} words understood · in feed "
                 "{feed} min over {way} mm");
     answer.values = {{"errors", errors},
                      {"remarks", static_cast<std::int64_t>(check.path.diagnostics.size()) - errors},

@@ -116,6 +116,7 @@ ProgramEditor::ProgramEditor(QWidget* parent) : QsciScintilla(parent)
     indicatorDefine(SquiggleIndicator, warningWave);
     indicatorDefine(SquiggleIndicator, errorWave);
     setCaretLineVisible(true);
+    send(SCI_SETCARETLINEVISIBLEALWAYS, 1);  // a click on the path leaves the keyboard where it is
     send(SCI_SETLEXER, SCLEX_CONTAINER);
     send(SCI_SETSCROLLWIDTH, 1);
     send(SCI_SETSCROLLWIDTHTRACKING, 1);

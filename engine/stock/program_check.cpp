@@ -199,11 +199,12 @@ Json toJson(const ProgramCheck& check)
     return json;
 }
 
-report::Document programReport(const ProgramCheck& check, const Language& language)
+report::Document programReport(const ProgramCheck& check, const Notes& notes, const Language& language)
 {
     report::Document document = gcode::toolpathReport(check.path, language);
     report::Section& first = document.sections.front();
     first.blocks.insert(first.blocks.begin(), answer(check, language));
+    if (!notes.empty()) first.blocks.emplace_back(notes);
     StockPlotParts parts;
     parts.window = check.drawn.whole(paper_px);
     report::Section path{LT_TEXT("Engine", "Path of the tool"),
@@ -214,7 +215,6 @@ report::Document programReport(const ProgramCheck& check, const Language& langua
                                                               check.stock->findings,
                                                               {"line", "kind_name", "z_mm", "x_mm", "depth_mm"}));
     }
-    if (!check.notes.empty()) path.blocks.push_back(check.notes);
     document.sections.push_back(std::move(path));
     return document;
 }

@@ -55,6 +55,7 @@ std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& languag
 report::Table passTable(const ProgramCheck& check);  ///< empty without stock
 report::Table toolTable(const ProgramCheck& check);  ///< by tool: line, times, ways
 Json toJson(const ProgramCheck& check);              ///< diagnostics, words, times; keys of the stock; without moves
-report::Document programReport(const ProgramCheck& check, const Language& language = {});
+/// `notes`: of the check, and what there is to say of its files.
+report::Document programReport(const ProgramCheck& check, const Notes& notes, const Language& language = {});
 
 }  // namespace lathelier::stock

@@ -53,10 +53,9 @@ ProgramPicture programPicture(const project::PanelState& state, Stores& stores, 
 
 report::Document reportOf(const ProgramPicture& picture, const Language& language)
 {
-    report::Document document = stock::programReport(*picture.check, language);
+    report::Document document = stock::programReport(*picture.check, picture.notes, language);
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic;
-    if (!picture.notes.empty()) document.sections.front().blocks.emplace_back(picture.notes);
     document.results = {report::toText(report::wholeResult("program", picture.inputs, toValues(picture.question),
                                                            stock::toJson(*picture.check), picture.notes))};
     return document;

@@ -163,7 +163,7 @@ TEST(ProgramCheck, ErrorsAreAnAnswer)
     EXPECT_FALSE(said.value);
     ASSERT_FALSE(said.findings.empty());
     EXPECT_EQ(said.findings.front().place.line, std::optional<std::int64_t>(4));
-    EXPECT_FALSE(programReport(check).sections.empty());
+    EXPECT_FALSE(programReport(check, check.notes).sections.empty());
 }
 
 TEST(ProgramCheck, TimeThatIsNotKnownIsSaid)

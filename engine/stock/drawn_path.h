@@ -28,7 +28,7 @@ class DrawnPath {
 public:
     DrawnPath() = default;  ///< nothing
 
-    /// `blocks`: lines of the program. z = z_zero - Z; arcs become chords within 5 µm. 40 bytes a corner. Throws
+    /// `blocks`: lines of the program. z = z_zero - Z; arcs become chords within 5 µm. 32 bytes a corner. Throws
     /// Cancelled.
     DrawnPath(std::span<const gcode::Move> moves, double z_zero_mm, std::size_t blocks, const Progress& progress = {});
 

@@ -67,8 +67,9 @@ DeflectionPicture deflectionPicture(const project::PanelState& state, Wanted wan
             *job, asked,
             {q.band, q.map, {0, q.map.least_feed_mm_rev, q.map.largest_feed_mm_rev}, q.identification, q.compensation},
             progress.part(0.3, 0.98)));
-        picture.drawn =
-            stock::DrawnPath(job->path.moves, job->setup.z_zero_mm, job->program.blocks.size(), progress.part(0.98, 1));
+        if (wanted == Wanted::Prediction && picture.study->stock)
+            picture.drawn = stock::DrawnPath(job->path.moves, job->setup.z_zero_mm, job->program.blocks.size(),
+                                             progress.part(0.98, 1));
     } catch (Error& error) {
         throw error.with("path", state.inputs.at(programRole).path);
     }

@@ -16,7 +16,7 @@ struct DeflectionPicture {
     DeflectionQuestion question;                            ///< as asked
     std::shared_ptr<const deflection::TurningJob> job;      ///< never null
     std::shared_ptr<const deflection::TurningStudy> study;  ///< never null
-    stock::DrawnPath drawn;                                 ///< of the program
+    stock::DrawnPath drawn;                                 ///< of the program; with the stock of a prediction
     std::vector<InputFile> inputs;                          ///< files and items
     Notes notes;                                            ///< of the files and of the result
     bool synthetic = false;                                 ///< a source is marked as synthetic

@@ -9351,6 +9351,78 @@
         <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the workspace Chatter; the cutting coefficients stay those of the set-up.</source>
         <translation>Moduł sprężystości pochodzi z wału projektu, {modulus_MPa} MPa, jak w obszarze Drgania; współczynniki skrawania pozostają te z ustawienia.</translation>
     </message>
+    <message>
+        <source>Between both edges; for the check against the stock.</source>
+        <translation>Między obiema krawędziami; do kontroli z półfabrykatem.</translation>
+    </message>
+    <message>
+        <source>The geometry of the insert {insert} is taken from the library (source: {source}); the cutting coefficients stay those of the set-up.</source>
+        <translation>Geometria płytki {insert} pochodzi z biblioteki (źródło: {source}); współczynniki skrawania zostają z ustawienia.</translation>
+    </message>
+    <message>
+        <source>CNMG 120404, 95°</source>
+        <translation>CNMG 120404, 95°</translation>
+    </message>
+    <message>
+        <source>CNMG 120408, 95°</source>
+        <translation>CNMG 120408, 95°</translation>
+    </message>
+    <message>
+        <source>CNMG 120412, 95°</source>
+        <translation>CNMG 120412, 95°</translation>
+    </message>
+    <message>
+        <source>WNMG 080408, 95°</source>
+        <translation>WNMG 080408, 95°</translation>
+    </message>
+    <message>
+        <source>DNMG 150608, 93°</source>
+        <translation>DNMG 150608, 93°</translation>
+    </message>
+    <message>
+        <source>VNMG 160404, 93°</source>
+        <translation>VNMG 160404, 93°</translation>
+    </message>
+    <message>
+        <source>TNMG 160408, 93°</source>
+        <translation>TNMG 160408, 93°</translation>
+    </message>
+    <message>
+        <source>SNMG 120408, 75°</source>
+        <translation>SNMG 120408, 75°</translation>
+    </message>
+    <message>
+        <source>CCMT 09T304, 95°</source>
+        <translation>CCMT 09T304, 95°</translation>
+    </message>
+    <message>
+        <source>DCMT 11T304, 93°</source>
+        <translation>DCMT 11T304, 93°</translation>
+    </message>
+    <message>
+        <source>as the set-up states</source>
+        <translation>jak podaje ustawienie</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Płytka</translation>
+    </message>
+    <message>
+        <source>Geometry from the library. The cutting coefficients, which belong to material and insert, stay those of the set-up.</source>
+        <translation>Geometria z biblioteki. Współczynniki skrawania, które należą do materiału i płytki, zostają z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maszyna</translation>
+    </message>
+    <message>
+        <source>Springs of the chuck from the library that the workspace Chatter uses.</source>
+        <translation>Sprężyny uchwytu z biblioteki, której używa obszar Drgania.</translation>
+    </message>
+    <message>
+        <source>Elastic constants from the library that the workspace Chatter uses. The cutting coefficients stay those of the set-up.</source>
+        <translation>Stałe sprężystości z biblioteki, której używa obszar Drgania. Współczynniki skrawania zostają z ustawienia.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

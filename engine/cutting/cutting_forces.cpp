@@ -50,9 +50,13 @@ const std::vector<Field<ToolGeometry>>& fieldsOf(const ToolGeometry*)
               required(LT_TEXT("Engine", "Lead angle"),
                        LT_TEXT("Engine", "The edge enters at 90° less this: -5° is an entering angle of 95°."),
                        LT_TEXT("Engine", "°"))),
-        field("corner_radius_mm", &T::corner_radius_mm, {0.01, 100},
-              required(LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the insert."),
-                       LT_TEXT("Engine", "mm"))));
+        field(
+            "corner_radius_mm", &T::corner_radius_mm, {0.01, 100},
+            required(LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the insert."), LT_TEXT("Engine", "mm"))),
+        field(
+            "tip_angle_deg", &T::tip_angle_deg, {1, 179},
+            Label{LT_TEXT("Engine", "Tip angle"),
+                  LT_TEXT("Engine", "Between both edges; for the check against the stock."), LT_TEXT("Engine", "°")}));
     return all;
 }
 

@@ -16,6 +16,7 @@
 // F_ap does not grow with the depth throughout: beyond the corner the chip turns toward the feed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/core/fields.h"
@@ -34,8 +35,9 @@ struct CuttingCoefficients {
 
 /// The part of an insert that cuts.
 struct ToolGeometry {
-    double lead_angle_deg = 0;    ///< κ = 90° - lead angle: -5° enters at 95°
-    double corner_radius_mm = 0;  ///< r
+    double lead_angle_deg = 0;                 ///< κ = 90° - lead angle: -5° enters at 95°
+    double corner_radius_mm = 0;               ///< r
+    std::optional<double> tip_angle_deg = {};  ///< ε (ISO 1832): no force depends on it, its outline does
     friend bool operator==(const ToolGeometry&, const ToolGeometry&) = default;
 };
 

@@ -144,6 +144,13 @@ inline constexpr NoteCode materialOfShaft{
             "The elastic modulus is that of the project's shaft, {modulus_MPa} MPa, as in the workspace Chatter; the "
             "cutting coefficients stay those of the set-up.")};
 
+inline constexpr NoteCode insertOfLibrary{
+    "insert_of_library", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "The geometry of the insert {insert} is taken from the library (source: {source}); the cutting coefficients "
+        "stay those of the set-up.")};
+
 inline constexpr NoteCode tooFewForStiffness{
     "too_few_for_stiffness", Severity::Info,
     LT_TEXT("Engine", "{found} measured diameters do not determine {expected} unknown stiffnesses; none was sought.")};

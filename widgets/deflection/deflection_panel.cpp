@@ -19,7 +19,8 @@ PanelInputs panelInputs()
 {
     return deflection_common::deflectionInputs(
         {"tolerance_um", "changed_tailstock_N_mm", "changed_chuck_N_mm", "changed_chuck_N_mm_rad",
-         "changed_forces_percent", "measured", "cutting_speed_m_min", "band", "sensitivities", "feed", "map"},
+         "changed_forces_percent", "changed_insert", "changed_machine", "changed_material", "measured",
+         "cutting_speed_m_min", "band", "sensitivities", "feed", "map"},
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the error along the work follows."));
 }
 

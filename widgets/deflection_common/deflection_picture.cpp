@@ -43,7 +43,7 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
         for (const gcode::Diagnostic& diagnostic : moves.diagnostics)
             if (diagnostic.error) throw Error(*diagnostic.error);
         return deflection::turningJob(std::move(read), std::move(moves), *std::move(stock),
-                                      changed(std::move(setup), picture.question.changes));
+                                      changed(std::move(setup), picture.question.changes, picture.notes));
     } catch (Error& error) {
         throw error.with("path", path);
     }

@@ -1,7 +1,9 @@
 #include "widgets/deflection_common/deflection_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/influences.h"
+#include "engine/receptance/receptance_codes.h"
 
 namespace lathelier::deflection_common {
 namespace {
@@ -18,6 +20,34 @@ Field<DeflectionQuestion> change(const char* key, std::optional<double> SetupCha
                                  const Label& label)
 {
     return ofChanges(field(key, member, range, label));
+}
+
+/// What is taken from the libraries, and an insert of one's own.
+std::vector<Field<DeflectionQuestion>> libraryFields()
+{
+    using C = SetupChanges;
+    const Text stated = LT_TEXT("Engine", "as the set-up states");
+    return {ofChanges(field("changed_insert", &C::insert, chatter_common::insertChoices(stated),
+                            Label{LT_TEXT("Engine", "Insert"),
+                                  LT_TEXT("Engine",
+                                          "Geometry from the library. The cutting coefficients, which belong to "
+                                          "material and insert, stay those of the set-up.")})),
+            ofChanges(field(
+                "changed_machine", &C::machine, chatter_common::machineChoices(stated),
+                Label{LT_TEXT("Engine", "Machine"),
+                      LT_TEXT("Engine", "Springs of the chuck from the library that the workspace Chatter uses.")})),
+            ofChanges(field("changed_material", &C::material, chatter_common::materialChoices(stated),
+                            Label{LT_TEXT("Engine", "Material"),
+                                  LT_TEXT("Engine",
+                                          "Elastic constants from the library that the workspace Chatter uses. The "
+                                          "cutting coefficients stay those of the set-up.")})),
+            change("changed_corner_radius_mm", &C::corner_radius_mm, {0.01, 100},
+                   Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "In place of the value in the set-up."),
+                         LT_TEXT("Engine", "mm"), true}),
+            change("changed_lead_angle_deg", &C::lead_angle_deg, {-80, 80},
+                   Label{LT_TEXT("Engine", "Lead angle"),
+                         LT_TEXT("Engine", "The edge enters at 90° less this: -5° is an entering angle of 95°."),
+                         LT_TEXT("Engine", "°"), true})};
 }
 
 /// What a lathe may have beside chuck and tailstock.
@@ -94,7 +124,7 @@ std::vector<Field<DeflectionQuestion>> allFields()
     all.push_back(
         change("changed_z_zero_mm", &SetupChanges::z_zero_mm, {-1e5, 1e5},
                Label{LT_TEXT("Engine", "z of the program's zero"), as_stated, LT_TEXT("Engine", "mm"), true}));
-    for (Field<Q>& one : restFields()) all.push_back(std::move(one));
+    for (const auto& made : {libraryFields(), restFields()}) all.insert(all.end(), made.begin(), made.end());
     all.push_back(foldedWithin(&Q::study, "check_stock"));
     for (const char* key : {"springs_percent", "forces_percent", "modulus_percent", "samples"})
         all.push_back(foldedWithin(&Q::band, key));
@@ -110,6 +140,25 @@ std::vector<Field<DeflectionQuestion>> allFields()
     return all;
 }
 
+void takeFromLibraries(deflection::TurningSetup& setup, const SetupChanges& changes, Notes& notes)
+{
+    if (const auto [entry, name] = chatter_common::chosen(changes.material); entry) {
+        setup.material.elastic = entry->value;
+        notes.push_back({notes::materialOfLibrary, {{"material", name}, {"source", entry->source}}});
+    }
+    if (const auto [entry, name] = chatter_common::chosen(changes.machine); entry) {
+        setup.chuck.radial_N_mm = entry->value.radial_N_mm;
+        setup.chuck.tilt_N_mm_rad = entry->value.tilt_N_mm_rad;
+        notes.push_back({notes::machineOfLibrary, {{"source", entry->source}}});
+    }
+    if (const auto [entry, name] = chatter_common::chosen(changes.insert); entry) {
+        setup.tool = entry->value;
+        notes.push_back({notes::insertOfLibrary, {{"insert", name}, {"source", entry->source}}});
+    }
+    if (changes.corner_radius_mm) setup.tool.corner_radius_mm = *changes.corner_radius_mm;
+    if (changes.lead_angle_deg) setup.tool.lead_angle_deg = *changes.lead_angle_deg;
+}
+
 }  // namespace
 
 DeflectionQuestion::DeflectionQuestion()
@@ -123,8 +172,9 @@ const std::vector<Field<DeflectionQuestion>>& fieldsOf(const DeflectionQuestion*
     return all;
 }
 
-deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChanges& changes)
+deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChanges& changes, Notes& notes)
 {
+    takeFromLibraries(setup, changes, notes);
     if (changes.forces_percent)
         setup = deflection::scaled(std::move(setup), deflection::Influence::Forces, *changes.forces_percent / 100);
     if (changes.chuck_N_mm) setup.chuck.radial_N_mm = *changes.chuck_N_mm;

@@ -6,12 +6,18 @@
 
 #include "engine/deflection/turning_study.h"
 #include "engine/gcode/toolpath.h"
+#include "widgets/chatter_common/libraries.h"
 #include "widgets/deflection_common/program_draft.h"
 
 namespace lathelier::deflection_common {
 
-/// What differs from the set-up's file; none: as the file has it.
+/// What differs from the set-up's file; none: as the file has it. Numbers rule over what is taken from a library.
 struct SetupChanges {
+    chatter_common::MaterialChoice material{};         ///< elastic part; the cutting coefficients stay
+    chatter_common::MachineChoice machine{};           ///< the springs of its chuck
+    chatter_common::InsertChoice insert{};             ///< lead angle, corner radius, tip angle
+    std::optional<double> corner_radius_mm;            ///< of the insert
+    std::optional<double> lead_angle_deg;              ///< of the insert
     std::optional<double> tailstock_N_mm;              ///< radial
     std::optional<double> chuck_N_mm;                  ///< radial
     std::optional<double> chuck_N_mm_rad;              ///< tilting
@@ -39,8 +45,8 @@ struct DeflectionQuestion {
 
 const std::vector<Field<DeflectionQuestion>>& fieldsOf(const DeflectionQuestion*);
 
-/// The set-up with what the question changes of it.
-deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChanges& changes);
+/// The set-up with what the question changes of it. Notes: materialOfLibrary, machineOfLibrary, insertOfLibrary.
+deflection::TurningSetup changed(deflection::TurningSetup setup, const SetupChanges& changes, Notes& notes);
 
 /// Lines that the correction leaves as they are.
 inline constexpr const char* keptLinesKey = "kept_lines";

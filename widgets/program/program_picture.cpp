@@ -20,7 +20,8 @@ std::optional<stock::CheckedStock> takeStock(const project::PanelState& state, S
     if (state.inputs.count(setupRole) > 0) {
         const auto setup = takeFile<SetupStore>(state, setupRole, stores, progress, picture);
         shaft = setup->file.stock;
-        picture.parameters = deflection::stockParameters(changed(setup->file.setup, picture.question.changes));
+        picture.parameters =
+            deflection::stockParameters(changed(setup->file.setup, picture.question.changes, picture.notes));
     }
     if (auto stated = chatter_common::takeShaft(state, stores, progress))
         shaft = chatter_common::noted(picture, *std::move(stated));

@@ -32,15 +32,6 @@ void chooseShaft(ShaftPicture& picture, const project::PanelState& state, Stores
     if (picture.table_rules || picture.shaft.segments.empty()) picture.shaft.segments = question.segments;
 }
 
-/// The word for a choice of the form.
-Text labelOf(const std::string& field, const std::string& choice)
-{
-    for (const FieldInfo& info : infos<ShaftQuestion>())
-        for (const FieldChoice& one : info.choices)
-            if (info.key == field && one.key == choice) return one.label;
-    return {};
-}
-
 /// The material by whom stated it: the user, the library, the file. None: steel is assumed.
 ValueOrigin chooseMaterial(ShaftPicture& picture)
 {
@@ -48,13 +39,10 @@ ValueOrigin chooseMaterial(ShaftPicture& picture)
         picture.shaft.material = picture.question.own_material;
         return ValueOrigin::Given;
     }
-    const std::string key = libraryKey(picture.question.material);
-    if (key.empty()) return picture.shaft.material ? ValueOrigin::File : ValueOrigin::Assumed;
-    if (const auto* entry = receptance::entryOf(chatter_common::materialLibrary(), key)) {
-        picture.shaft.material = entry->value;
-        picture.notes.push_back(
-            {notes::materialOfLibrary, {{"material", labelOf("material", key)}, {"source", entry->source}}});
-    }
+    const auto [entry, name] = chatter_common::chosen(picture.question.material);
+    if (!entry) return picture.shaft.material ? ValueOrigin::File : ValueOrigin::Assumed;
+    picture.shaft.material = entry->value;
+    picture.notes.push_back({notes::materialOfLibrary, {{"material", name}, {"source", entry->source}}});
     return ValueOrigin::Assumed;
 }
 

@@ -1,7 +1,6 @@
 #include "widgets/shaft/shaft_question.h"
 
 #include <algorithm>
-#include <array>
 
 #include "engine/core/field_within.h"
 
@@ -21,12 +20,6 @@ std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
 }
 
 }  // namespace
-
-std::string libraryKey(MaterialChoice choice)
-{
-    constexpr std::array<const char*, 7> keys{"", "steel", "stainless", "aluminium", "brass", "titanium", "cast_iron"};
-    return keys.at(static_cast<std::size_t>(choice));
-}
 
 const std::vector<Field<Rest>>& fieldsOf(const Rest*)
 {
@@ -53,14 +46,7 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
         field(segmentsOfKey, &Q::segments_of,
               Label{LT_TEXT("Engine", "Segments changed from"),
                     LT_TEXT("Engine", "The input that the table was changed from.")}),
-        field("material", &Q::material,
-              {{"stated", LT_TEXT("Engine", "as the file states")},
-               {"steel", LT_TEXT("Engine", "Steel")},
-               {"stainless", LT_TEXT("Engine", "Stainless steel")},
-               {"aluminium", LT_TEXT("Engine", "Aluminium")},
-               {"brass", LT_TEXT("Engine", "Brass")},
-               {"titanium", LT_TEXT("Engine", "Titanium")},
-               {"cast_iron", LT_TEXT("Engine", "Cast iron")}},
+        field("material", &Q::material, chatter_common::materialChoices(LT_TEXT("Engine", "as the file states")),
               Label{LT_TEXT("Engine", "Material"),
                     LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
         group("own_material", &Q::own_material,

@@ -7,14 +7,9 @@
 
 #include "engine/core/shaft.h"
 #include "engine/receptance/shaft_receptance.h"
+#include "widgets/chatter_common/libraries.h"
 
 namespace lathelier::shaft_panel {
-
-/// Stated: as the file says, else steel. The others are those of the library, in its order.
-enum class MaterialChoice { Stated, Steel, Stainless, Aluminium, Brass, Titanium, CastIron };
-
-/// The key in the library; empty for Stated.
-std::string libraryKey(MaterialChoice choice);
 
 /// What holds the shaft at its chuck face. Given: the spindle of the input, else nothing.
 enum class Hold { Given, Springs, Clamped, Free };
@@ -30,16 +25,16 @@ struct Rest {
 const std::vector<Field<Rest>>& fieldsOf(const Rest*);
 
 struct ShaftQuestion {
-    std::vector<ShaftSegment> segments;                ///< the table; empty: as the file has them
-    std::string segments_of;                           ///< identity() of the input they were changed from
-    MaterialChoice material = MaterialChoice::Stated;  ///< unless an own one is there
-    std::optional<Material> own_material;              ///< stated by the user
-    Hold hold = Hold::Given;                           ///< at the chuck face
-    receptance::SpindleSprings springs;                ///< of Hold::Springs
-    std::vector<Rest> rests;                           ///< besides
-    std::optional<double> from_hz;                     ///< none: 50, or where the spindle's table begins
-    std::optional<double> to_hz;                       ///< none: 5000, or where the spindle's table ends
-    receptance::ReceptanceParameters response;         ///< places, step, method; not its range
+    std::vector<ShaftSegment> segments;  ///< the table; empty: as the file has them
+    std::string segments_of;             ///< identity() of the input they were changed from
+    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;  ///< unless an own one is there
+    std::optional<Material> own_material;                                              ///< stated by the user
+    Hold hold = Hold::Given;                                                           ///< at the chuck face
+    receptance::SpindleSprings springs;                                                ///< of Hold::Springs
+    std::vector<Rest> rests;                                                           ///< besides
+    std::optional<double> from_hz;              ///< none: 50, or where the spindle's table begins
+    std::optional<double> to_hz;                ///< none: 5000, or where the spindle's table ends
+    receptance::ReceptanceParameters response;  ///< places, step, method; not its range
 };
 
 const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*);

@@ -55,8 +55,7 @@ void takeSprings(MachinePicture& picture)
 {
     receptance::SpindleSprings springs = picture.question.springs;
     ValueOrigin origin = ValueOrigin::Given;
-    if (const auto* entry =
-            receptance::entryOf(chatter_common::machineLibrary(), libraryKey(picture.question.source))) {
+    if (const auto* entry = chatter_common::chosen(ofLibrary(picture.question.source)).entry) {
         springs = entry->value;
         origin = ValueOrigin::Assumed;
         picture.notes.push_back({notes::machineOfLibrary, {{"source", entry->source}}});

@@ -3,11 +3,24 @@
 #include <array>
 
 namespace lathelier::machine_panel {
+namespace {
 
-std::string libraryKey(MachineSource source)
+std::vector<FieldChoice> sources()
 {
-    constexpr std::array<const char*, 5> keys{"", "", "papers", "stiff", "soft"};
-    return keys.at(static_cast<std::size_t>(source));
+    std::vector<FieldChoice> choices = chatter_common::machineChoices(LT_TEXT("Engine", "springs"));
+    choices.front().key = "springs";
+    choices.insert(choices.begin(), {"measured", LT_TEXT("Engine", "tap tests")});
+    return choices;
+}
+
+}  // namespace
+
+chatter_common::MachineChoice ofLibrary(MachineSource source)
+{
+    constexpr std::array choices{chatter_common::MachineChoice::Stated, chatter_common::MachineChoice::Stated,
+                                 chatter_common::MachineChoice::Papers, chatter_common::MachineChoice::Stiff,
+                                 chatter_common::MachineChoice::Soft};
+    return choices.at(static_cast<std::size_t>(source));
 }
 
 const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*)
@@ -15,12 +28,7 @@ const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*)
     using Q = MachineQuestion;
     static const auto all = [] {
         auto list = described<Q>(
-            field(sourceKey, &Q::source,
-                  {{"measured", LT_TEXT("Engine", "tap tests")},
-                   {"springs", LT_TEXT("Engine", "springs")},
-                   {"papers", LT_TEXT("Engine", "lathe of the papers")},
-                   {"stiff", LT_TEXT("Engine", "stiff lathe (example)")},
-                   {"soft", LT_TEXT("Engine", "soft lathe (example)")}},
+            field(sourceKey, &Q::source, sources(),
                   Label{LT_TEXT("Engine", "Known from"),
                         LT_TEXT("Engine", "Machines of the library are assumed values to begin with.")}),
             group("springs", &Q::springs,

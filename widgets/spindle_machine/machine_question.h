@@ -5,14 +5,15 @@
 #include <string>
 
 #include "engine/receptance/eirc/identify_spindle.h"
+#include "widgets/chatter_common/libraries.h"
 
 namespace lathelier::machine_panel {
 
 /// Measured: identified from tap tests. Springs: typed. The others are those of the library, in its order.
 enum class MachineSource { Measured, Springs, Papers, Stiff, Soft };
 
-/// The key in the library; empty for the first two.
-std::string libraryKey(MachineSource source);
+/// Of the library; Stated for the first two.
+chatter_common::MachineChoice ofLibrary(MachineSource source);
 
 struct MachineQuestion {
     MachineSource source = MachineSource::Measured;       ///< where it is known from

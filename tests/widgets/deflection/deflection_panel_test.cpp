@@ -7,6 +7,7 @@
 #include "engine/core/shaft_item.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
+#include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"
@@ -88,6 +89,39 @@ private slots:
         settle();
         QVERIFY(!panel_->result()->job->setup.tailstock.has_value());
         QVERIFY(study().prediction.summary.max_um > 2 * before);
+    }
+
+    void insertMachineAndMaterialComeFromTheLibraries()
+    {
+        open();
+        settle();
+        const double before = study().prediction.summary.max_um;
+        set("changed_material", std::string("aluminium"));
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::materialOfLibrary));
+        QCOMPARE(panel_->result()->job->setup.material.elastic.elastic_modulus_MPa, 70000.0);
+        QVERIFY(study().prediction.summary.max_um > before + 1);
+        set("changed_material", std::string("stated"));
+        set("changed_machine", std::string("stiff"));
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::machineOfLibrary));
+        QCOMPARE(panel_->result()->job->setup.chuck.radial_N_mm, 60000.0);
+        set("changed_chuck_N_mm", 30000.0);  // a number rules over the library
+        settle();
+        QCOMPARE(panel_->result()->job->setup.chuck.radial_N_mm, 30000.0);
+        set("changed_machine", std::string("stated"));
+        set("changed_chuck_N_mm", std::monostate());
+        settle();
+        QCOMPARE(study().prediction.summary.max_um, before);
+        set("changed_insert", std::string("snmg_120408"));  // enters at 75°: more of the force is radial
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::insertOfLibrary));
+        QVERIFY(study().prediction.summary.max_um > before + 1);
+        QCOMPARE(*deflection::stockParameters(panel_->result()->job->setup).tools.front().tip_angle_deg, 90.0);
+        set("changed_corner_radius_mm", 0.4);
+        settle();
+        QCOMPARE(panel_->result()->job->setup.tool.corner_radius_mm, 0.4);
+        QCOMPARE(panel_->result()->job->setup.tool.lead_angle_deg, 15.0);
     }
 
     void restsAndToolPostAreTriedOnTheSetUp()

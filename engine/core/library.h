@@ -1,0 +1,26 @@
+// A library of values to begin with: each has a key, and a source that says where it comes from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lathelier {
+
+/// One entry of a library.
+template <class T>
+struct LibraryEntry {
+    std::string key;     ///< by which it is chosen: "steel"
+    T value;             ///< what it stands for
+    std::string source;  ///< where the values come from
+};
+
+/// The entry with this key; nullptr: there is none.
+template <class T>
+const LibraryEntry<T>* entryOf(const std::vector<LibraryEntry<T>>& library, const std::string& key)
+{
+    for (const LibraryEntry<T>& entry : library)
+        if (entry.key == key) return &entry;
+    return nullptr;
+}
+
+}  // namespace lathelier

@@ -19,7 +19,9 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
     if (auto stated = chatter_common::takeShaft(state, stores, progress)) {
         stock = chatter_common::noted(picture, *std::move(stated));
         // A shaft of the project is one definition for all panels, and its material with it. A file gives geometry.
-        if (!state.inputs.at(chatter_common::shaftRole).item.empty() && stock->material) {
+        // A material of the library rules over it.
+        const bool is_stated = picture.question.changes.material == chatter_common::MaterialChoice::Stated;
+        if (!state.inputs.at(chatter_common::shaftRole).item.empty() && stock->material && is_stated) {
             setup.material.elastic = *stock->material;
             picture.notes.push_back(
                 {notes::materialOfShaft, {{"modulus_MPa", setup.material.elastic.elastic_modulus_MPa}}});

@@ -75,6 +75,28 @@ private slots:
         QVERIFY(!contains(panel_->result()->notes, notes::materialOfSetup));
         QCOMPARE(panel_->result()->job->setup.material.elastic.elastic_modulus_MPa, 70000.0);
         QVERIFY(study().prediction.summary.max_um > before + 1);
+        set("changed_material", std::string("brass"));  // rules over the shaft, and only one of both is said
+        settle();
+        QCOMPARE(panel_->result()->job->setup.material.elastic.elastic_modulus_MPa, 97000.0);
+        QVERIFY(contains(panel_->result()->notes, notes::materialOfLibrary));
+        QVERIFY(!contains(panel_->result()->notes, notes::materialOfShaft));
+    }
+
+    void everyChoiceStandsForAnEntryOfItsLibrary()
+    {
+        using namespace chatter_common;
+        const auto all = [](auto stated, std::size_t count) {
+            for (std::size_t i = 1; i < count; ++i) QVERIFY(chosen(static_cast<decltype(stated)>(i)).entry);
+            QVERIFY(!chosen(stated).entry);
+        };
+        all(MaterialChoice::Stated, materialChoices({}).size());
+        all(MachineChoice::Stated, machineChoices({}).size());
+        all(InsertChoice::Stated, insertChoices({}).size());
+        const auto inserts = insertChoices({});
+        for (std::size_t i = 1; i < inserts.size(); ++i) {  // the angle in the name is that of the entry
+            const double entering_deg = 90 - chosen(static_cast<InsertChoice>(i)).entry->value.lead_angle_deg;
+            QVERIFY(QString(inserts[i].label.english).endsWith(QString(", %1°").arg(entering_deg)));
+        }
     }
 
     void aStifferTailstockLeavesASmallerError()

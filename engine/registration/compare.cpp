@@ -367,23 +367,33 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         for (float& deviation : result.deviation_mm)
             if (!std::isnan(deviation)) deviation = 0;
     }
-    SurfaceWindows windows = line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
-                                  : generalWindows(moved_copy, direction, result, measuring);
-    if (line && detail == CompareDetail::Full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
-    result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
-    if (is_same) result.deviation_mm = std::move(own_noise);
-    summariseDeviations(result, left_out, reach_mm, detail, measuring);
-    if (detail == CompareDetail::Summary) {
-        progress.report(1);
-        return result;
-    }
-    if (line) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
-    const CloudFigure clouds =
-        compareClouds(reference_points, moved_copy, result.used, reach_mm,
-                      progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
-    result.cloud_to_cloud_rmse_mm = clouds.rmse_mm;
-    result.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
-    result.sampling_floor_mm = clouds.sampling_floor_mm;
+    const bool in_full = detail == CompareDetail::Full;
+    const auto judgeSurface = [&] {
+        SurfaceWindows windows =
+            line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
+                 : generalWindows(moved_copy, direction, result, measuring);
+        if (line && in_full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
+        result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
+        if (is_same) result.deviation_mm = std::move(own_noise);
+        summariseDeviations(result, left_out, reach_mm, detail, measuring);
+        if (line && in_full) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
+    };
+    const auto measureClouds = [&] {
+        const CloudFigure clouds =
+            compareClouds(reference_points, moved_copy, result.used, reach_mm,
+                          progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
+        result.cloud_to_cloud_rmse_mm = clouds.rmse_mm;
+        result.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
+        result.sampling_floor_mm = clouds.sampling_floor_mm;
+    };
+    // Side by side: each has stretches that only one core can work on, and neither needs the other.
+    parallelFor(in_full ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (i == 0)
+                judgeSurface();
+            else
+                measureClouds();
+    });
     progress.report(1);
     return result;
 }

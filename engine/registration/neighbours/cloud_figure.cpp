@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kAll = 100000;     // so many points are all asked…
-constexpr std::size_t kQueries = 25000;  // …of more, so many: 0.5 % of standard error
+constexpr std::size_t kQueries = 12500;  // …of more, so many: 1 to 2 % of standard error
 constexpr std::size_t kFew = 40;         // points to a query from which an index of all of them does not pay
 
 struct Answers {
@@ -38,14 +38,15 @@ Answers byIndex(const std::vector<Vector3d>& reference, const std::vector<Vector
 Answers byVicinity(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& queries, double max_distance_mm,
                    const Progress& progress)
 {
-    constexpr double nearby = 4, patch = 40;  // in spacings of the points
+    constexpr double nearby = 2.5, patch = 40;  // in spacings of the points
+    constexpr double further = 4;              // times as far, those without an answer
     const double spacing_mm = roughSpacing_mm(reference, progress);
     if (!(spacing_mm > 0)) return byIndex(reference, queries, max_distance_mm, progress);
     Answers answers;
     answers.distances_mm.resize(queries.size(), std::numeric_limits<float>::quiet_NaN());
     std::vector<std::size_t> open(queries.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    for (double radius_mm = nearby * spacing_mm; !open.empty(); radius_mm *= nearby) {
+    for (double radius_mm = nearby * spacing_mm; !open.empty(); radius_mm *= further) {
         progress.check();
         const bool first = open.size() == queries.size(), last = radius_mm >= max_distance_mm;
         Vicinity asked{{}, std::min(radius_mm, max_distance_mm)};
@@ -77,17 +78,18 @@ Answers byVicinity(const std::vector<Vector3d>& reference, const std::vector<Vec
 CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::vector<Vector3d>& moved_copy_mm,
                           const std::vector<std::uint8_t>& used, double max_distance_mm, const Progress& progress)
 {
-    std::vector<std::uint32_t> asked;
-    asked.reserve(moved_copy_mm.size());
-    for (std::size_t i = 0; i < moved_copy_mm.size(); ++i)
-        if (used[i]) asked.push_back(static_cast<std::uint32_t>(i));
-    const bool all = asked.size() <= kAll;
+    const auto asked = static_cast<std::size_t>(std::count_if(used.begin(), used.end(), [](auto u) { return u != 0; }));
+    std::vector<std::size_t> places(std::min(asked, kAll));  // among the used points, ascending
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    if (asked > kAll) places = drawnPlaces(asked, kQueries, 17);
     std::vector<Vector3d> queries;
-    if (all)
-        for (const std::uint32_t place : asked) queries.push_back(moved_copy_mm[place]);
-    else
-        for (const std::size_t place : drawnPlaces(asked.size(), kQueries, 17))
-            queries.push_back(moved_copy_mm[asked[place]]);
+    queries.reserve(places.size());
+    for (std::size_t i = 0, passed = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        // The same place may be drawn for two stretches whose limit it holds.
+        while (queries.size() < places.size() && places[queries.size()] == passed) queries.push_back(moved_copy_mm[i]);
+        ++passed;
+    }
     const bool few = reference_mm.size() > kFew * queries.size();
     const Answers answers = few ? byVicinity(reference_mm, queries, max_distance_mm, progress)
                                 : byIndex(reference_mm, queries, max_distance_mm, progress);
@@ -110,7 +112,7 @@ CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::
             const double off = static_cast<double>(distance) * distance - mean;
             scatter += off * off;
         }
-    const double left_out = 1 - static_cast<double>(queries.size()) / static_cast<double>(asked.size());
+    const double left_out = 1 - static_cast<double>(queries.size()) / static_cast<double>(asked);
     figure.rmse_mm = std::sqrt(mean);
     figure.standard_error_mm = mean > 0 ? std::sqrt(scatter * left_out / mean) / (2 * found) : 0;
     return figure;

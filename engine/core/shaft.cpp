@@ -4,8 +4,15 @@ namespace lathelier {
 namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
+const Text um = LT_TEXT("Engine", "µm");
+const Text deg = LT_TEXT("Engine", "°");
 constexpr double longest_mm = 1e5;
+constexpr double widest_um = 1e6;
+constexpr Range lengths_mm{-longest_mm, longest_mm};
+constexpr Range diameters_mm{0, longest_mm};
+constexpr Range uncertainties_um{0, widest_um};
 constexpr Range anyCount{1, 10000};
+constexpr Range anyCountOrNone{0, 10000};
 
 Label label(Text name, Text help, Text unit = {})
 {
@@ -19,6 +26,31 @@ Label required(Text name, Text help, Text unit)
     return result;
 }
 
+Label folded(Text name, Text help, Text unit = {})
+{
+    Label result{name, help, unit};
+    result.advanced = true;
+    return result;
+}
+
+const Text length = LT_TEXT("Engine", "Length");
+const Text along = LT_TEXT("Engine", "Along the axis.");
+const Text start = LT_TEXT("Engine", "Start ⌀");
+const Text startHelp = LT_TEXT("Engine", "At its end toward the free end.");
+const Text end = LT_TEXT("Engine", "End ⌀");
+const Text endHelp = LT_TEXT("Engine", "At its end toward the chuck.");
+const Text arc = LT_TEXT("Engine", "Arc radius");
+const Text arcHelp = LT_TEXT("Engine", "Positive: convex, negative: concave, empty: straight.");
+const Text role = LT_TEXT("Engine", "Role");
+const Text roleHelp = LT_TEXT("Engine", "What it is: chamfer, fillet, groove…");
+const Text expanded = LT_TEXT("Engine", "Expanded uncertainty, k = 2.");
+
+/// Members that hold a number of a mark, or do not.
+Field<ShaftMark> markNumber(const char* key, std::optional<double> ShaftMark::*member, Text name, Text unit)
+{
+    return field(key, member, lengths_mm, folded(name, LT_TEXT("Engine", "Of this kind of mark."), unit));
+}
+
 }  // namespace
 
 double Shaft::length_mm() const
@@ -28,23 +60,118 @@ double Shaft::length_mm() const
     return sum;
 }
 
+const std::vector<Field<SizeTolerance>>& fieldsOf(const SizeTolerance*)
+{
+    using T = SizeTolerance;
+    static const auto all = described<T>(
+        field("class", &T::iso_class,
+              folded(LT_TEXT("Engine", "Tolerance class"), LT_TEXT("Engine", "Of ISO 286-1, such as h6."))),
+        field("lower_um", &T::lower_um, {-widest_um, widest_um},
+              folded(LT_TEXT("Engine", "Lower limit"), LT_TEXT("Engine", "Deviation of the diameter."), um)),
+        field("upper_um", &T::upper_um, {-widest_um, widest_um},
+              folded(LT_TEXT("Engine", "Upper limit"), LT_TEXT("Engine", "Deviation of the diameter."), um)));
+    return all;
+}
+
+const std::vector<Field<SizeUncertainty>>& fieldsOf(const SizeUncertainty*)
+{
+    using U = SizeUncertainty;
+    static const auto all = described<U>(
+        field("z_start_um", &U::z_start_um, uncertainties_um,
+              folded(LT_TEXT("Engine", "U of its start"), expanded, um)),
+        field("z_end_um", &U::z_end_um, uncertainties_um, folded(LT_TEXT("Engine", "U of its end"), expanded, um)),
+        field("length_um", &U::length_um, uncertainties_um, folded(LT_TEXT("Engine", "U of its length"), expanded, um)),
+        field("start_diameter_um", &U::start_diameter_um, uncertainties_um,
+              folded(LT_TEXT("Engine", "U of the start ⌀"), expanded, um)),
+        field("end_diameter_um", &U::end_diameter_um, uncertainties_um,
+              folded(LT_TEXT("Engine", "U of the end ⌀"), expanded, um)),
+        field("arc_radius_um", &U::arc_radius_um, uncertainties_um,
+              folded(LT_TEXT("Engine", "U of the radius"), expanded, um)),
+        field("angle_deg", &U::angle_deg, {0, 90}, folded(LT_TEXT("Engine", "U of the angle"), expanded, deg)));
+    return all;
+}
+
+const std::vector<Field<MeasuredSize>>& fieldsOf(const MeasuredSize*)
+{
+    using M = MeasuredSize;
+    const Text help = LT_TEXT("Engine", "As measured.");
+    static const auto all = described<M>(
+        field("length_mm", &M::length_mm, lengths_mm, folded(LT_TEXT("Engine", "Measured length"), help, mm)),
+        field("start_diameter_mm", &M::start_diameter_mm, diameters_mm,
+              folded(LT_TEXT("Engine", "Measured start ⌀"), help, mm)),
+        field("end_diameter_mm", &M::end_diameter_mm, diameters_mm,
+              folded(LT_TEXT("Engine", "Measured end ⌀"), help, mm)),
+        field("arc_radius_mm", &M::arc_radius_mm, lengths_mm, folded(LT_TEXT("Engine", "Measured radius"), help, mm)),
+        group("uncertainty", &M::uncertainty, folded(LT_TEXT("Engine", "Uncertainty"), expanded)));
+    return all;
+}
+
 const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
 {
     using S = ShaftSegment;
-    static const auto all = described<S>(
-        field("length_mm", &S::length_mm, {-longest_mm, longest_mm},
-              required(LT_TEXT("Engine", "Length"), LT_TEXT("Engine", "Along the axis."), mm)),
-        field("start_diameter_mm", &S::start_diameter_mm, {0, longest_mm},
-              required(LT_TEXT("Engine", "Start ⌀"), LT_TEXT("Engine", "At its end toward the free end."), mm)),
-        field("end_diameter_mm", &S::end_diameter_mm, {0, longest_mm},
-              required(LT_TEXT("Engine", "End ⌀"), LT_TEXT("Engine", "At its end toward the chuck."), mm)),
-        field("bore_diameter_mm", &S::bore_diameter_mm, {0, longest_mm},
-              label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), mm)),
-        field("arc_radius_mm", &S::arc_radius_mm, {-longest_mm, longest_mm},
-              label(LT_TEXT("Engine", "Arc radius"),
-                    LT_TEXT("Engine", "Positive: convex, negative: concave, empty: straight."), mm)),
-        field("role", &S::role,
-              label(LT_TEXT("Engine", "Role"), LT_TEXT("Engine", "What it is: chamfer, fillet, groove…"))));
+    static const auto all =
+        described<S>(field("length_mm", &S::length_mm, lengths_mm, required(length, along, mm)),
+                     field("start_diameter_mm", &S::start_diameter_mm, diameters_mm, required(start, startHelp, mm)),
+                     field("end_diameter_mm", &S::end_diameter_mm, diameters_mm, required(end, endHelp, mm)),
+                     field("bore_diameter_mm", &S::bore_diameter_mm, diameters_mm,
+                           label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), mm)),
+                     field("arc_radius_mm", &S::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
+                     field("role", &S::role, label(role, roleHelp)),
+                     group("tolerance", &S::tolerance,
+                           folded(LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter."))),
+                     group("measured", &S::measured,
+                           folded(LT_TEXT("Engine", "Measured"), LT_TEXT("Engine", "What a scan said of this row."))));
+    return all;
+}
+
+const std::vector<Field<BoreSegment>>& fieldsOf(const BoreSegment*)
+{
+    using B = BoreSegment;
+    static const auto all = described<B>(field("length_mm", &B::length_mm, lengths_mm, required(length, along, mm)),
+                                         field("start_diameter_mm", &B::start_diameter_mm, diameters_mm,
+                                               required(start, LT_TEXT("Engine", "At its end toward the mouth."), mm)),
+                                         field("end_diameter_mm", &B::end_diameter_mm, diameters_mm,
+                                               required(end, LT_TEXT("Engine", "At its inner end."), mm)),
+                                         field("arc_radius_mm", &B::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
+                                         field("role", &B::role, label(role, roleHelp)));
+    return all;
+}
+
+const std::vector<Field<ShaftBore>>& fieldsOf(const ShaftBore*)
+{
+    using B = ShaftBore;
+    static const auto all = described<B>(
+        field("from", &B::from, {{"free", LT_TEXT("Engine", "free end")}, {"chuck", LT_TEXT("Engine", "chuck end")}},
+              required(LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The end that its mouth is at."), {})),
+        rows("segments", &B::segments, anyCount,
+             required(LT_TEXT("Engine", "Segments"), LT_TEXT("Engine", "From the mouth inward."), {})));
+    return all;
+}
+
+const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
+{
+    using M = ShaftMark;
+    static const auto all =
+        described<M>(field("kind", &M::kind,
+                           required(LT_TEXT("Engine", "Kind"), LT_TEXT("Engine", "Thread, knurl, keyway, flat…"), {})),
+                     markNumber("z_start_mm", &M::z_start_mm, LT_TEXT("Engine", "Start z"), mm),
+                     markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), mm),
+                     markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), deg),
+                     markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), mm),
+                     markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), mm),
+                     markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), mm),
+                     markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), mm),
+                     markNumber("major_mm", &M::major_mm, LT_TEXT("Engine", "Crest ⌀"), mm),
+                     markNumber("minor_mm", &M::minor_mm, LT_TEXT("Engine", "Root ⌀"), mm),
+                     markNumber("starts", &M::starts, LT_TEXT("Engine", "Starts"), {}),
+                     markNumber("hand", &M::hand, LT_TEXT("Engine", "Hand"), {}),
+                     markNumber("teeth", &M::teeth, LT_TEXT("Engine", "Teeth"), {}),
+                     markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), deg),
+                     markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), mm),
+                     markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), mm),
+                     markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), mm),
+                     field("designation", &M::designation,
+                           folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
     return all;
 }
 
@@ -55,7 +182,13 @@ const std::vector<Field<Shaft>>& fieldsOf(const Shaft*)
         rows("segments", &Shaft::segments, anyCount,
              required(LT_TEXT("Engine", "Segments"), LT_TEXT("Engine", "From the free end toward the chuck."), {})),
         group("material", &Shaft::material,
-              label(LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Stated for this part."))));
+              label(LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Stated for this part."))),
+        rows("bores", &Shaft::bores, {0, 2},
+             folded(LT_TEXT("Engine", "Bores"), LT_TEXT("Engine", "One from each end at most."))),
+        rows("marks", &Shaft::marks, anyCountOrNone,
+             folded(LT_TEXT("Engine", "Marks"), LT_TEXT("Engine", "What is not a body of revolution."))),
+        field("general_tolerance", &Shaft::general_tolerance,
+              folded(LT_TEXT("Engine", "General tolerance"), LT_TEXT("Engine", "Such as ISO 2768-m."))));
     return all;
 }
 

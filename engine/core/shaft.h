@@ -1,4 +1,5 @@
-// A turned shaft: its outer contour in segments from the free end toward the chuck, its bore, its material.
+// A turned shaft: its outer contour in segments from the free end toward the chuck, its bores, its material, and what
+// is known of each size. The one definition that receptance, deflection, stock, recognition, drawing and CAD share.
 #pragma once
 
 #include <optional>
@@ -10,27 +11,106 @@
 
 namespace lathelier {
 
+/// Limits of a row's diameter: a class of ISO 286-1 or the deviations themselves.
+struct SizeTolerance {
+    std::string iso_class;           ///< "h6"; empty: the deviations rule
+    std::optional<double> lower_um;  ///< lower limit deviation of the diameter
+    std::optional<double> upper_um;  ///< upper limit deviation of the diameter
+    friend bool operator==(const SizeTolerance&, const SizeTolerance&) = default;
+};
+
+/// Expanded uncertainties (k = 2) of a measured row; what is missing was not measured.
+struct SizeUncertainty {
+    std::optional<double> z_start_um, z_end_um;  ///< place of the row's ends along the axis
+    std::optional<double> length_um;
+    std::optional<double> start_diameter_um, end_diameter_um;
+    std::optional<double> arc_radius_um;
+    std::optional<double> angle_deg;  ///< half angle of a cone
+    friend bool operator==(const SizeUncertainty&, const SizeUncertainty&) = default;
+};
+
+/// What a scan said of a row, kept beside nominal values that were set afterwards.
+struct MeasuredSize {
+    std::optional<double> length_mm;
+    std::optional<double> start_diameter_mm, end_diameter_mm;
+    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
+    SizeUncertainty uncertainty;
+    friend bool operator==(const MeasuredSize&, const MeasuredSize&) = default;
+};
+
 /// One segment: a cylinder, a cone, or with `arc_radius_mm` an arc. Diameters that jump between segments are shoulders.
 struct ShaftSegment {
-    double length_mm = 0;                 ///< 0: a plane
-    double start_diameter_mm = 0;         ///< outer, at the end toward the free end
-    double end_diameter_mm = 0;           ///< outer, at the end toward the chuck
-    double bore_diameter_mm = 0;          ///< 0: solid
-    std::optional<double> arc_radius_mm;  ///< > 0 convex (material bulges beyond the chord), < 0 concave
-    std::string role;                     ///< "chamfer", "fillet", "groove"…; geometry never depends on it
+    double length_mm = 0;                         ///< 0: a plane; < 0 only where a face is undercut (DIN 509 form F)
+    double start_diameter_mm = 0;                 ///< outer, at the end toward the free end
+    double end_diameter_mm = 0;                   ///< outer, at the end toward the chuck
+    double bore_diameter_mm = 0;                  ///< 0: solid, or bored by Shaft::bores
+    std::optional<double> arc_radius_mm;          ///< > 0 convex (material bulges beyond the chord), < 0 concave
+    std::string role;                             ///< "chamfer", "fillet", "groove"…; geometry never depends on it
+    std::optional<SizeTolerance> tolerance = {};  ///< of the diameter; none: the general tolerance
+    std::optional<MeasuredSize> measured = {};    ///< none: the values are what was measured, or nothing was
     friend bool operator==(const ShaftSegment&, const ShaftSegment&) = default;
+};
+
+enum class ShaftEnd { Free, Chuck };
+
+/// A row of a bore; diameters are those of the hole, an arc that is > 0 bulges into the hole.
+struct BoreSegment {
+    double length_mm = 0;
+    double start_diameter_mm = 0;
+    double end_diameter_mm = 0;
+    std::optional<double> arc_radius_mm;
+    std::string role;
+    friend bool operator==(const BoreSegment&, const BoreSegment&) = default;
+};
+
+/// A bore from one end; as long as the part: a through bore.
+struct ShaftBore {
+    ShaftEnd from = ShaftEnd::Free;     ///< the end that its mouth is at
+    std::vector<BoreSegment> segments;  ///< from the mouth inward
+    friend bool operator==(const ShaftBore&, const ShaftBore&) = default;
+};
+
+/// What is not a body of revolution. Which members hold depends on the kind.
+struct ShaftMark {
+    std::string kind;  ///< "thread", "knurl", "keyway", "flat", "cross_hole", "free_form"
+    std::optional<double> z_start_mm = {}, z_end_mm = {};
+    std::optional<double> angle_deg = {};     ///< of its middle about the axis
+    std::optional<double> width_mm = {};      ///< keyway
+    std::optional<double> floor_mm = {};      ///< keyway: floor from the axis
+    std::optional<double> distance_mm = {};   ///< flat: from the axis
+    std::optional<double> pitch_mm = {};      ///< thread: pitch; knurl: pitch around the circle
+    std::optional<double> major_mm = {};      ///< thread: crest diameter
+    std::optional<double> minor_mm = {};      ///< thread: root diameter
+    std::optional<double> starts = {};        ///< thread
+    std::optional<double> hand = {};          ///< thread: 1 right, -1 left
+    std::optional<double> teeth = {};         ///< knurl
+    std::optional<double> helix_deg = {};     ///< knurl
+    std::optional<double> diameter_mm = {};   ///< knurl: over its crests
+    std::optional<double> depth_mm = {};      ///< knurl
+    std::optional<double> deviation_mm = {};  ///< free form: the largest from the plain body
+    std::string designation = {};             ///< "M16×2", "DIN 82 RGE 1.25"
+    friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
 
 struct Shaft {
     std::string name;                    ///< of the part, for people; may be empty
     std::vector<ShaftSegment> segments;  ///< from the free end toward the chuck
     std::optional<Material> material;    ///< none: not stated
+    std::vector<ShaftBore> bores = {};   ///< at most one from each end; not beside ShaftSegment::bore_diameter_mm
+    std::vector<ShaftMark> marks = {};   ///< in the order of z
+    std::string general_tolerance = {};  ///< "ISO 2768-m"; empty: none
     friend bool operator==(const Shaft&, const Shaft&) = default;
 
     double length_mm() const;
 };
 
+const std::vector<Field<SizeTolerance>>& fieldsOf(const SizeTolerance*);
+const std::vector<Field<SizeUncertainty>>& fieldsOf(const SizeUncertainty*);
+const std::vector<Field<MeasuredSize>>& fieldsOf(const MeasuredSize*);
 const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*);
+const std::vector<Field<BoreSegment>>& fieldsOf(const BoreSegment*);
+const std::vector<Field<ShaftBore>>& fieldsOf(const ShaftBore*);
+const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*);
 const std::vector<Field<Shaft>>& fieldsOf(const Shaft*);
 
 }  // namespace lathelier

@@ -12,10 +12,6 @@ inline constexpr ErrorCode frequencyOutsideSpindle{
     "frequency_outside_spindle", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The spindle is not known at {frequency_hz} Hz, only from {from_hz} to {to_hz} Hz.")};
 
-inline constexpr ErrorCode boresStatedTwice{
-    "bores_stated_twice", ErrorKind::InputRejected,
-    LT_TEXT("Engine", "The shaft states bores in its segments and in a list of bores; one of the two is allowed.")};
-
 inline constexpr ErrorCode tooFewMeasuredPoints{
     "too_few_measured_points", ErrorKind::NoAnswer,
     LT_TEXT("Engine",

@@ -7,31 +7,20 @@
 
 #include "engine/beam/beam_codes.h"
 #include "engine/beam/segment_contour.h"
+#include "engine/core/shaft_contour.h"
+#include "engine/core/shaft_rules.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
-#include "engine/receptance/shaft_bores.h"
 
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t mostBores = 2;
 constexpr int piecesOfBore = 50;
 constexpr int conesOfArc = 50;
-
-/// Keys of rows that others read (tolerances, what was measured) are no mistakes.
-void forgetKeysOfOthers(Notes& notes, std::size_t from)
-{
-    const auto of_others = [](const Note& note) {
-        if (!(note.code == notes::unknownKey)) return false;
-        const Value* key = find(note.values, "key");
-        return key && (*key == Value(std::string("tolerance")) || *key == Value(std::string("measured")));
-    };
-    notes.erase(std::remove_if(notes.begin() + static_cast<std::ptrdiff_t>(from), notes.end(), of_others), notes.end());
-}
 
 void checkSchema(const io::JsonCursor& root)
 {
@@ -39,18 +28,6 @@ void checkSchema(const io::JsonCursor& root)
         schema->reject(LT_TEXT("Engine", "“lathelier-shaft”"));
     if (const auto version = root.member("schema_version"); version && version->integer() != 1)
         version->reject(LT_TEXT("Engine", "version 1"));
-}
-
-Bore readBore(const io::JsonCursor& item, Notes& notes)
-{
-    Bore bore;
-    const io::JsonCursor from = item.at("from", LT_TEXT("Engine", "“free” or “chuck”"));
-    const std::string end = from.string();
-    if (end != "free" && end != "chuck") from.reject(LT_TEXT("Engine", "“free” or “chuck”"));
-    bore.from_free_end = end == "free";
-    for (const ShaftSegment& segment : io::readFields<Shaft>(item, notes, {"from"}).segments)
-        bore.segments.push_back(segment);
-    return bore;
 }
 
 /// One line of a stock file.
@@ -94,6 +71,18 @@ void append(const StockLine& line, std::vector<ShaftSegment>& segments)
                             2 * between(line.start_bore_mm, line.end_bore_mm, i + 0.5), std::nullopt, ""});
 }
 
+/// Takes out what says nothing: null, empty words, lists and objects, and bores of no diameter.
+void forgetEmpty(Json& json)
+{
+    for (auto member = json.begin(); member != json.end();) {
+        if (member->is_structured()) forgetEmpty(*member);
+        const bool solid = json.is_object() && member.key() == "bore_diameter_mm" && *member == 0.0;
+        const bool empty = member->is_null() || (member->is_structured() && member->empty()) ||
+                           (member->is_string() && member->get_ref<const std::string&>().empty());
+        member = json.is_object() && (solid || empty) ? json.erase(member) : std::next(member);
+    }
+}
+
 }  // namespace
 
 Shaft readShaft(const std::string& json, Notes& notes)
@@ -101,14 +90,8 @@ Shaft readShaft(const std::string& json, Notes& notes)
     const io::JsonDocument document{json};
     const io::JsonCursor root = document.root();
     checkSchema(root);
-    const std::size_t known = notes.size();
-    auto shaft = io::readFields<Shaft>(
-        root, notes, {"schema", "schema_version", "bores", "marks", "general_tolerance", "tolerance", "measured"});
-    std::vector<Bore> bores;
-    if (const auto list = root.member("bores"))
-        list->items(mostBores, [&](const io::JsonCursor& item) { bores.push_back(readBore(item, notes)); });
-    forgetKeysOfOthers(notes, known);
-    return withBores(std::move(shaft), bores);
+    // Length and volume follow from the rows; files that state them for people are no mistakes.
+    return io::readFields<Shaft>(root, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
 }
 
 Material readMaterial(const std::string& json, Notes& notes)
@@ -134,13 +117,16 @@ Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progre
     const std::string_view content = io::trimmed(text.view());
     if (content.empty()) throw Error(errors::fileEmpty, {});
     const std::size_t first = content.find_first_not_of(" \t\r\n");
-    if (first != std::string_view::npos && content[first] == '{') return readShaft(std::string(text.view()), notes);
-    return readStock(text.view());
+    if (first == std::string_view::npos || content[first] != '{') return readStock(text.view());
+    const Shaft shaft = readShaft(std::string(text.view()), notes);
+    checkBores(shaft);
+    return beamView(shaft);
 }
 
 std::string shaftText(const Shaft& shaft)
 {
     Json root = io::objectOf(infos<Shaft>(), lathelier::toValues(shaft));
+    forgetEmpty(root);
     root["schema"] = "lathelier-shaft";
     root["schema_version"] = 1;
     return root.dump(2) + "\n";

@@ -2,9 +2,9 @@
 //
 // SHAFT.json: {"schema": "lathelier-shaft", "schema_version": 1, "name", "segments": [{"length_mm",
 // "start_diameter_mm", "end_diameter_mm", "bore_diameter_mm"?, "arc_radius_mm"?, "role"?}… from the free end],
-// "bores"?, "material"?}. What else such a file holds (marks, tolerances, measured values) is read by others and
-// changes nothing here. Stock file: a line for each segment from the free end, with outer radius and bore radius at its
-// start, the same at its end, and its length, all in mm; blank lines and remarks after # are passed over.
+// "bores"?, "marks"?, "material"?, "general_tolerance"?}; readers of beams want bores laid into the rows
+// (engine/core/shaft_contour.h). Stock file: a line for each segment from the free end, with outer radius and bore
+// radius at its start, the same at its end, and its length, all in mm; blank lines and remarks after # are passed over.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@
 
 namespace lathelier::receptance {
 
-/// Errors with line and column: malformed (also a schema that is not this one), keyMissing, keyOutOfRange;
-/// boresStatedTwice. Notes: unknownKey.
+/// Errors with line and column: malformed (also a schema that is not this one), keyMissing, keyOutOfRange. Notes:
+/// unknownKey. What checkShaft() looks at is not looked at here.
 Shaft readShaft(const std::string& json, Notes& notes);
 
 /// {"name"?, "elastic_modulus_MPa", "poisson_ratio", "density_kg_m3", "loss_factor"}; what is missing is that of steel.
@@ -27,7 +27,8 @@ Material readMaterial(const std::string& json, Notes& notes);
 /// A bore that widens becomes 50 segments of constant bore. Errors malformed with line and column; shaftEmpty.
 Shaft readStock(std::string_view text);
 
-/// Either kind, told apart by its content, in any encoding. Errors of the above; fileEmpty.
+/// Either kind, told apart by its content, in any encoding, with bores laid into the rows. Errors of the above;
+/// fileEmpty; those of checkShaft().
 Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progress = {});
 
 /// The text of a file that readShaft() reads to the same bits.

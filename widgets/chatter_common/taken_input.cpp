@@ -4,6 +4,7 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
+#include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -52,7 +53,13 @@ std::optional<Taken<Shaft>> takeShaft(const project::PanelState& state, Stores& 
 {
     const project::Source* const source = sourceOf(state, shaftRole);
     if (!source) return std::nullopt;
-    if (!source->item.empty()) return takenItem<Shaft>(state, shaftRole, shaftItem, shaftOf);
+    if (!source->item.empty()) {
+        const auto asBeam = [](const Values& values) -> std::optional<Shaft> {
+            const std::optional<Shaft> shaft = shaftOf(values);
+            return shaft ? std::optional(beamView(*shaft)) : std::nullopt;
+        };
+        return takenItem<Shaft>(state, shaftRole, shaftItem, asBeam);
+    }
     return takenFile<ShaftStore, Shaft>(*source, stores, progress, &receptance::ShaftFile::shaft);
 }
 

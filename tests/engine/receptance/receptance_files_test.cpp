@@ -3,6 +3,7 @@
 
 #include "../core/code_of_error.h"
 #include "engine/beam/beam_codes.h"
+#include "engine/core/shaft_codes.h"
 #include "engine/io/io_codes.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/receptance_codes.h"
@@ -74,8 +75,9 @@ constexpr const char* shaftText = R"({"name": "a", "marks": [], "segments": [
 TEST(ShaftFile, LaysBoresIntoTheSegments)
 {
     Notes notes;
-    const Shaft shaft = readShaft(shaftText, notes);
+    const Shaft shaft = readShaftFile(shaftText, notes);
     EXPECT_TRUE(notes.empty());
+    EXPECT_EQ(readShaft(shaftText, notes).bores.size(), 1U);
     ASSERT_EQ(shaft.segments.size(), 4U);
     EXPECT_EQ(shaft.segments[0].length_mm, 40);
     EXPECT_EQ(shaft.segments[0].bore_diameter_mm, 0);
@@ -88,7 +90,7 @@ TEST(ShaftFile, LaysBoresIntoTheSegments)
     EXPECT_NEAR(shaft.length_mm(), 100, 1e-12);
     std::string twice = shaftText;
     twice.replace(twice.find("\"end_diameter_mm\": 30"), 0, "\"bore_diameter_mm\": 5, ");
-    EXPECT_EQ(codeOfError([&] { readShaft(twice, notes); }), errors::boresStatedTwice);
+    EXPECT_EQ(codeOfError([&] { readShaftFile(twice, notes); }), errors::boresStatedTwice);
 }
 
 TEST(ShaftFile, RefusesAnotherSchema)

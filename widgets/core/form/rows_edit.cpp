@@ -11,10 +11,13 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <memory>
 #include <set>
 
 #include "engine/core/error.h"
 #include "widgets/core/language.h"
+
+Q_DECLARE_METATYPE(std::shared_ptr<const lathelier::Row>)
 
 namespace lathelier {
 namespace {
@@ -24,6 +27,8 @@ constexpr int mostRowsShown = 10;
 /// Of a cell in another unit than the engine's: its text as it was filled in, and the number that it stands for, which
 /// the digits of the text do not give back.
 constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
+/// Of the first cell of a row: the row as it came, for its columns that are not shown.
+constexpr int foldedRole = Qt::UserRole + 2;
 
 /// As it is typed again: numbers in the user's locale with all their digits, choices by their label.
 QString cellText(const FieldInfo& column, const Value& value)
@@ -87,7 +92,9 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
     auto* buttons = new QHBoxLayout;
     for (QToolButton* one : {add_, remove_, paste_}) buttons->addWidget(one);
     buttons->addStretch();
-    table_->setColumnCount(static_cast<int>(info_.columns.size()));
+    for (std::size_t c = 0; c < info_.columns.size(); ++c)
+        if (!info_.columns[c].advanced) shown_.push_back(c);
+    table_->setColumnCount(static_cast<int>(shown_.size()));
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names are of any length
     table_->horizontalHeader()->setStretchLastSection(true);
@@ -204,6 +211,8 @@ void RowsEdit::insertRow(int row, const Row& cells)
         table_->item(row, c)->setData(shownRole, table_->item(row, c)->text());
         table_->item(row, c)->setData(exactRole, *number);
     }
+    if (table_->columnCount() > 0)
+        table_->item(row, 0)->setData(foldedRole, QVariant::fromValue(std::make_shared<const Row>(cells)));
 }
 
 std::optional<Value> RowsEdit::understand(int row, int c, QString& problem) const
@@ -231,7 +240,16 @@ void RowsEdit::check()
         const QSignalBlocker marking(table_);
         for (int row = 0; row < table_->rowCount(); ++row) {
             Row cells;
-            for (int c = 0; c < table_->columnCount(); ++c) {
+            const QTableWidgetItem* const first = table_->item(row, 0);
+            const auto folded = first ? first->data(foldedRole).value<std::shared_ptr<const Row>>() : nullptr;
+            int c = -1;
+            for (std::size_t all = 0; all < info_.columns.size(); ++all) {
+                if (info_.columns[all].advanced) {
+                    const Value* kept = folded ? lathelier::find(folded->cells, info_.columns[all].key) : nullptr;
+                    if (kept) cells.cells.emplace_back(info_.columns[all].key, *kept);
+                    continue;
+                }
+                ++c;
                 QString problem;
                 const std::optional<Value> value = understand(row, c, problem);
                 sound &= value.has_value();
@@ -259,7 +277,8 @@ void RowsEdit::check()
 void RowsEdit::retranslate()
 {
     QStringList head;
-    for (const FieldInfo& one : info_.columns) {
+    for (const std::size_t shown : shown_) {
+        const FieldInfo& one = info_.columns[shown];
         const QString unit = screenUnit(one.unit);
         head << (unit.isEmpty() ? screenText(one.label)
                                 : QStringLiteral("%1\n(%2)").arg(screenText(one.label), unit));  // columns are narrow

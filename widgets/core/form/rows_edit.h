@@ -38,7 +38,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    const FieldInfo& column(int index) const { return info_.columns[static_cast<std::size_t>(index)]; }
+    /// What the table's column shows.
+    const FieldInfo& column(int index) const { return info_.columns[shown_[static_cast<std::size_t>(index)]]; }
     void setCell(int row, int column, const QString& text);
     void insertRow(int row, const Row& cells);
     void fill();  ///< shows announced_
@@ -47,6 +48,7 @@ private:
     void retranslate();
 
     FieldInfo info_;
+    std::vector<std::size_t> shown_;  ///< columns in the table; folded ones go with their row unseen
     QTableWidget* table_;
     QToolButton* add_;
     QToolButton* remove_;

@@ -1,6 +1,6 @@
 #include "app/cli/shafts.h"
 
-#include "engine/receptance/shaft_file.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/spindle_file.h"
 
 namespace lathelier::cli {
@@ -54,12 +54,11 @@ std::vector<Option> shaftOptions()
 Shaft readShaft(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
                 Answer& answer)
 {
-    Shaft shaft = readText(path, inputs, progress, [&](std::string_view text) {
-        return receptance::readShaftFile(text, answer.notes, progress);
-    });
+    Shaft shaft = readText(path, inputs, progress,
+                           [&](std::string_view text) { return io::readShaftFile(text, answer.notes, progress); });
     if (const std::string material = wordOf(request, "material"); !material.empty())
         shaft.material = readText(material, inputs, progress, [&](std::string_view text) {
-            return receptance::readMaterial(std::string(text), answer.notes);
+            return io::readMaterial(std::string(text), answer.notes);
         });
     return shaft;
 }

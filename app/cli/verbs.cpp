@@ -1,7 +1,7 @@
 // The table of verbs: a new capability is one line here and one file beside it.
 #include "app/cli/verbs.h"
 
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 
 namespace lathelier::cli {
@@ -13,7 +13,7 @@ const std::vector<Verb>& verbs()
                                 frfVerb(),      spindleVerb(),    lobesVerb(),     speedVerb(),        simulateVerb(),
                                 toolpathVerb(), deflectionVerb(), verifyVerb()};
         // inspect knows the files of all others
-        io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &receptance::shaftFiles(), &receptance::spindleFiles(),
+        io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &io::shaftFiles(), &receptance::spindleFiles(),
                             &receptance::measurementFiles()};
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));

@@ -8,9 +8,6 @@ namespace lathelier {
 
 namespace errors {
 
-inline constexpr ErrorCode shaftEmpty{"shaft_empty", ErrorKind::InputRejected,
-                                      LT_TEXT("Engine", "The shaft has no segment that is longer than 0.")};
-
 inline constexpr ErrorCode shaftSegmentUnusable{
     "shaft_segment_unusable", ErrorKind::InputRejected,
     LT_TEXT("Engine", "Segment {segment} of the shaft: {quantity} is {found_mm} mm; expected {expected}.")};

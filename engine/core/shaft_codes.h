@@ -8,6 +8,9 @@ namespace lathelier {
 
 namespace errors {
 
+inline constexpr ErrorCode shaftEmpty{"shaft_empty", ErrorKind::InputRejected,
+                                      LT_TEXT("Engine", "The shaft has no segment that is longer than 0.")};
+
 inline constexpr ErrorCode shaftRowWrong{
     "shaft_row_wrong", ErrorKind::InputRejected,
     LT_TEXT("Engine", "Row {row} of the {contour}: {quantity} is {found}; expected {expected}.")};

@@ -7,7 +7,7 @@
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/io/json/json_head.h"
-#include "engine/receptance/shaft_file.h"
+#include "engine/io/shaft/shaft_file.h"
 
 namespace lathelier::deflection {
 namespace {
@@ -77,7 +77,7 @@ SetupFile loadSetup(const io::FileToRead& file)
     const std::string beside = (std::filesystem::path(file.path).parent_path() / loaded.setup.stock).string();
     Notes of_stock;
     try {
-        loaded.stock = receptance::readShaftFile(file.inputs.open(beside, file.progress), of_stock, file.progress);
+        loaded.stock = io::readShaftFile(file.inputs.open(beside, file.progress), of_stock, file.progress);
     } catch (Error& error) {
         throw error.with("path", beside);
     }

@@ -6,14 +6,14 @@
 
 #include "engine/beam/uniform_segments.h"
 #include "engine/core/error.h"
-#include "engine/receptance/shaft_file.h"
+#include "engine/io/shaft/shaft_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace lathelier;
     try {
         Notes notes;
-        const Shaft shaft = receptance::readShaftFile({reinterpret_cast<const char*>(data), size}, notes);
+        const Shaft shaft = io::readShaftFile({reinterpret_cast<const char*>(data), size}, notes);
         if (shaft.segments.empty()) std::abort();
         for (const beam::UniformSegment& piece : beam::uniformSegments(shaft, {true, 50}))
             if (!(piece.length_mm > 0) || !(piece.stiffness_outer_mm <= piece.outer_mm) ||

@@ -51,7 +51,7 @@ QString understoodResponse(const project::Source& source, Stores& stores)
 void assignModels(project::PanelState& state, const std::vector<FoundFile>& files)
 {
     for (const FoundFile& file : files)
-        state.inputs[file.kind == &receptance::shaftFiles() ? shaftRole : spindleRole] =
+        state.inputs[file.kind == &io::shaftFiles() ? shaftRole : spindleRole] =
             newSource(QString::fromStdString(file.path));
 }
 

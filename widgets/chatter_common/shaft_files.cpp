@@ -2,10 +2,9 @@
 
 namespace lathelier::chatter_common {
 
-receptance::ShaftFile ShaftStore::read(const project::Source& source, io::InputFiles& inputs,
-                                       const Progress& progress) const
+io::ShaftFile ShaftStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
 {
-    return receptance::loadShaft({source.path, inputs.open(source.path, progress), source.import, inputs, progress});
+    return io::loadShaft({source.path, inputs.open(source.path, progress), source.import, inputs, progress});
 }
 
 receptance::SpindleFile SpindleStore::read(const project::Source& source, io::InputFiles& inputs,

@@ -1,20 +1,19 @@
 // Files of shafts and spindles that were read.
 #pragma once
 
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 #include "widgets/core/files/file_cache.h"
 
 namespace lathelier::chatter_common {
 
-/// Errors as receptance::loadShaft().
-class ShaftStore : public FileCache<receptance::ShaftFile> {
+/// Errors as io::loadShaft().
+class ShaftStore : public FileCache<io::ShaftFile> {
 public:
     ShaftStore() : FileCache(20) {}
 
 protected:
-    receptance::ShaftFile read(const project::Source& source, io::InputFiles& inputs,
-                               const Progress& progress) const override;
+    io::ShaftFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
 };
 
 /// Errors as receptance::loadSpindle().

@@ -60,7 +60,7 @@ std::optional<Taken<Shaft>> takeShaft(const project::PanelState& state, Stores& 
         };
         return takenItem<Shaft>(state, shaftRole, shaftItem, asBeam);
     }
-    return takenFile<ShaftStore, Shaft>(*source, stores, progress, &receptance::ShaftFile::shaft);
+    return takenFile<ShaftStore, Shaft>(*source, stores, progress, &io::ShaftFile::shaft);
 }
 
 std::optional<Taken<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,

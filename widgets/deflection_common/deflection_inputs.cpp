@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/core/shaft_item.h"
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "widgets/chatter_common/model_inputs.h"
@@ -32,7 +32,7 @@ std::vector<InputRole> turningRoles()
                                   LT_TEXT("Engine",
                                           "In place of the one that the set-up names: a stock file, "
                                           "SHAFT.json, or a shaft of the project."),
-                                  receptance::shaftFiles(), shaftItem),
+                                  io::shaftFiles(), shaftItem),
         chatter_common::inputRole(chatter_common::spindleRole, LT_TEXT("Engine", "Spindle"),
                                   LT_TEXT("Engine",
                                           "In place of the chuck in the set-up: SPINDLE.json, or a spindle of "

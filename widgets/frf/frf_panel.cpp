@@ -7,9 +7,9 @@
 #include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/modal/modal_quantities.h"
 #include "engine/receptance/modal/modal_report.h"
-#include "engine/receptance/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/quantity_table.h"
@@ -33,7 +33,7 @@ PanelInputs panelInputs()
         chatter_common::inputRole(
             shaftRole, LT_TEXT("Engine", "Shaft"),
             LT_TEXT("Engine", "Whose computed response is drawn under the measured one: SHAFT.json or a stock file."),
-            receptance::shaftFiles(), shaftItem),
+            io::shaftFiles(), shaftItem),
         chatter_common::inputRole(
             spindleRole, LT_TEXT("Engine", "Spindle"),
             LT_TEXT("Engine", "That holds the shaft: SPINDLE.json. Without it the shaft is free."),
@@ -144,7 +144,7 @@ FrfPanel::Compute FrfPanel::compute(const project::PanelState& state) const
 void FrfPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     for (const FoundFile& file : files) {
-        const char* role = file.kind == &receptance::shaftFiles()     ? shaftRole
+        const char* role = file.kind == &io::shaftFiles()             ? shaftRole
                            : file.kind == &receptance::spindleFiles() ? spindleRole
                                                                       : frfRole;
         state.inputs[role] = newSource(QString::fromStdString(file.path));

@@ -5,7 +5,7 @@
 
 #include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/chart_csv.h"
@@ -22,7 +22,7 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {chatter_common::inputRole(shaftRole, LT_TEXT("Engine", "Shaft"),
                                               LT_TEXT("Engine", "Before the pass: SHAFT.json or a stock file."),
-                                              receptance::shaftFiles(), shaftItem),
+                                              io::shaftFiles(), shaftItem),
                     chatter_common::inputRole(spindleRole, LT_TEXT("Engine", "Spindle"),
                                               LT_TEXT("Engine", "That holds the shaft: SPINDLE.json."),
                                               receptance::spindleFiles(), receptance::spindleItem)};
@@ -57,7 +57,7 @@ PanelFacts passPanelFacts()
     facts.title = LT_TEXT("Engine", "Pass");
     facts.icon = "pass";
     facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
-    facts.kinds = {&receptance::shaftFiles(), &receptance::spindleFiles()};
+    facts.kinds = {&io::shaftFiles(), &receptance::spindleFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new PassPanel(session); };
     facts.missing = missingValues;

@@ -6,9 +6,9 @@
 #include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/receptance_quantities.h"
-#include "engine/receptance/shaft_file.h"
-#include "engine/receptance/shaft_kind.h"
 #include "engine/receptance/shaft_plots.h"
 #include "engine/receptance/shaft_report.h"
 #include "engine/receptance/spindle_item.h"
@@ -32,7 +32,7 @@ PanelInputs panelInputs()
     shaft.role = shaftRole;
     shaft.label = LT_TEXT("Engine", "Shaft");
     shaft.hint = LT_TEXT("Engine", "SHAFT.json or a stock file; fills the table of segments");
-    shaft.kinds = {&receptance::shaftFiles()};
+    shaft.kinds = {&io::shaftFiles()};
     shaft.item_kind = shaftItem;
     shaft.required = false;
     shaft.takes_next = true;
@@ -108,7 +108,7 @@ PanelFacts shaftPanelFacts()
     facts.title = LT_TEXT("Engine", "Shaft");
     facts.icon = "shaft";
     facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
-    facts.kinds = {&receptance::shaftFiles(), &receptance::spindleFiles()};
+    facts.kinds = {&io::shaftFiles(), &receptance::spindleFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {shaftRole};
     facts.item_inputs = {{shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}};
@@ -235,17 +235,16 @@ std::vector<PanelExport> ShaftPanel::exports() const
 {
     const auto picture = result();
     if (!picture) return {};
-    return {
-        {tr("Shaft (SHAFT.json)…"), tr("JSON (*.json)"), "json",
-         [picture](const QString& path) { io::writeFile(path.toStdString(), receptance::shaftText(picture->shaft)); }},
-        {tr("Stock text…"), tr("Text (*.txt)"), "txt",
-         [picture](const QString& path) { io::writeFile(path.toStdString(), receptance::stockText(picture->shaft)); }},
-        {tr("Receptance (CSV)…"), tr("Table (*.csv)"), "csv",
-         [picture](const QString& path) { io::writeFrfCsv(path.toStdString(), usableResponse(*picture)); }},
-        {tr("Receptance (UFF)…"), tr("Universal file (*.uff)"), "uff", [picture](const QString& path) {
-             const io::MeasuredFrf response = measuredOf(*picture);
-             io::writeUff(path.toStdString(), {&response, 1});
-         }}};
+    return {{tr("Shaft (SHAFT.json)…"), tr("JSON (*.json)"), "json",
+             [picture](const QString& path) { io::writeFile(path.toStdString(), io::shaftText(picture->shaft)); }},
+            {tr("Stock text…"), tr("Text (*.txt)"), "txt",
+             [picture](const QString& path) { io::writeFile(path.toStdString(), io::stockText(picture->shaft)); }},
+            {tr("Receptance (CSV)…"), tr("Table (*.csv)"), "csv",
+             [picture](const QString& path) { io::writeFrfCsv(path.toStdString(), usableResponse(*picture)); }},
+            {tr("Receptance (UFF)…"), tr("Universal file (*.uff)"), "uff", [picture](const QString& path) {
+                 const io::MeasuredFrf response = measuredOf(*picture);
+                 io::writeUff(path.toStdString(), {&response, 1});
+             }}};
 }
 
 void ShaftPanel::setPresenting(bool presenting)

@@ -1,7 +1,7 @@
 #include "widgets/speed/speed_panel.h"
 
 #include "engine/core/shaft_item.h"
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/stability/stability_report.h"
@@ -23,7 +23,7 @@ PanelInputs panelInputs()
         chatter_common::inputRole(
             shaftRole, LT_TEXT("Engine", "Shaft"),
             LT_TEXT("Engine", "In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file."),
-            receptance::shaftFiles(), shaftItem)};
+            io::shaftFiles(), shaftItem)};
     inputs.roles.back().required = false;
     inputs.fields = infos<SpeedQuestion>();
     inputs.defaults = toValues(SpeedQuestion{});
@@ -41,7 +41,7 @@ PanelFacts speedPanelFacts()
     facts.title = LT_TEXT("Engine", "Speed");
     facts.icon = "speed";
     facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
-    facts.kinds = {&receptance::spindleFiles(), &receptance::shaftFiles()};
+    facts.kinds = {&receptance::spindleFiles(), &io::shaftFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,

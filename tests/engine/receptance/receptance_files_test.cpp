@@ -5,14 +5,19 @@
 #include "engine/beam/beam_codes.h"
 #include "engine/core/shaft_codes.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/shaft_file.h"
 #include "engine/receptance/spindle_file.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {
 namespace {
+
+using io::readMaterial;
+using io::readShaft;
+using io::readShaftFile;
+using io::readStock;
 
 template <class Run>
 Values valuesOfError(const Run& run)

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/json/json_head.h"
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 
 namespace lathelier::receptance {
 namespace {
+
+using io::shaftFiles;
 
 using io::Likeness;
 

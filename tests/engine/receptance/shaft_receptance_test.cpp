@@ -9,6 +9,7 @@
 
 #include "../core/code_of_error.h"
 #include "engine/beam/beam_codes.h"
+#include "engine/core/shaft_codes.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/receptance_quantities.h"
 #include "made_spindle.h"

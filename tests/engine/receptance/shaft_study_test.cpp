@@ -5,13 +5,18 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/receptance/shaft_file.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/shaft_plots.h"
 #include "engine/receptance/shaft_report.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {
 namespace {
+
+using io::readShaft;
+using io::readStock;
+using io::shaftText;
+using io::stockText;
 
 constexpr double rigid = std::numeric_limits<double>::infinity();
 

@@ -10,8 +10,8 @@
 #include "engine/core/frf_item.h"
 #include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/shaft_file.h"
 #include "engine/receptance/spindle_file.h"
 #include "engine/receptance/spindle_item.h"
 #include "tests/widgets/core/panel_fixture.h"
@@ -54,7 +54,7 @@ private slots:
         Shaft two = rod(200, 40);
         two.segments.push_back({50, 30, 30, 0, {}, {}});
         file_ = folder_.filePath("shaft.json");
-        io::writeFile(file_.toStdString(), receptance::shaftText(two));
+        io::writeFile(file_.toStdString(), io::shaftText(two));
         spindle_ = folder_.filePath("spindle.json");
         receptance::SpindleReceptance springs;
         springs.source = receptance::SpindleSprings{15000, 1.974e8, 0.06};
@@ -230,7 +230,7 @@ private slots:
         QFile file(folder_.filePath("export0.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         Notes notes;
-        QCOMPARE(receptance::readShaft(file.readAll().toStdString(), notes).segments, panel_->result()->shaft.segments);
+        QCOMPARE(io::readShaft(file.readAll().toStdString(), notes).segments, panel_->result()->shaft.segments);
     }
 
     void shapesSwingAndComeToRest()

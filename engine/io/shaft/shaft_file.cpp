@@ -1,12 +1,11 @@
-#include "engine/receptance/shaft_file.h"
+#include "engine/io/shaft/shaft_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/beam/beam_codes.h"
-#include "engine/beam/segment_contour.h"
+#include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_rules.h"
 #include "engine/io/file.h"
@@ -16,13 +15,13 @@
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
 
-namespace lathelier::receptance {
+namespace lathelier::io {
 namespace {
 
 constexpr int piecesOfBore = 50;
 constexpr int conesOfArc = 50;
 
-void checkSchema(const io::JsonCursor& root)
+void checkSchema(const JsonCursor& root)
 {
     if (const auto schema = root.member("schema"); schema && schema->string() != "lathelier-shaft")
         schema->reject(LT_TEXT("Engine", "“lathelier-shaft”"));
@@ -35,27 +34,26 @@ struct StockLine {
     double start_radius_mm, start_bore_mm, end_radius_mm, end_bore_mm, length_mm;
 };
 
-StockLine stockLine(const io::Lines& lines, std::string_view content)
+StockLine stockLine(const Lines& lines, std::string_view content)
 {
     const Text expected =
         LT_TEXT("Engine", "outer and bore radius at the start, outer and bore radius at the end, length");
     std::vector<std::string_view> words;
-    io::splitWords(content, words);
+    splitWords(content, words);
     std::array<double, 5> numbers{};
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i >= numbers.size()) throw io::malformed(lines.number(), lines.line(), words[i], expected);
-        const auto value = io::wholeNumber(words[i], '.');
+        if (i >= numbers.size()) throw malformed(lines.number(), lines.line(), words[i], expected);
+        const auto value = wholeNumber(words[i], '.');
         if (!value || !std::isfinite(*value) || *value < 0)
-            throw io::malformed(lines.number(), lines.line(), words[i],
-                                LT_TEXT("Engine", "a number that is 0 or more"));
+            throw malformed(lines.number(), lines.line(), words[i], LT_TEXT("Engine", "a number that is 0 or more"));
         numbers[i] = *value;
     }
     if (words.size() < numbers.size())
-        throw io::malformed(lines.number(), lines.line(), lines.line().substr(lines.line().size()), expected);
+        throw malformed(lines.number(), lines.line(), lines.line().substr(lines.line().size()), expected);
     for (const std::size_t end : {std::size_t{0}, std::size_t{2}})
         if (numbers[4] > 0 && numbers[end + 1] >= numbers[end])
-            throw io::malformed(lines.number(), lines.line(), words[end + 1],
-                                LT_TEXT("Engine", "a bore radius below the outer radius"));
+            throw malformed(lines.number(), lines.line(), words[end + 1],
+                            LT_TEXT("Engine", "a bore radius below the outer radius"));
     return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
 }
 
@@ -87,24 +85,24 @@ void forgetEmpty(Json& json)
 
 Shaft readShaft(const std::string& json, Notes& notes)
 {
-    const io::JsonDocument document{json};
-    const io::JsonCursor root = document.root();
+    const JsonDocument document{json};
+    const JsonCursor root = document.root();
     checkSchema(root);
     // Length and volume follow from the rows; files that state them for people are no mistakes.
-    return io::readFields<Shaft>(root, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
+    return readFields<Shaft>(root, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
 }
 
 Material readMaterial(const std::string& json, Notes& notes)
 {
-    const io::JsonDocument document{json};
-    return io::readFields<Material>(document.root(), notes);
+    const JsonDocument document{json};
+    return readFields<Material>(document.root(), notes);
 }
 
 Shaft readStock(std::string_view text)
 {
     Shaft shaft;
-    for (io::Lines lines(text); lines.next();) {
-        const std::string_view content = io::trimmed(lines.line().substr(0, lines.line().find('#')));
+    for (Lines lines(text); lines.next();) {
+        const std::string_view content = trimmed(lines.line().substr(0, lines.line().find('#')));
         if (!content.empty()) append(stockLine(lines, content), shaft.segments);
     }
     if (!(shaft.length_mm() > 0)) throw Error(errors::shaftEmpty, {});
@@ -113,8 +111,8 @@ Shaft readStock(std::string_view text)
 
 Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progress)
 {
-    const io::DecodedText text = io::decodeText(bytes, io::Encoding::Auto, progress);
-    const std::string_view content = io::trimmed(text.view());
+    const DecodedText text = decodeText(bytes, Encoding::Auto, progress);
+    const std::string_view content = trimmed(text.view());
     if (content.empty()) throw Error(errors::fileEmpty, {});
     const std::size_t first = content.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || content[first] != '{') return readStock(text.view());
@@ -125,7 +123,7 @@ Shaft readShaftFile(std::string_view bytes, Notes& notes, const Progress& progre
 
 std::string shaftText(const Shaft& shaft)
 {
-    Json root = io::objectOf(infos<Shaft>(), lathelier::toValues(shaft));
+    Json root = objectOf(infos<Shaft>(), lathelier::toValues(shaft));
     forgetEmpty(root);
     root["schema"] = "lathelier-shaft";
     root["schema_version"] = 1;
@@ -141,7 +139,9 @@ std::string stockText(const Shaft& shaft)
         text += '\n';
     };
     for (const ShaftSegment& segment : shaft.segments) {
-        const beam::SegmentContour contour(segment);
+        const ContourPiece contour{{0, segment.start_diameter_mm / 2},
+                                   {segment.length_mm, segment.end_diameter_mm / 2},
+                                   segment.arc_radius_mm.value_or(0)};
         const int pieces = segment.arc_radius_mm && segment.length_mm > 0 ? conesOfArc : 1;
         const double bore_mm = segment.bore_diameter_mm / 2;
         const double step_mm = segment.length_mm / pieces;
@@ -154,4 +154,4 @@ std::string stockText(const Shaft& shaft)
     return text;
 }
 
-}  // namespace lathelier::receptance
+}  // namespace lathelier::io

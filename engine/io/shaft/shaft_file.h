@@ -14,7 +14,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/shaft.h"
 
-namespace lathelier::receptance {
+namespace lathelier::io {
 
 /// Errors with line and column: malformed (also a schema that is not this one), keyMissing, keyOutOfRange. Notes:
 /// unknownKey. What checkShaft() looks at is not looked at here.
@@ -38,4 +38,4 @@ std::string shaftText(const Shaft& shaft);
 /// doubles.
 std::string stockText(const Shaft& shaft);
 
-}  // namespace lathelier::receptance
+}  // namespace lathelier::io

@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 
 #include <algorithm>
 #include <array>
@@ -6,20 +6,20 @@
 #include <filesystem>
 
 #include "engine/io/json/json_head.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
 #include "engine/io/text/units.h"
-#include "engine/receptance/shaft_file.h"
 
-namespace lathelier::receptance {
+namespace lathelier::io {
 namespace {
 
 constexpr std::size_t mostStockLines = 200;  ///< a longer table of five columns is more likely measured than drawn
 
 bool hasStockName(const std::string& path)
 {
-    const std::string extension = io::lowerCase(std::filesystem::path(path).extension().string());
+    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
     return extension.empty() || extension == ".txt" || extension == ".stock";
 }
 
@@ -29,7 +29,7 @@ bool isStockLine(const std::vector<std::string_view>& words)
     std::array<double, 5> numbers{};
     if (words.size() != numbers.size()) return false;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto number = io::wholeNumber(words[i], '.');
+        const auto number = wholeNumber(words[i], '.');
         if (!number || !(*number >= 0) || !std::isfinite(*number)) return false;
         numbers[i] = *number;
     }
@@ -39,28 +39,28 @@ bool isStockLine(const std::vector<std::string_view>& words)
 /// Every line of the whole file is one of a stock file.
 bool isStock(std::string_view head)
 {
-    if (head.size() >= io::headForKind) return false;
-    const io::DecodedText text = io::decodeText(head, io::Encoding::Auto);
+    if (head.size() >= headForKind) return false;
+    const DecodedText text = decodeText(head, Encoding::Auto);
     std::vector<std::string_view> words;
     std::size_t found = 0;
-    for (io::Lines lines(text.view()); lines.next();) {
-        io::splitWords(io::trimmed(lines.line().substr(0, lines.line().find('#'))), words);
+    for (Lines lines(text.view()); lines.next();) {
+        splitWords(trimmed(lines.line().substr(0, lines.line().find('#'))), words);
         if (words.empty()) continue;
         if (!isStockLine(words) || ++found > mostStockLines) return false;
     }
     return found > 0;
 }
 
-io::Likeness likeShaft(const std::string& path, std::string_view head, const Values&)
+Likeness likeShaft(const std::string& path, std::string_view head, const Values&)
 {
-    const std::vector<std::string> keys = io::keysOfHead(head);
-    if (io::hasKey(keys, "segments") && !io::hasKey(keys, "command")) return io::Likeness::Certain;
+    const std::vector<std::string> keys = keysOfHead(head);
+    if (hasKey(keys, "segments") && !hasKey(keys, "command")) return Likeness::Certain;
     try {
-        if (hasStockName(path) && io::looksLikeText(head) && isStock(head)) return io::Likeness::Likely;
+        if (hasStockName(path) && looksLikeText(head) && isStock(head)) return Likeness::Likely;
     } catch (const Error&) {
-        return io::Likeness::No;  // a line that is too long, bytes that are no text
+        return Likeness::No;  // a line that is too long, bytes that are no text
     }
-    return io::Likeness::No;
+    return Likeness::No;
 }
 
 double largestDiameter_mm(const Shaft& shaft)
@@ -73,7 +73,7 @@ double largestDiameter_mm(const Shaft& shaft)
 
 }  // namespace
 
-ShaftFile loadShaft(const io::FileToRead& file)
+ShaftFile loadShaft(const FileToRead& file)
 {
     ShaftFile loaded;
     try {
@@ -83,9 +83,9 @@ ShaftFile loadShaft(const io::FileToRead& file)
     }
     for (Note& note : loaded.notes) set(note.values, "path", file.path);
     const Shaft& shaft = loaded.shaft;
-    io::FileFacts& facts = loaded.facts;
+    FileFacts& facts = loaded.facts;
     facts.path = file.path;
-    facts.format = io::keysOfHead(file.bytes.substr(0, io::headForKind)).empty() ? "stock" : "shaft_json";
+    facts.format = keysOfHead(file.bytes.substr(0, headForKind)).empty() ? "stock" : "shaft_json";
     facts.unit = "mm";
     facts.unit_source = "stated";
     if (!shaft.name.empty()) set(facts.details, "name", shaft.name);
@@ -96,20 +96,20 @@ ShaftFile loadShaft(const io::FileToRead& file)
     return loaded;
 }
 
-const io::FileKind& shaftFiles()
+const FileKind& shaftFiles()
 {
-    static const io::FileKind kind{"shaft",
-                                   LT_TEXT("Engine", "Shafts"),
-                                   "*.json *.txt *.stock",
-                                   {},
-                                   {},
-                                   likeShaft,
-                                   [](const io::FileToRead& file, Notes& notes) {
-                                       ShaftFile loaded = loadShaft(file);
-                                       notes.insert(notes.end(), loaded.notes.begin(), loaded.notes.end());
-                                       return std::move(loaded.facts);
-                                   }};
+    static const FileKind kind{"shaft",
+                               LT_TEXT("Engine", "Shafts"),
+                               "*.json *.txt *.stock",
+                               {},
+                               {},
+                               likeShaft,
+                               [](const FileToRead& file, Notes& notes) {
+                                   ShaftFile loaded = loadShaft(file);
+                                   notes.insert(notes.end(), loaded.notes.begin(), loaded.notes.end());
+                                   return std::move(loaded.facts);
+                               }};
     return kind;
 }
 
-}  // namespace lathelier::receptance
+}  // namespace lathelier::io

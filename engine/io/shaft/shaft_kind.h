@@ -4,20 +4,20 @@
 #include "engine/core/shaft.h"
 #include "engine/io/file_kind.h"
 
-namespace lathelier::receptance {
+namespace lathelier::io {
 
 /// A shaft with what was understood of its file.
 struct ShaftFile {
-    Shaft shaft;          ///< as read
-    io::FileFacts facts;  ///< as shaftFiles() has them
-    Notes notes;          ///< of the reading, with the path
+    Shaft shaft;      ///< as read
+    FileFacts facts;  ///< as shaftFiles() has them
+    Notes notes;      ///< of the reading, with the path
 };
 
 /// Errors of readShaftFile(), with the path.
-ShaftFile loadShaft(const io::FileToRead& file);
+ShaftFile loadShaft(const FileToRead& file);
 
 /// SHAFT.json and the stock text. facts: format "shaft_json" | "stock"; details "name", "segments", "length_mm",
 /// "largest_diameter_mm", "material" (what the file states).
-const io::FileKind& shaftFiles();
+const FileKind& shaftFiles();
 
-}  // namespace lathelier::receptance
+}  // namespace lathelier::io

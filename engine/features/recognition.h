@@ -1,0 +1,146 @@
+// From the scan of a turned part to its table of rows: axis, meridian, cylinders, cones, arcs, shoulders, ends.
+//
+// The cloud collapses onto one curve, the meridian (z, r). Bins of it carry all the information; an exact segmentation
+// finds its pieces, model selection (Schwarz's criterion) settles what each small piece is, and one damped least
+// squares over all parameters, with exact junctions, gives every size with its covariance. Shoulders that a radial ray
+// does not see are located by maximum likelihood of hits and misses of single rays.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/fields.h"
+#include "engine/core/progress.h"
+#include "engine/core/scan.h"
+#include "engine/core/shaft.h"
+
+namespace lathelier::features {
+
+enum class RecognitionMethod { Robust, Paper };
+enum class Snap { None, Suggest, Apply };
+enum class FreeEnd { First, Last };          ///< which end of the data z = 0 is: along the axis' positive sense
+enum class CompareWith { Previous, First };  ///< the paper's section that the next one is compared with
+
+struct RecognitionParameters {
+    RecognitionMethod method = RecognitionMethod::Robust;
+    Snap snap = Snap::Suggest;                  ///< nominal sizes: none, suggested, or put in place of the measured
+    double form_tolerance_mm = 0.02;            ///< on radius: rows that one element describes within it are one
+    std::optional<double> scanner_accuracy_mm;  ///< systematic, added to every uncertainty
+    FreeEnd free_end = FreeEnd::First;
+    std::optional<double> length_mm;             ///< confirms the length where an end is not seen
+    std::optional<double> length_of_chucked_mm;  ///< the last part, in the chuck: not in the stock file
+    double band_width_mm = 0.2;                  ///< paper: width of a section
+    double coverage_percent = 100;               ///< paper: sections cover this share of the length
+    double radial_tolerance_mm = 0.1;            ///< paper: sections whose radius is this near form a step
+    CompareWith compare_with = CompareWith::Previous;
+};
+
+const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParameters*);
+
+enum class RowKind { Cylinder, Cone, Arc };
+
+/// A nominal size that a measured one may have had, and how much that says.
+struct Suggestion {
+    std::string quantity;  ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
+    double measured_mm = 0;
+    double nominal_mm = 0;
+    double difference_um = 0;       ///< measured - nominal
+    double grid_mm = 0;             ///< multiples of this are candidates
+    double chance_percent = 0;      ///< that any number would have been as near to one
+    std::vector<std::string> fits;  ///< ISO 286 classes whose zone contains the measured value ± U, tightest first
+    std::string designation;        ///< "1×45°", "DIN 509 - E 0.6×0.2"; empty: the number is enough
+};
+
+/// One row of the table as it was measured. z counts from the free end.
+struct RecognizedRow {
+    RowKind kind = RowKind::Cylinder;
+    std::string role;                     ///< as ShaftSegment::role
+    double z_start_mm = 0, z_end_mm = 0;  ///< the start of the next row before a face undercut lies before the end
+    double start_diameter_mm = 0, end_diameter_mm = 0;
+    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
+    double half_angle_deg = 0;            ///< of a cone, + when the diameter grows with z
+    std::string ties;                     ///< of an arc: "free", "tangent", "plane" for start and end, "tangent-plane"
+    std::int64_t points = 0;
+    double coverage_deg = 360;    ///< of the circle
+    double residual_um = 0;       ///< rms of the bins about the row
+    double form_pv_um = 0;        ///< peak to valley of means over five bins about the row
+    double taper_um = 0;          ///< of a worn cylinder: change of the radius along it
+    bool fully_visible = true;    ///< false: an undercut's arc that runs out of sight
+    SizeUncertainty uncertainty;  ///< k = 2
+    std::vector<Suggestion> suggestions;
+};
+
+/// What several rows are together, or what a jump between them is.
+struct RecognizedFeature {
+    std::string kind;  ///< shoulder | chamfer | fillet | edge_break | groove | undercut | taper
+    double z_start_mm = 0, z_end_mm = 0;
+    std::vector<std::int64_t> rows;  ///< numbers from 1
+    std::string designation;         ///< "1×45°", "1:10"; empty: none
+};
+
+/// An end of the part or of the data.
+struct RecognizedEnd {
+    double z_mm = 0;
+    double uncertainty_mm = 0;  ///< k = 2
+    std::string closed_by;      ///< face | chamfer | round | edge | data
+};
+
+/// A stretch without data.
+struct Gap {
+    double z_start_mm = 0, z_end_mm = 0;
+};
+
+/// A junction that the form tolerance took away.
+struct MergedJunction {
+    double z_mm = 0;
+    double step_um = 0;    ///< of the radius
+    double angle_deg = 0;  ///< bend between the two
+};
+
+/// One wall of one bin of the meridian: what the plots draw.
+struct MeridianPoint {
+    double z_mm = 0, radius_mm = 0;
+    double sigma_mm = 0;     ///< standard uncertainty of the radius
+    double residual_mm = 0;  ///< measured - model, along the radius; NaN where no row is
+    std::int32_t row = -1;   ///< index into `segments`, or of `bores` when `bore`; -1: none
+    bool bore = false;
+};
+
+struct Recognition {
+    RecognitionParameters parameters;
+    std::string method_used;                                        ///< "robust" | "paper"
+    Eigen::Isometry3d part_T_scan = Eigen::Isometry3d::Identity();  ///< into z along the axis from the free end
+    Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();        ///< free end on the axis, in the scan's frame
+    Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitZ();      ///< toward the chuck
+    std::optional<double> length_mm;                                ///< none: an end is not seen
+    double length_uncertainty_mm = 0;                               ///< k = 2
+    std::vector<RecognizedEnd> ends;                                ///< free end, chuck end
+    std::vector<RecognizedRow> segments;
+    std::vector<std::vector<RecognizedRow>> bores;  ///< each from its mouth inward, as Shaft::bores
+    std::vector<RecognizedFeature> features;
+    std::vector<ShaftMark> marks;
+    std::vector<Gap> gaps;
+    std::vector<MergedJunction> merged;
+    double coverage_percent = 0;  ///< of the length that rows cover
+    double residual_rmse_mm = 0;  ///< of the bins about the rows
+    double chi2_per_bin = 0;
+    double spot_mm = 0;                ///< width that an edge is blurred by
+    double noise_mm = 0;               ///< of single points along the normal
+    std::optional<double> volume_mm3;  ///< of the table, exact; none: the shaft is not complete
+    std::int64_t points_used = 0;
+    bool complete = true;                 ///< no gap, both ends seen or confirmed: CAD may be made
+    Shaft shaft;                          ///< measured; with Snap::Apply nominal beside `measured`
+    std::vector<MeridianPoint> meridian;  ///< in order of z
+    Notes notes;
+};
+
+/// Errors: tooFewPoints, pointsDegenerate, notABodyOfRevolution, coverageTooSmall (registration); those of its
+/// parameters. Notes: partIsBent, coverageBelowHalf, coveragePartial, gapInData, endNotSeen, segmentNotCoaxial,
+/// freeFormLeftOut… (features_codes.h). Throws Cancelled.
+Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress = {});
+
+}  // namespace lathelier::features

@@ -21,7 +21,7 @@
 namespace lathelier::features {
 
 enum class RecognitionMethod { Robust, Paper };
-enum class Snap { None, Suggest, Apply };
+enum class Snap { Suggest, None, Apply };
 enum class FreeEnd { First, Last };          ///< which end of the data z = 0 is: along the axis' positive sense
 enum class CompareWith { Previous, First };  ///< the paper's section that the next one is compared with
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
+constexpr double kBend = 3.4 * std::numbers::pi / 180;
 constexpr std::size_t kSmear = 4;  // walls at a chain's end that blur may have made
 
 enum class Border { Shoulder, Step, Gap, Rough, End };
@@ -320,7 +321,8 @@ void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run
     }
     const double density = static_cast<double>(points.size()) / (2 * reach);
     plane.z_mm = plane.seen_mm = place;
-    plane.sigma_mm = std::max(0.005, 2 * model.sigma_mm * model.sigma_mm / (jump * jump * density));
+    // Spread of the likeliest change point of a mean: about 5 σ²/(Δ²·density) (Hinkley 1970).
+    plane.sigma_mm = std::max(0.005, 5 * model.sigma_mm * model.sigma_mm / (jump * jump * density));
 }
 
 /// Sees where the planes are, with the radii as the model has them now.
@@ -453,6 +455,14 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
                                 [](const Element& e) { return e.rough; }))
                     continue;
                 const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
+                // What bends is designed, whatever its size.
+                bool bends = false;
+                for (std::size_t k = i; k < j; ++k) {
+                    const double z = run.nodes_mm[k + 1];
+                    bends |= std::abs(std::atan(run.elements[k + 1].slopeAt(z)) -
+                                      std::atan(run.elements[k].slopeAt(z))) > kBend;
+                }
+                if (bends) continue;
                 // Weighted least squares of a cylinder and a cone over the seat.
                 double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
                 for (const Wall& wall : run.walls) {

@@ -85,6 +85,31 @@ void loosenNeighbours(Run& run, std::size_t k)
         run.elements[k + 1].start = Tie::Free;
 }
 
+/// Is the radius beyond the plane larger? At the ends of the part it is not.
+bool isFoot(const Model& model, std::size_t r, bool start)
+{
+    const std::size_t plane = start ? model.runs[r].left : model.runs[r].right;
+    const double own = start ? startRadius_mm(model.runs[r]) : endRadius_mm(model.runs[r]);
+    for (std::size_t other = 0; other < model.runs.size(); ++other) {
+        if (other == r) continue;
+        if (start && model.runs[other].right == plane) return endRadius_mm(model.runs[other]) > own;
+        if (!start && model.runs[other].left == plane) return startRadius_mm(model.runs[other]) > own;
+    }
+    return false;
+}
+
+/// A slope that rises into a shoulder's foot is a fillet more often than a cone.
+double priorOf(const Model& model, std::size_t r, std::size_t k)
+{
+    constexpr double unusual = 12;
+    const Run& run = model.runs[r];
+    const Element& e = run.elements[k];
+    if (e.arc || e.cylinder || std::abs(e.slope) < 0.17 || run.nodes_mm[k + 1] - run.nodes_mm[k] > 1.5) return 0;
+    if (k == 0 && e.slope < 0 && isFoot(model, r, true)) return unusual;
+    if (k + 1 == run.elements.size() && e.slope > 0 && isFoot(model, r, false)) return unusual;
+    return 0;
+}
+
 bool selectKind(Model& model, std::size_t r, std::size_t k)
 {
     const Run before = model.runs[r];
@@ -92,14 +117,14 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     const Scope scope = scopeOf(before, r, k, k);
     const double r0 = before.elements[k].radiusAt_mm(z0), r1 = before.elements[k].radiusAt_mm(z1);
     Trial best{before, 0};
-    best.value = criterion(model, scope, 8);
+    best.value = criterion(model, scope, 8) + priorOf(model, r, k);
     best.run = model.runs[r];
     bool changed = false;
     const auto attempt = [&](const Element& element) {
         model.runs[r] = before;
         model.runs[r].elements[k] = element;
         loosenNeighbours(model.runs[r], k);
-        const double value = criterion(model, scope, 10);
+        const double value = criterion(model, scope, 10) + priorOf(model, r, k);
         // What is there stays unless something is clearly better: no flipping between equals.
         if (!(value < best.value - 0.5) || model.runs[r].violation > 1) return;
         best = {model.runs[r], value};
@@ -129,19 +154,6 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     model.runs[r] = best.run;
     resolve(model, model.runs[r]);
     return changed;
-}
-
-/// Is the radius beyond the plane larger? At the ends of the part it is not.
-bool isFoot(const Model& model, std::size_t r, bool start)
-{
-    const std::size_t plane = start ? model.runs[r].left : model.runs[r].right;
-    const double own = start ? startRadius_mm(model.runs[r]) : endRadius_mm(model.runs[r]);
-    for (std::size_t other = 0; other < model.runs.size(); ++other) {
-        if (other == r) continue;
-        if (start && model.runs[other].right == plane) return endRadius_mm(model.runs[other]) > own;
-        if (!start && model.runs[other].left == plane) return startRadius_mm(model.runs[other]) > own;
-    }
-    return false;
 }
 
 /// Puts the better of the elements in at `at`, when one gains more than its price and the margin.

@@ -13,7 +13,7 @@ namespace {
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
 constexpr double kBend = 3.4 * std::numbers::pi / 180;
-constexpr std::size_t kSmear = 4;  // walls at a chain's end that blur may have made
+constexpr std::size_t kSmear = 3;  // walls at a chain's end that blur may have made
 
 enum class Border { Shoulder, Step, Gap, Rough, End };
 
@@ -74,9 +74,9 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
-    while (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
+    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
         pieces.erase(pieces.begin());
-    while (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
+    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
     Stretch stretch;
     stretch.from_mm = walls.front().z_mm;
@@ -400,6 +400,13 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         Plane& plane = model.planes[p];
         const Run& run = start ? model.runs.front() : model.runs.back();
         const double radius = start ? startRadius_mm(run) : endRadius_mm(run);
+        const auto part_end = std::find_if(input.part_ends.begin(), input.part_ends.end(),
+                                           [&](const Plane& end) { return std::abs(end.z_mm - plane.z_mm) < 1; });
+        if (part_end != input.part_ends.end()) {
+            plane.z_mm = plane.seen_mm = part_end->z_mm;
+            plane.sigma_mm = std::max(1e-4, part_end->sigma_mm);
+            continue;
+        }
         ++sought;
         if (const auto face = input.bore
                                   ? std::nullopt

@@ -70,6 +70,52 @@ bool isPartsEnd(const Outline& outline, bool start, const std::string& closed_by
     return closed_by != "edge";
 }
 
+/// Rows of a bore from its mouth inward.
+std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd mouth)
+{
+    if (mouth == ShaftEnd::Free) return rows;
+    std::reverse(rows.begin(), rows.end());
+    for (RecognizedRow& row : rows) {
+        std::swap(row.start_diameter_mm, row.end_diameter_mm);
+        std::swap(row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um);
+    }
+    return rows;
+}
+
+/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its narrowest
+/// row only where that is hidden; else it is a through bore.
+void addBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
+              const AddedUncertainty& added, Recognition& result)
+{
+    constexpr double near_mm = 1;
+    const std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> from_free, from_chuck;
+    std::size_t gap = rows.size();
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) gap = i + 1;
+    const bool free = rows.front().z_start_mm<near_mm, chuck = rows.back().z_end_mm> length_mm - near_mm;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (free && (i < gap || !chuck))
+            from_free.push_back(rows[i]);
+        else if (chuck)
+            from_chuck.push_back(rows[i]);
+    if (free && chuck && gap == rows.size()) from_chuck.clear();
+    if (!from_free.empty()) from_free.front().z_start_mm = 0;
+    if (!from_chuck.empty()) from_chuck.back().z_end_mm = length_mm;
+    if (free && chuck && gap == rows.size()) from_free.back().z_end_mm = length_mm;
+    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
+        if (list->empty()) continue;
+        result.bores.push_back(fromMouth(*list, mouth));
+        ShaftBore bore;
+        bore.from = mouth;
+        for (const RecognizedRow& row : result.bores.back())
+            bore.segments.push_back({row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm,
+                                     row.arc_radius_mm, row.role});
+        result.shaft.bores.push_back(bore);
+    }
+    addMeridian(inner, zero_mm, true, 0, result.meridian);
+}
+
 ShaftSegment segmentOf(const RecognizedRow& row)
 {
     return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
@@ -213,6 +259,12 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
     result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
     for (const RecognizedRow& row : result.segments) result.shaft.segments.push_back(segmentOf(row));
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
+        addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    std::stable_sort(result.meridian.begin(), result.meridian.end(),
+                     [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;

@@ -1,0 +1,60 @@
+// What a shaft's drawing has to say, before any layout: in millimetres of the part.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "engine/drawing/dimension_texts.h"
+
+namespace lathelier::drawing {
+
+/// The ⌀ of a cylinder.
+struct DiameterDimension {
+    double from_z_mm = 0, to_z_mm = 0;  ///< from < to
+    double diameter_mm = 0;
+    DimensionText label;
+};
+
+/// The ⌀ of a bore's cylinder.
+struct BoreDimension {
+    DiameterDimension size;
+    bool open_free = false;   ///< no narrower place between it and the free end
+    bool open_chuck = false;  ///< the same toward the chuck
+};
+
+/// A text that a leader ties to a place of the contour.
+struct Callout {
+    Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();  ///< z, r
+    DimensionText label;
+};
+
+/// A length from an end to a place.
+struct LengthDimension {
+    double from_z_mm = 0;
+    double to_z_mm = 0;
+    double from_radius_mm = 0, to_radius_mm = 0;  ///< of the contour there, where extension lines begin
+    DimensionText label;
+};
+
+struct KeywayView {
+    double from_z_mm = 0, to_z_mm = 0;
+    double width_mm = 0;
+    double floor_mm = 0;          ///< from the axis
+    double diameter_mm = 0;       ///< of the shaft around it
+    DimensionText width, across;  ///< across: from the floor to the opposite side
+};
+
+struct Features {
+    std::vector<DiameterDimension> diameters;   ///< outside, in the order of z
+    std::vector<BoreDimension> bores;           ///< in the order of travel
+    std::vector<Callout> callouts;              ///< outside and bores
+    std::vector<LengthDimension> lengths;       ///< from the free end, the overall length last
+    std::vector<LengthDimension> bore_lengths;  ///< from the mouths
+    std::vector<KeywayView> keyways;            ///< at most one gets its section
+};
+
+/// `shaft` with its bores stated as bores (withStatedBores).
+Features featuresOf(const Shaft& shaft, const DrawingOptions& options);
+
+}  // namespace lathelier::drawing

@@ -1,0 +1,287 @@
+#include "engine/drawing/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "engine/drawing/dimension_lines.h"
+#include "engine/drawing/leaders.h"
+#include "engine/drawing/view.h"
+
+namespace lathelier::drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFirstLane_mm = 10;   // from the view to the first dimension line
+constexpr double kOverhang_mm = 4;     // of the axis
+constexpr double kLeaderSpace_mm = 2;  // least distance of leaders
+constexpr double kBend_mm = 3;         // leaders are vertical from so far above the view
+
+class Layout {
+public:
+    Layout(const Shaft& shaft, const Features& features, double factor, double height_mm)
+        : features_(features), factor_(factor), bored_(!shaft.bores.empty()), paint_(drawing_, height_mm)
+    {
+        drawing_ = viewOf(shaft, factor);
+        view_ = boxOf(drawing_);
+        for (const KeywayView& keyway : features.keyways)
+            if (!bored_)
+                taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
+                                  factor * keyway.width_mm / 2});
+        for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
+        addLengths();
+        for (const BoreDimension& bore : features.bores) sortBore(bore);
+        addBores(free_bores_, true);
+        addBores(chuck_bores_, false);
+        for (const Callout& callout : features.callouts)
+            leaders_.push_back({factor * callout.at_mm, callout.label, std::nullopt});
+        addTop();
+        addAxis();
+        if (!features.keyways.empty()) addSection(features.keyways.front());
+    }
+
+    Drawing take() { return std::move(drawing_); }
+
+private:
+    struct Leader {
+        Vector2d at_mm;
+        DimensionText label;
+        std::optional<double> lower_y_mm;  ///< a ⌀: its dimension line comes from here
+    };
+
+    bool isFree(const Box& box) const
+    {
+        return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
+    }
+
+    double pitch() const { return 2 * paint_.height_mm(); }
+
+    void addDiameter(const DiameterDimension& diameter)
+    {
+        const double radius = factor_ * diameter.diameter_mm / 2;
+        const double from = factor_ * diameter.from_z_mm, to = factor_ * diameter.to_z_mm;
+        if (!placeInside(diameter, radius, from, to)) {
+            const double x = (from + to) / 2;
+            leaders_.push_back({{x, radius}, diameter.label, bored_ ? std::nullopt : std::optional(-radius)});
+        }
+    }
+
+    /// On a line across the view where there is room; the place nearest to the row's middle.
+    bool placeInside(const DiameterDimension& diameter, double radius, double from, double to)
+    {
+        const double band = paint_.band_mm(), width = paint_.widthOf(diameter.label), margin = 1;
+        const double room = bored_ ? radius - arrow_mm - 1.5 : 2 * (radius - arrow_mm - 0.5);
+        if (width > room || to - from < band + 2 * margin) return false;
+        const double middle = (from + to + band) / 2, reach = (to - from - band) / 2 - margin;
+        for (double off = 0; off <= reach + 1e-9; off += 1)
+            for (const double x : {middle + off, middle - off}) {
+                const Box box{x - band, -radius, x + 0.5, bored_ ? 0 : radius};
+                if (!isFree(box)) continue;
+                addInside(diameter.label, x, radius);
+                taken_.push_back(box);
+                return true;
+            }
+        return false;
+    }
+
+    void addInside(const DimensionText& label, double x, double radius)
+    {
+        if (!bored_) {
+            paint_.vertical(x, -radius, radius, label);
+            const Box text = boxOf(drawing_.labels.back());
+            if (text.bottom_mm < 0 && text.top_mm > 0) gaps_.emplace_back(text.left_mm - 0.3, text.right_mm + 0.3);
+            return;
+        }
+        paint_.line({x, -radius}, {x, 3});
+        paint_.arrow({x, -radius}, {0, -1});
+        paint_.text({x - paint_.gap_mm(), (arrow_mm - radius) / 2}, label, Anchor::Middle, 90);
+    }
+
+    void addLengths()
+    {
+        double y = view_.bottom_mm - kFirstLane_mm;
+        for (const LengthDimension& length : features_.lengths) {
+            paint_.horizontal(factor_ * length.from_z_mm, factor_ * length.to_z_mm, y, -factor_ * length.from_radius_mm,
+                              -factor_ * length.to_radius_mm, length.label);
+            y -= pitch();
+        }
+    }
+
+    void sortBore(const BoreDimension& bore)
+    {
+        const double middle = (bore.size.from_z_mm + bore.size.to_z_mm) / 2 * factor_;
+        const bool nearer_free = middle - view_.left_mm <= view_.right_mm - middle;
+        if (bore.open_free && (nearer_free || !bore.open_chuck))
+            free_bores_.push_back(bore.size);
+        else if (bore.open_chuck)
+            chuck_bores_.push_back(bore.size);
+        else
+            leaders_.push_back({{middle, factor_ * bore.size.diameter_mm / 2}, bore.size.label, std::nullopt});
+    }
+
+    /// Beside the view, small ones nearest to it; half of each, since the section shows half.
+    void addBores(std::vector<DiameterDimension>& bores, bool left)
+    {
+        std::stable_sort(bores.begin(), bores.end(), [](const DiameterDimension& a, const DiameterDimension& b) {
+            return a.diameter_mm < b.diameter_mm;
+        });
+        const double sense = left ? -1 : 1, step = paint_.band_mm() + 2;
+        double x = left ? view_.left_mm - step - 1 : view_.right_mm + step + 1;
+        for (const DiameterDimension& bore : bores) {
+            const double radius = factor_ * bore.diameter_mm / 2, width = paint_.widthOf(bore.label);
+            const double low = std::min(-kOverhang_mm, radius - arrow_mm - 2 - width);
+            while (overlapsLabel({x - paint_.band_mm(), low, x + 0.5, radius})) x += sense * step;
+            paint_.line({factor_ * (left ? bore.from_z_mm : bore.to_z_mm), radius}, {x + sense * 1.5, radius});
+            paint_.line({x, radius}, {x, low});
+            paint_.arrow({x, radius}, {0, 1});
+            paint_.text({x - paint_.gap_mm(), radius - arrow_mm - 1}, bore.label, Anchor::End, 90);
+            x += sense * step;
+        }
+    }
+
+    bool overlapsLabel(const Box& box) const
+    {
+        return std::any_of(drawing_.labels.begin(), drawing_.labels.end(),
+                           [&](const Label& label) { return boxOf(label).overlaps(box); });
+    }
+
+    /// Depths of bores, then the texts of leaders above them.
+    void addTop()
+    {
+        std::vector<LeaderText> texts;
+        for (const Leader& leader : leaders_) texts.push_back({leader.at_mm.x(), paint_.widthOf(leader.label) + 1});
+        places_ = placeLeaders(texts, kLeaderSpace_mm);
+        double y = view_.top_mm + kFirstLane_mm;
+        for (const LengthDimension& length : features_.bore_lengths) {
+            addBoreLength(length, y);
+            y += pitch();
+        }
+        const double bend = view_.top_mm + kBend_mm;
+        double first = features_.bore_lengths.empty() ? view_.top_mm + kBend_mm + 4 : y - pitch() + 2 * kBend_mm;
+        if (!features_.keyways.empty() && !bored_) first = std::max(first, addCuttingPlane(features_.keyways.front()));
+        for (std::size_t i = 0; i < leaders_.size(); ++i) addLeader(leaders_[i], places_[i], bend, first);
+    }
+
+    void addBoreLength(const LengthDimension& length, double y)
+    {
+        const double from = factor_ * length.from_z_mm, to = factor_ * length.to_z_mm;
+        const double half = paint_.widthOf(length.label) / 2, middle = (from + to) / 2;
+        const double reach = std::abs(to - from) / 2 - half - arrow_mm;
+        const auto crossed = [&](double x) {
+            return std::any_of(places_.begin(), places_.end(),
+                               [&](const LeaderPlace& place) { return std::abs(place.x_mm - x) < half + 0.5; });
+        };
+        double text_x = middle;
+        for (double off = 0; off <= reach; off += 0.5)
+            if (const bool right = !crossed(middle + off); right || !crossed(middle - off)) {
+                text_x = right ? middle + off : middle - off;
+                break;
+            }
+        paint_.horizontal(from, to, y, factor_ * length.from_radius_mm, factor_ * length.to_radius_mm, length.label,
+                          &text_x);
+    }
+
+    void addLeader(const Leader& leader, const LeaderPlace& place, double bend, double first)
+    {
+        const double y = first + pitch() * place.lane, sense = place.to_left ? -1 : 1;
+        const Vector2d knee(place.x_mm, bend), shelf(place.x_mm, y);
+        const double width = paint_.widthOf(leader.label);
+        if (leader.lower_y_mm) {
+            const bool room = leader.at_mm.y() - *leader.lower_y_mm > 3 * arrow_mm;
+            const Vector2d low(leader.at_mm.x(), *leader.lower_y_mm), up(0, 1);
+            paint_.line(room ? low : Vector2d(low - 4 * up), leader.at_mm);
+            paint_.arrow(low, room ? Vector2d(-up) : up);
+            paint_.arrow(leader.at_mm, room ? up : Vector2d(-up));
+            const Vector2d above(leader.at_mm.x(), leader.at_mm.y() + (room ? 0 : arrow_mm + 1));
+            paint_.line(leader.at_mm, above);
+            paint_.line(above, knee);
+        } else {
+            paint_.line(leader.at_mm, knee);
+            paint_.arrow(leader.at_mm, leader.at_mm - knee);
+        }
+        paint_.line(knee, shelf);
+        paint_.line(shelf, {place.x_mm + sense * (width + 1), y});
+        paint_.text({place.x_mm + sense * 0.5, y + paint_.gap_mm()}, leader.label,
+                    place.to_left ? Anchor::End : Anchor::Start);
+    }
+
+    /// A-A across the keyway where no leader stands; the height that its upper letter needs.
+    double addCuttingPlane(const KeywayView& keyway)
+    {
+        const double from = factor_ * keyway.from_z_mm, to = factor_ * keyway.to_z_mm;
+        double x = (from + to) / 2;
+        const double reach = (to - from) / 2 - 1;
+        const auto crossed = [&](double at) {
+            return std::any_of(places_.begin(), places_.end(),
+                               [&](const LeaderPlace& place) { return place.x_mm > at - 3 && place.x_mm < at + 8; });
+        };
+        for (double off = 0; off <= reach; off += 1)
+            if (const bool right = !crossed(x + off); right || !crossed(x - off)) {
+                x += right ? off : -off;
+                break;
+            }
+        const double radius = factor_ * keyway.diameter_mm / 2, height = paint_.height_mm();
+        for (const double sign : {1.0, -1.0}) {
+            const double near = sign * (radius + 1), far = sign * (radius + 6);
+            drawing_.lines.push_back({{x, near}, {x, far}, Layer::Contour, thick_mm});
+            paint_.line({x, far}, {x + 2 * arrow_mm, far});
+            paint_.arrow({x, far}, {-1, 0});
+            paint_.text({x + arrow_mm + 0.5, sign > 0 ? far - height - 0.8 : far + 0.8}, {"A", false}, Anchor::Start);
+        }
+        return radius + 12;
+    }
+
+    void addAxis()
+    {
+        std::sort(gaps_.begin(), gaps_.end());
+        double start = view_.left_mm - kOverhang_mm;
+        const auto add = [&](double end) {
+            if (end - start > 0.5)
+                drawing_.lines.push_back({{start, 0}, {end, 0}, Layer::Axis, thin_mm, LineType::DashDot});
+        };
+        for (const auto& [from, to] : gaps_) {
+            add(from);
+            start = std::max(start, to);
+        }
+        add(view_.right_mm + kOverhang_mm);
+    }
+
+    void addSection(const KeywayView& keyway)
+    {
+        Drawing section = keywaySection(keyway, factor_);
+        DimensionPainter paint(section, paint_.height_mm());
+        const double radius = factor_ * keyway.diameter_mm / 2, half = factor_ * keyway.width_mm / 2;
+        const double floor = factor_ * keyway.floor_mm, side = std::sqrt(radius * radius - half * half);
+        const double y = radius + 6, x = radius + 6 + paint.band_mm();
+        paint.horizontal(-half, half, y, side, side, keyway.width);
+        paint.line({half + 1, floor}, {x + 1.5, floor});
+        paint.line({1, -radius}, {x + 1.5, -radius});
+        paint.vertical(x, -radius, floor, keyway.across);
+        section.labels.push_back({{0, y + 2.5 * paint.height_mm()}, 1.4 * paint.height_mm(), 0, "A-A", Anchor::Middle});
+        move(section, {boxOf(drawing_).right_mm + 8 - boxOf(section).left_mm, 0});
+        append(drawing_, section);
+    }
+
+    const Features& features_;
+    double factor_;
+    bool bored_;
+    Drawing drawing_;
+    DimensionPainter paint_;
+    Box view_;
+    std::vector<Box> taken_;                       // inside the view
+    std::vector<std::pair<double, double>> gaps_;  // of the axis
+    std::vector<Leader> leaders_;
+    std::vector<LeaderPlace> places_;  // of leaders_
+    std::vector<DiameterDimension> free_bores_, chuck_bores_;
+};
+
+}  // namespace
+
+Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm)
+{
+    return Layout(shaft, features, factor, height_mm).take();
+}
+
+}  // namespace lathelier::drawing

@@ -34,7 +34,7 @@ int advanceOf(char32_t code)
         case 0xB1: return 838;     // ±
         case 0xD7: return 838;     // ×
         case 0x2212: return 838;   // minus
-        case 0x2300: return 834;   // ⌀
+        case 0x2300: return 787;   // ⌀, set as Ø
         case 0x25B7: return 769;   // ▷
         case 0x2026: return 1000;  // …
         default: return code > 0x2000 ? 1000 : kOther;

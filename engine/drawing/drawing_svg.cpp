@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "engine/report/svg.h"
 
@@ -19,6 +20,15 @@ std::string number(double value)
     result.erase(result.find_last_not_of('0') + 1);
     if (result.back() == '.') result.pop_back();
     return result == "-0" ? "0" : result;
+}
+
+/// The font's sign for a diameter is no taller than a small letter.
+std::string withTallDiameters(std::string text)
+{
+    constexpr std::string_view kSign = "⌀", kTall = "Ø";
+    for (std::size_t at = 0; (at = text.find(kSign, at)) != std::string::npos; at += kTall.size())
+        text.replace(at, kSign.size(), kTall);
+    return text;
 }
 
 class Writer {
@@ -90,7 +100,7 @@ private:
         out_ +=
             fmt::format("<text {} text-anchor=\"{}\" font-size=\"{}\"{} fill=\"#000000\" stroke=\"none\">{}</text>\n",
                         place, anchor, number(label.height_mm * fontSizeOverHeight),
-                        label.italic ? " font-style=\"italic\"" : "", report::escaped(label.text));
+                        label.italic ? " font-style=\"italic\"" : "", report::escaped(withTallDiameters(label.text)));
     }
 
     double height_mm_;

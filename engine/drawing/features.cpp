@@ -187,12 +187,12 @@ private:
                 isMeasured(rows[first])};
     }
 
-    void addCallouts(const std::vector<ContourRow>& rows, bool outside)
+    void addCallouts(const std::vector<ContourRow>& rows, bool outside, Mouth mouth = Mouth::None)
     {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const ContourRow& row = rows[i];
             const auto add = [&](DimensionText label, const Eigen::Vector2d& at) {
-                features_.callouts.push_back({at, std::move(label)});
+                features_.callouts.push_back({at, std::move(label), i == 0 ? mouth : Mouth::None});
             };
             switch (row.kind) {
                 case RowKind::Chamfer:
@@ -270,7 +270,9 @@ private:
                 free ? from_far : from_mouth};
             features_.bores.push_back(std::move(bore));
         }
-        addCallouts(rows, false);
+        addCallouts(rows, false, free ? Mouth::Free : Mouth::Chuck);
+        if (through && rows.size() > 1 && rows.back().isMinor())
+            features_.callouts.back().mouth = free ? Mouth::Chuck : Mouth::Free;
         for (const Station& station : stationsOf(rows)) {
             const bool drill_point = same(rows[station.before].end_diameter_mm, 0);
             if (drill_point || (through && same(station.z_mm, rows.back().end_z_mm))) continue;
@@ -293,7 +295,8 @@ private:
                 addKeyway(mark, z);
             } else if (mark.kind == "knurl" || mark.kind == "flat" || mark.kind == "cross_hole" || !in_undercut) {
                 const std::string text = markText(mark);
-                if (!text.empty()) features_.callouts.push_back({{z, outerRadius(outer_, z)}, {text, false}});
+                if (!text.empty())
+                    features_.callouts.push_back({{z, outerRadius(outer_, z)}, {text, false}, Mouth::None});
             }
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,14 @@ struct BoreDimension {
     bool open_chuck = false;  ///< the same toward the chuck
 };
 
+/// Which free space beside the view a callout of a bore can be reached from.
+enum class Mouth : std::uint8_t { None, Free, Chuck };
+
 /// A text that a leader ties to a place of the contour.
 struct Callout {
     Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();  ///< z, r
     DimensionText label;
+    Mouth mouth = Mouth::None;  ///< of a bore, where the row is its first one
 };
 
 /// A length from an end to a place.

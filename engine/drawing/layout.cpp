@@ -30,13 +30,17 @@ public:
             if (!bored_)
                 taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
                                   factor * keyway.width_mm / 2});
+        for (const BoreDimension& bore : features.bores)  // edges of bores, that no dimension line is to run along
+            for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm})
+                taken_.push_back({factor * z - 1, 0, factor * z + 1, 3});
         for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
         addLengths();
         for (const BoreDimension& bore : features.bores) sortBore(bore);
         addBores(free_bores_, true);
         addBores(chuck_bores_, false);
         for (const Callout& callout : features.callouts)
-            leaders_.push_back({factor * callout.at_mm, callout.label, std::nullopt});
+            if (callout.mouth == Mouth::None || !placeBeside(callout))
+                leaders_.push_back({factor * callout.at_mm, callout.label, std::nullopt});
         addTop();
         addAxis();
         if (!features.keyways.empty()) addSection(features.keyways.front());
@@ -77,7 +81,7 @@ private:
         const double middle = (from + to + band) / 2, reach = (to - from - band) / 2 - margin;
         for (double off = 0; off <= reach + 1e-9; off += 1)
             for (const double x : {middle + off, middle - off}) {
-                const Box box{x - band, -radius, x + 0.5, bored_ ? 0 : radius};
+                const Box box{x - band, -radius, x + 0.5, bored_ ? 3 : radius};
                 if (!isFree(box)) continue;
                 addInside(diameter.label, x, radius);
                 taken_.push_back(box);
@@ -139,6 +143,25 @@ private:
             paint_.text({x - paint_.gap_mm(), radius - arrow_mm - 1}, bore.label, Anchor::End, 90);
             x += sense * step;
         }
+    }
+
+    /// Beside the mouth of a bore, above the dimensions of bores and below the view's top.
+    bool placeBeside(const Callout& callout)
+    {
+        const bool left = callout.mouth == Mouth::Free;
+        const double sense = left ? -1 : 1, width = paint_.widthOf(callout.label);
+        const Vector2d at = factor_ * callout.at_mm;
+        const Vector2d knee((left ? view_.left_mm : view_.right_mm) + sense * 4, at.y() + 6);
+        Label label{knee + Vector2d(sense * 0.5, paint_.gap_mm()), paint_.height_mm()};
+        label.text = callout.label.text;
+        label.anchor = left ? Anchor::End : Anchor::Start;
+        const Box box = boxOf(label);
+        if (box.top_mm > view_.top_mm + kBend_mm || overlapsLabel(box)) return false;
+        paint_.line(at, knee);
+        paint_.arrow(at, at - knee);
+        paint_.line(knee, knee + Vector2d(sense * (width + 1), 0));
+        paint_.text(label.at_mm, callout.label, label.anchor);
+        return true;
     }
 
     bool overlapsLabel(const Box& box) const

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMargin_mm = 4;     // between the frame and what is drawn
 constexpr double kReadable_mm = 60;  // the part's larger size on paper, wanted
+constexpr double kGenerous_mm = 90;  // the same, for which the smaller sheet is taken
 constexpr double kHalf = 0.5;        // the smallest scale for which the smaller sheet is taken
 
 /// One way to try.
@@ -27,7 +28,9 @@ struct Attempt {
 std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
 {
     std::vector<Attempt> attempts;
-    if (!sheet) attempts.push_back({Sheet::A4Landscape, 3.5, kReadable_mm, kHalf});
+    if (!sheet)
+        for (const Sheet small : {Sheet::A4Landscape, Sheet::A4Portrait})
+            attempts.push_back({small, 3.5, kGenerous_mm, kHalf});
     const Sheet last = sheet.value_or(Sheet::A3Landscape);
     for (const double least : {kReadable_mm, 0.0})
         for (const double height : {3.5, 2.5}) attempts.push_back({last, height, least, 0});

@@ -65,7 +65,7 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
     rows.push_back(
         {9, {{LT_TEXT("Engine", "Method"), options.method, 105}, {LT_TEXT("Engine", "Date"), options.date, 75}}});
     rows.push_back({12,
-                    {{LT_TEXT("Engine", "Name"), options.name.empty() ? shaft.name : options.name, 105, 5},
+                    {{LT_TEXT("Engine", "Name"), options.name.empty() ? shaft.name : options.name, 105, 4},
                      {LT_TEXT("Engine", "Scale"), scale, 25, 3.5},
                      {LT_TEXT("Engine", "Sheet"), options.sheet_number, 25, 3.5},
                      {LT_TEXT("Engine", "Size"), format, 25, 3.5}}});
@@ -128,7 +128,7 @@ Drawing titleBlock(const Shaft& shaft, const DrawingOptions& options, Sheet shee
                 drawing.labels.push_back(caption);
             }
             if (!cell.content.empty()) {
-                Label content{{x + kPadding_mm, bottom + 1.7}, cell.height_mm};
+                Label content{{x + kPadding_mm, bottom + 0.6 + 0.4 * cell.height_mm}, cell.height_mm};
                 content.text = cell.content;
                 content.italic = cell.caption.empty();
                 fit(content, room);

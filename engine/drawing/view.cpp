@@ -32,6 +32,15 @@ bool isCorner(const ContourPiece& a, const ContourPiece& b)
     return std::abs(u.x() * v.y() - u.y() * v.x()) > kCorner || u.dot(v) < 0;
 }
 
+/// A point of the piece, on its arc.
+Vector2d middleOf(const ContourPiece& piece)
+{
+    if (!piece.isArc()) return (piece.from_mm + piece.to_mm) / 2;
+    const auto [start, end] = piece.arcAngles();
+    const double angle = (start + end) / 2;
+    return piece.centre_mm() + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
+}
+
 /// Is this place of the outside behind material of a larger radius?
 bool isHidden(const Contour& outside, const Vector2d& point)
 {
@@ -99,8 +108,7 @@ private:
         edge(outside_.back().to_mm);
         for (std::size_t i = 0; i < outside_.size(); ++i) {
             const ContourPiece& piece = outside_[i];
-            const Vector2d middle = (piece.from_mm + piece.to_mm) / 2;
-            if (!isHidden(outside_, middle)) addPiece(piece, !upper);
+            if (!isHidden(outside_, middleOf(piece))) addPiece(piece, !upper);
             if (i + 1 == outside_.size() || !isCorner(piece, outside_[i + 1])) continue;
             if (!isHidden(outside_, piece.to_mm)) edge(piece.to_mm);
         }

@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOffset_mm = 1;    // between a contour and its extension line
-constexpr double kBeyond_mm = 1.5;  // of an extension line beyond the dimension line
-constexpr double kTail_mm = 2;      // of a dimension line beyond arrows that stand outside
+constexpr double kOffset_mm = 1;  // between a contour and its extension line
+constexpr double kBeyond_mm = 1;  // of an extension line beyond the dimension line
+constexpr double kTail_mm = 2;    // of a dimension line beyond arrows that stand outside
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void DimensionPainter::text(const Vector2d& at, const DimensionText& text, Ancho
 
 bool DimensionPainter::fitsInside(double length_mm, const DimensionText& label) const
 {
-    return length_mm >= widthOf(label) + 2 * arrow_mm;
+    return length_mm >= widthOf(label) + 1;
 }
 
 void DimensionPainter::horizontal(double from_x, double to_x, double y, double from_y, double to_y,

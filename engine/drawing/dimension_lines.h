@@ -24,10 +24,11 @@ public:
     void arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& direction);
     void text(const Eigen::Vector2d& at, const DimensionText& text, Anchor anchor, double angle_deg = 0);
 
-    /// From `from_x` to `to_x` at height y, the text above the line: about its middle (or about `text_x`) where it fits
-    /// between the arrows, else beyond `from_x`. Extension lines begin at the two heights `from_y` and `to_y`.
+    /// From `from_x` to `to_x` at height y, the text above the line: about its middle (or about `text_x`) where it
+    /// fits, else beyond `from_x`. Extension lines begin at the two heights `from_y` and `to_y`.
     void horizontal(double from_x, double to_x, double y, double from_y, double to_y, const DimensionText& label,
                     const double* text_x = nullptr);
+    /// Is the dimension line as long as its text?
     bool fitsInside(double length_mm, const DimensionText& label) const;
 
     /// From `from_y` to `to_y` at x, the text left of the line, reading upward, about its middle, or above the line's

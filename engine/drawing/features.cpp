@@ -88,6 +88,11 @@ private:
         return nullptr;
     }
 
+    static double rootOf(const ShaftMark& thread)
+    {
+        return thread.minor_mm.value_or(thread.major_mm.value_or(0) - rootDepth * thread.pitch_mm.value_or(0));
+    }
+
     void addDiameters()
     {
         const ShaftMark* last_thread = nullptr;
@@ -104,8 +109,11 @@ private:
                 last_thread = thread;
                 std::string text = threadDesignation(*thread, options_.decimal_separator) + " - " +
                                    number(*thread->z_end_mm - *thread->z_start_mm, 2);
-                features_.diameters.push_back(
-                    {row.start_z_mm, row.end_z_mm, row.start_diameter_mm, {std::move(text), isMeasured(row)}});
+                features_.diameters.push_back({row.start_z_mm,
+                                               row.end_z_mm,
+                                               row.start_diameter_mm,
+                                               {std::move(text), isMeasured(row)},
+                                               rootOf(*thread)});
                 continue;
             }
             const bool goes_on = last && same(last->end_diameter_mm, row.start_diameter_mm) &&
@@ -114,7 +122,8 @@ private:
             if (goes_on) continue;
             features_.diameters.push_back(
                 {row.start_z_mm, row.end_z_mm, row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm, uncertaintyOf(row, true).start_diameter_um))});
+                 withPrefix(kDiameter, size(row, row.start_diameter_mm, uncertaintyOf(row, true).start_diameter_um)),
+                 row.start_diameter_mm});
         }
     }
 
@@ -265,7 +274,7 @@ private:
             const bool from_mouth = isOpen(0, i), from_far = through && isOpen(i + 1, rows.size());
             BoreDimension bore{
                 {std::min(row.start_z_mm, row.end_z_mm), std::max(row.start_z_mm, row.end_z_mm), row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm, std::nullopt))},
+                 withPrefix(kDiameter, size(row, row.start_diameter_mm, std::nullopt)), row.start_diameter_mm},
                 free ? from_mouth : from_far,
                 free ? from_far : from_mouth};
             features_.bores.push_back(std::move(bore));

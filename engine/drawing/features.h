@@ -10,11 +10,15 @@
 
 namespace lathelier::drawing {
 
+/// Crest minus root diameter of a metric thread over its pitch (ISO 68-1, rounded root).
+inline constexpr double rootDepth = 1.2268;
+
 /// The ⌀ of a cylinder.
 struct DiameterDimension {
     double from_z_mm = 0, to_z_mm = 0;  ///< from < to
     double diameter_mm = 0;
     DimensionText label;
+    double clear_diameter_mm = 0;  ///< between the lines inside that a text is not to cross: a thread's root
 };
 
 /// The ⌀ of a bore's cylinder.

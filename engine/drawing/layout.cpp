@@ -17,6 +17,7 @@ using Eigen::Vector2d;
 constexpr double kFirstLane_mm = 10;   // from the view to the first dimension line
 constexpr double kOverhang_mm = 4;     // of the axis
 constexpr double kLeaderSpace_mm = 2;  // least distance of leaders
+constexpr double kClear_mm = 1.2;      // between a dimension line and an edge beside it
 constexpr double kBend_mm = 3;         // leaders are vertical from so far above the view
 
 class Layout {
@@ -30,9 +31,10 @@ public:
             if (!bored_)
                 taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
                                   factor * keyway.width_mm / 2});
-        for (const BoreDimension& bore : features.bores)  // edges of bores, that no dimension line is to run along
-            for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm})
-                taken_.push_back({factor * z - 1, 0, factor * z + 1, 3});
+        for (const BoreDimension& bore : features.bores)
+            for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm}) edges_.push_back(factor * z);
+        for (const LengthDimension& length : features.bore_lengths)
+            for (const double z : {length.from_z_mm, length.to_z_mm}) edges_.push_back(factor * z);
         for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
         addLengths();
         for (const BoreDimension& bore : features.bores) sortBore(bore);
@@ -60,6 +62,11 @@ private:
         return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
     }
 
+    bool isNearEdge(double x) const
+    {
+        return std::any_of(edges_.begin(), edges_.end(), [&](double edge) { return std::abs(edge - x) < kClear_mm; });
+    }
+
     double pitch() const { return 2 * paint_.height_mm(); }
 
     void addDiameter(const DiameterDimension& diameter)
@@ -67,7 +74,10 @@ private:
         const double radius = factor_ * diameter.diameter_mm / 2;
         const double from = factor_ * diameter.from_z_mm, to = factor_ * diameter.to_z_mm;
         if (!placeInside(diameter, radius, from, to)) {
-            const double x = (from + to) / 2;
+            double x = (from + to) / 2;
+            const double reach = (to - from) / 2 - 1;
+            for (double off = 0; off <= reach && isNearEdge(x); off += 0.5)
+                x = isNearEdge((from + to) / 2 + off) ? (from + to) / 2 - off : (from + to) / 2 + off;
             leaders_.push_back({{x, radius}, diameter.label, bored_ ? std::nullopt : std::optional(-radius)});
         }
     }
@@ -76,13 +86,13 @@ private:
     bool placeInside(const DiameterDimension& diameter, double radius, double from, double to)
     {
         const double band = paint_.band_mm(), width = paint_.widthOf(diameter.label), margin = 1;
-        const double room = bored_ ? radius - arrow_mm - 1.5 : 2 * (radius - arrow_mm - 0.5);
+        const double clear = factor_ * diameter.clear_diameter_mm, room = (bored_ ? clear / 2 : clear) - 2;
         if (width > room || to - from < band + 2 * margin) return false;
         const double middle = (from + to + band) / 2, reach = (to - from - band) / 2 - margin;
         for (double off = 0; off <= reach + 1e-9; off += 1)
             for (const double x : {middle + off, middle - off}) {
-                const Box box{x - band, -radius, x + 0.5, bored_ ? 3 : radius};
-                if (!isFree(box)) continue;
+                const Box box{x - band, -radius, x + 0.5, bored_ ? 0 : radius};
+                if (!isFree(box) || isNearEdge(x)) continue;
                 addInside(diameter.label, x, radius);
                 taken_.push_back(box);
                 return true;
@@ -100,7 +110,7 @@ private:
         }
         paint_.line({x, -radius}, {x, 3});
         paint_.arrow({x, -radius}, {0, -1});
-        paint_.text({x - paint_.gap_mm(), (arrow_mm - radius) / 2}, label, Anchor::Middle, 90);
+        paint_.text({x - paint_.gap_mm(), -radius / 2}, label, Anchor::Middle, 90);
     }
 
     void addLengths()
@@ -294,6 +304,7 @@ private:
     DimensionPainter paint_;
     Box view_;
     std::vector<Box> taken_;                       // inside the view
+    std::vector<double> edges_;                    // x of upright lines of bores
     std::vector<std::pair<double, double>> gaps_;  // of the axis
     std::vector<Leader> leaders_;
     std::vector<LeaderPlace> places_;  // of leaders_

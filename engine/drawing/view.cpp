@@ -139,7 +139,7 @@ private:
         if (!mark.z_start_mm || !mark.z_end_mm) return;
         const double from = *mark.z_start_mm, to = *mark.z_end_mm;
         if (mark.kind == "thread" && mark.major_mm && (mark.minor_mm || mark.pitch_mm)) {
-            const double root = mark.minor_mm ? *mark.minor_mm / 2 : *mark.major_mm / 2 - 0.6134 * *mark.pitch_mm;
+            const double root = mark.minor_mm ? *mark.minor_mm / 2 : (*mark.major_mm - rootDepth * *mark.pitch_mm) / 2;
             double begin = from;  // the root begins inside a chamfer
             for (const ContourPiece& piece : outside_)
                 if (piece.from_mm.x() <= begin && piece.to_mm.x() > begin && piece.from_mm.y() < root &&

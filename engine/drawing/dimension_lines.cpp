@@ -35,7 +35,7 @@ bool DimensionPainter::fitsInside(double length_mm, const DimensionText& label) 
 }
 
 void DimensionPainter::horizontal(double from_x, double to_x, double y, double from_y, double to_y,
-                                  const DimensionText& label, const double* text_x)
+                                  const DimensionText& label, std::optional<double> text_x)
 {
     const double sense = to_x < from_x ? -1 : 1, length = std::abs(to_x - from_x);
     for (const auto& [x, start] : {std::pair(from_x, from_y), std::pair(to_x, to_y)}) {
@@ -51,8 +51,8 @@ void DimensionPainter::horizontal(double from_x, double to_x, double y, double f
         start -= sense * (arrow_mm + kTail_mm);
         end += sense * (arrow_mm + kTail_mm);
     }
-    if (fitsInside(length, label)) {
-        text({text_x ? *text_x : (from_x + to_x) / 2, y + gap_mm()}, label, Anchor::Middle);
+    if (fitsInside(length, label) && text_x != outside) {
+        text({text_x.value_or((from_x + to_x) / 2), y + gap_mm()}, label, Anchor::Middle);
     } else {
         const double near = from_x - sense * (arrows_inside ? 1 : arrow_mm + 1);
         start = near - sense * widthOf(label);

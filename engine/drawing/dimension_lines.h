@@ -1,6 +1,9 @@
 // Dimension lines with their arrows, extension lines and texts (ISO 129-1), added to a drawing.
 #pragma once
 
+#include <limits>
+#include <optional>
+
 #include "engine/drawing/dimension_texts.h"
 #include "engine/drawing/drawing.h"
 
@@ -27,7 +30,9 @@ public:
     /// From `from_x` to `to_x` at height y, the text above the line: about its middle (or about `text_x`) where it
     /// fits, else beyond `from_x`. Extension lines begin at the two heights `from_y` and `to_y`.
     void horizontal(double from_x, double to_x, double y, double from_y, double to_y, const DimensionText& label,
-                    const double* text_x = nullptr);
+                    std::optional<double> text_x = {});
+    /// For `text_x`: the text beyond `from_x` even where it would fit.
+    static constexpr double outside = std::numeric_limits<double>::infinity();
     /// Is the dimension line as long as its text?
     bool fitsInside(double length_mm, const DimensionText& label) const;
 

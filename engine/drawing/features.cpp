@@ -22,7 +22,7 @@ bool same(double a, double b)
     return std::abs(a - b) < kSame_mm;
 }
 
-/// Largest radius of the outside at z, both sides of a shoulder.
+/// Largest radius of a contour at z, both sides of a shoulder.
 double outerRadius(const std::vector<ContourRow>& rows, double z_mm)
 {
     double radius = 0;
@@ -326,7 +326,9 @@ private:
     void addKeyway(const ShaftMark& mark, double z_mm)
     {
         const double diameter = 2 * outerRadius(outer_, z_mm);
-        KeywayView view{*mark.z_start_mm, *mark.z_end_mm, *mark.width_mm, *mark.floor_mm, diameter, {}, {}};
+        KeywayView view{*mark.z_start_mm, *mark.z_end_mm, *mark.width_mm, *mark.floor_mm, diameter, 0, {}, {}};
+        for (std::size_t i = 0; i < shaft_.bores.size(); ++i)
+            view.bore_diameter_mm = std::max(view.bore_diameter_mm, 2 * outerRadius(boreRows(shaft_, i), z_mm));
         if (!(view.width_mm > 0) || view.width_mm >= diameter || std::abs(view.floor_mm) >= diameter / 2) return;
         const ContourRow plain;
         view.width = size(plain, view.width_mm, std::nullopt);

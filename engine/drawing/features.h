@@ -51,6 +51,7 @@ struct KeywayView {
     double width_mm = 0;
     double floor_mm = 0;          ///< from the axis
     double diameter_mm = 0;       ///< of the shaft around it
+    double bore_diameter_mm = 0;  ///< of the bore inside it
     DimensionText width, across;  ///< across: from the floor to the opposite side
 };
 

@@ -15,6 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kFirstLane_mm = 10;   // from the view to the first dimension line
+constexpr double kCut_mm = 5;          // from the view to the arrows of a cutting plane
 constexpr double kOverhang_mm = 4;     // of the axis
 constexpr double kLeaderSpace_mm = 2;  // least distance of leaders
 constexpr double kClear_mm = 1.2;      // between a dimension line and an edge beside it
@@ -22,21 +23,23 @@ constexpr double kBend_mm = 3;         // leaders are vertical from so far above
 
 class Layout {
 public:
-    Layout(const Shaft& shaft, const Features& features, double factor, double height_mm)
+    Layout(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths)
         : features_(features), factor_(factor), bored_(!shaft.bores.empty()), paint_(drawing_, height_mm)
     {
         drawing_ = viewOf(shaft, factor);
         view_ = boxOf(drawing_);
         for (const KeywayView& keyway : features.keyways)
-            if (!bored_)
-                taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
-                                  factor * keyway.width_mm / 2});
+            taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
+                              factor * keyway.width_mm / 2});
         for (const BoreDimension& bore : features.bores)
             for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm}) edges_.push_back(factor * z);
         for (const LengthDimension& length : features.bore_lengths)
             for (const double z : {length.from_z_mm, length.to_z_mm}) edges_.push_back(factor * z);
         for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
-        addLengths();
+        if (lengths == LengthStyle::Parallel)
+            addLengths();
+        else
+            addRunningLengths();
         for (const BoreDimension& bore : features.bores) sortBore(bore);
         addBores(free_bores_, true);
         addBores(chuck_bores_, false);
@@ -113,13 +116,35 @@ private:
         paint_.text({x - paint_.gap_mm(), -radius / 2}, label, Anchor::Middle, 90);
     }
 
+    /// What the letter of a cutting plane needs between the view and the first lane.
+    double cutSpace() const { return features_.keyways.empty() ? 0 : 2 * paint_.height_mm(); }
+
     void addLengths()
     {
-        double y = view_.bottom_mm - kFirstLane_mm;
+        double y = view_.bottom_mm - kFirstLane_mm - cutSpace();
         for (const LengthDimension& length : features_.lengths) {
             paint_.horizontal(factor_ * length.from_z_mm, factor_ * length.to_z_mm, y, -factor_ * length.from_radius_mm,
                               -factor_ * length.to_radius_mm, length.label);
             y -= pitch();
+        }
+    }
+
+    void addRunningLengths()
+    {
+        const double y = view_.bottom_mm - kFirstLane_mm - cutSpace();
+        std::vector<double> places;
+        for (const LengthDimension& length : features_.lengths) places.push_back(factor_ * length.to_z_mm);
+        const std::vector<double> x = spread(places, paint_.band_mm() + 0.5);
+        const double first_y = -factor_ * features_.lengths.front().from_radius_mm;
+        paint_.line({0, first_y - 1}, {0, y - 1});
+        drawing_.arcs.push_back({{0, y}, 1, 0, 360, Layer::Dimensions, thin_mm});
+        paint_.line({1, y}, {places.back(), y});
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Vector2d knee(x[i], y - 5);
+            paint_.line({places[i], -factor_ * features_.lengths[i].to_radius_mm - 1}, {places[i], y - 1});
+            paint_.line({places[i], y - 1}, knee);
+            paint_.arrow({places[i], y}, {1, 0});
+            paint_.text({x[i] + 0.42 * paint_.height_mm(), knee.y() - 1}, features_.lengths[i].label, Anchor::End, 90);
         }
     }
 
@@ -142,7 +167,7 @@ private:
             return a.diameter_mm < b.diameter_mm;
         });
         const double sense = left ? -1 : 1, step = paint_.band_mm() + 2;
-        double x = left ? view_.left_mm - step - 1 : view_.right_mm + step + 1;
+        double x = left ? view_.left_mm - step - 1 : view_.right_mm + kOverhang_mm + step;
         for (const DiameterDimension& bore : bores) {
             const double radius = factor_ * bore.diameter_mm / 2, width = paint_.widthOf(bore.label);
             const double low = std::min(-kOverhang_mm, radius - arrow_mm - 2 - width);
@@ -186,14 +211,14 @@ private:
         std::vector<LeaderText> texts;
         for (const Leader& leader : leaders_) texts.push_back({leader.at_mm.x(), paint_.widthOf(leader.label) + 1});
         places_ = placeLeaders(texts, kLeaderSpace_mm);
-        double y = view_.top_mm + kFirstLane_mm;
+        double y = view_.top_mm + kFirstLane_mm + cutSpace();
         for (const LengthDimension& length : features_.bore_lengths) {
             addBoreLength(length, y);
             y += pitch();
         }
         const double bend = view_.top_mm + kBend_mm;
         double first = features_.bore_lengths.empty() ? view_.top_mm + kBend_mm + 4 : y - pitch() + 2 * kBend_mm;
-        if (!features_.keyways.empty() && !bored_) first = std::max(first, addCuttingPlane(features_.keyways.front()));
+        if (!features_.keyways.empty()) first = std::max(first, addCuttingPlane(features_.keyways.front()));
         for (std::size_t i = 0; i < leaders_.size(); ++i) addLeader(leaders_[i], places_[i], bend, first);
     }
 
@@ -201,19 +226,17 @@ private:
     {
         const double from = factor_ * length.from_z_mm, to = factor_ * length.to_z_mm;
         const double half = paint_.widthOf(length.label) / 2, middle = (from + to) / 2;
-        const double reach = std::abs(to - from) / 2 - half - arrow_mm;
+        const double reach = std::abs(to - from) / 2 - half - 0.5;
         const auto crossed = [&](double x) {
             return std::any_of(places_.begin(), places_.end(),
                                [&](const LeaderPlace& place) { return std::abs(place.x_mm - x) < half + 0.5; });
         };
-        double text_x = middle;
-        for (double off = 0; off <= reach; off += 0.5)
-            if (const bool right = !crossed(middle + off); right || !crossed(middle - off)) {
-                text_x = right ? middle + off : middle - off;
-                break;
-            }
+        std::optional<double> text_x;
+        for (double off = 0; off <= reach && !text_x; off += 0.5)
+            for (const double x : {middle - off, middle + off})
+                if (!crossed(x)) text_x = x;
         paint_.horizontal(from, to, y, factor_ * length.from_radius_mm, factor_ * length.to_radius_mm, length.label,
-                          &text_x);
+                          text_x.value_or(DimensionPainter::outside));
     }
 
     void addLeader(const Leader& leader, const LeaderPlace& place, double bend, double first)
@@ -240,30 +263,38 @@ private:
                     place.to_left ? Anchor::End : Anchor::Start);
     }
 
-    /// A-A across the keyway where no leader stands; the height that its upper letter needs.
+    /// Where A-A crosses the keyway: as near to its middle as leaders and extension lines allow.
+    double cuttingPlane(const KeywayView& keyway) const
+    {
+        const double from = factor_ * keyway.from_z_mm, to = factor_ * keyway.to_z_mm, middle = (from + to) / 2;
+        std::vector<double> lines = edges_;
+        for (const LeaderPlace& place : places_) lines.push_back(place.x_mm);
+        for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
+        lines.push_back(0);
+        const auto clearance = [&](double x) {
+            double least = 2.5;  // more is no better
+            for (const double line : lines) least = std::min(least, std::abs(line - x));
+            return least;
+        };
+        double best = middle;
+        for (double off = 0.25; off <= (to - from) / 2; off += 0.25)
+            for (const double x : {middle - off, middle + off})
+                if (clearance(x) > clearance(best)) best = x;
+        return best;
+    }
+
+    /// The height that the upper letter needs.
     double addCuttingPlane(const KeywayView& keyway)
     {
-        const double from = factor_ * keyway.from_z_mm, to = factor_ * keyway.to_z_mm;
-        double x = (from + to) / 2;
-        const double reach = (to - from) / 2 - 1;
-        const auto crossed = [&](double at) {
-            return std::any_of(places_.begin(), places_.end(),
-                               [&](const LeaderPlace& place) { return place.x_mm > at - 3 && place.x_mm < at + 8; });
-        };
-        for (double off = 0; off <= reach; off += 1)
-            if (const bool right = !crossed(x + off); right || !crossed(x - off)) {
-                x += right ? off : -off;
-                break;
-            }
-        const double radius = factor_ * keyway.diameter_mm / 2, height = paint_.height_mm();
+        const double x = cuttingPlane(keyway), height = paint_.height_mm();
         for (const double sign : {1.0, -1.0}) {
-            const double near = sign * (radius + 1), far = sign * (radius + 6);
-            drawing_.lines.push_back({{x, near}, {x, far}, Layer::Contour, thick_mm});
+            const double edge = sign > 0 ? view_.top_mm : view_.bottom_mm, far = edge + sign * kCut_mm;
+            drawing_.lines.push_back({{x, edge + sign}, {x, far}, Layer::Contour, thick_mm});
             paint_.line({x, far}, {x + 2 * arrow_mm, far});
             paint_.arrow({x, far}, {-1, 0});
-            paint_.text({x + arrow_mm + 0.5, sign > 0 ? far - height - 0.8 : far + 0.8}, {"A", false}, Anchor::Start);
+            paint_.text({x, sign > 0 ? far + 0.4 * height : far - 1.3 * height}, {"A", false}, Anchor::Middle);
         }
-        return radius + 12;
+        return view_.top_mm + kCut_mm + 2 * height;
     }
 
     void addAxis()
@@ -313,9 +344,9 @@ private:
 
 }  // namespace
 
-Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm)
+Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths)
 {
-    return Layout(shaft, features, factor, height_mm).take();
+    return Layout(shaft, features, factor, height_mm, lengths).take();
 }
 
 }  // namespace lathelier::drawing

@@ -7,10 +7,21 @@
 namespace lathelier::drawing {
 namespace {
 
-/// The nearest positions that keep a distance: isotonic regression by pooling neighbours.
+/// Lanes of texts that stand to the right of x[i], widths[i] wide, sorted by x: from the right end on.
+std::vector<int> lanesToRight(const std::vector<double>& x, const std::vector<double>& widths, double gap_mm)
+{
+    std::vector<int> lanes(x.size(), 0);
+    for (std::size_t i = x.size(); i-- > 0;)
+        for (std::size_t j = i + 1; j < x.size() && x[j] < x[i] + widths[i] + gap_mm; ++j)
+            lanes[i] = std::max(lanes[i], lanes[j] + 1);
+    return lanes;
+}
+
+}  // namespace
+
 std::vector<double> spread(const std::vector<double>& sorted, double spacing_mm)
 {
-    struct Pool {
+    struct Pool {  // isotonic regression by pooling neighbours
         double sum = 0;
         std::size_t count = 0;
         double mean() const { return sum / static_cast<double>(count); }
@@ -31,18 +42,6 @@ std::vector<double> spread(const std::vector<double>& sorted, double spacing_mm)
             result.push_back(pool.mean() + spacing_mm * static_cast<double>(result.size()));
     return result;
 }
-
-/// Lanes of texts that stand to the right of x[i], widths[i] wide, sorted by x: from the right end on.
-std::vector<int> lanesToRight(const std::vector<double>& x, const std::vector<double>& widths, double gap_mm)
-{
-    std::vector<int> lanes(x.size(), 0);
-    for (std::size_t i = x.size(); i-- > 0;)
-        for (std::size_t j = i + 1; j < x.size() && x[j] < x[i] + widths[i] + gap_mm; ++j)
-            lanes[i] = std::max(lanes[i], lanes[j] + 1);
-    return lanes;
-}
-
-}  // namespace
 
 std::vector<LeaderPlace> placeLeaders(const std::vector<LeaderText>& texts, double spacing_mm)
 {

@@ -23,6 +23,7 @@ struct Attempt {
     double height_mm = 3.5;
     double least_size_mm = 0;  ///< of the part on paper
     double least_factor = 0;
+    LengthStyle lengths = LengthStyle::Parallel;
 };
 
 std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
@@ -33,7 +34,8 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
             attempts.push_back({small, 3.5, kGenerous_mm, kHalf});
     const Sheet last = sheet.value_or(Sheet::A3Landscape);
     for (const double least : {kReadable_mm, 0.0})
-        for (const double height : {3.5, 2.5}) attempts.push_back({last, height, least, 0});
+        for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
+            for (const double height : {3.5, 2.5}) attempts.push_back({last, height, least, 0, lengths});
     return attempts;
 }
 
@@ -73,7 +75,7 @@ private:
             const double factor = scale.factor();
             if (largest_mm * factor > room.width_mm()) continue;
             if (largest_mm * factor < attempt.least_size_mm || factor < attempt.least_factor) return false;
-            Drawing content = layOut(shaft_, features, factor, attempt.height_mm);
+            Drawing content = layOut(shaft_, features, factor, attempt.height_mm, attempt.lengths);
             const Box box = boxOf(content);
             if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;
             move(content, {(room.left_mm + room.right_mm - box.left_mm - box.right_mm) / 2,

@@ -9,11 +9,12 @@
 //   whole angle of steep ones, each with its large ⌀ (where no cylinder continues it) and its length in brackets as an
 //   auxiliary dimension, undercuts "DIN 509 - E 0.6×0.2", threads "M16×2 - length" with the root as a thin line
 //   (ISO 6410-1), knurls: by leaders that never cross each other.
-// A row of two or more decimals prints as many as it has, three at most. Nominal sizes are upright with their
+// Numbers have up to three decimals. Nominal sizes are upright with their
 // tolerance; measured ones (DrawingOptions::measured, and the row holds no ShaftSegment::measured, which would make it
 // a nominal one) are italic with ± U where U is known. U of a length joins those of its two ends.
 //
-// Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; what still does not fit is
+// Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of
+// lengths need too much height, they become running dimensions on one line; what still does not fit is
 // drawn with its overall length only (Drawing::complete is false). Undercuts of form F hidden behind a shoulder are not
 // drawn in the full view.
 //

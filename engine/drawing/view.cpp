@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lathelier::drawing {
@@ -64,7 +65,7 @@ public:
             for (const ContourPiece& piece : closed)
                 if (piece.from_mm.y() > kSame_mm || piece.to_mm.y() > kSame_mm) addPiece(piece, false);
             addBoreEdges(closed);
-            for (const Line& line : hatch(polygonOf(closed, factor), 2.5)) view_.lines.push_back(line);
+            for (const Line& line : hatch({polygonOf(closed, factor)}, 2.5)) view_.lines.push_back(line);
         }
         addOutside(false);
         for (const ShaftMark& mark : shaft.marks) addMark(mark);
@@ -147,11 +148,13 @@ private:
                     begin = piece.from_mm.x() + (piece.to_mm.x() - piece.from_mm.x()) * (root - piece.from_mm.y()) /
                                                     (piece.to_mm.y() - piece.from_mm.y());
             for (const double sign : {1.0, -1.0}) addLine({begin, sign * root}, {to, sign * root}, thin_mm);
-        } else if (mark.kind == "keyway" && mark.width_mm && shaft_.bores.empty()) {
-            const double half = *mark.width_mm / 2;
-            for (const double sign : {1.0, -1.0}) addLine({from, sign * half}, {to, sign * half});
-            addLine({from, -half}, {from, half});
-            addLine({to, -half}, {to, half});
+        } else if (mark.kind == "keyway" && mark.width_mm) {
+            const double low = -*mark.width_mm / 2,
+                         high = shaft_.bores.empty() ? -low : 0;  // the upper half is cut away
+            addLine({from, low}, {to, low});
+            if (high > 0) addLine({from, high}, {to, high});
+            addLine({from, low}, {from, high});
+            addLine({to, low}, {to, high});
         } else if (mark.kind == "knurl") {
             addKnurl(from, to);
         }
@@ -163,7 +166,7 @@ private:
         const double low = -radiusAt((from + to) / 2) * factor_, left = from * factor_;
         const double width = std::min((to - from) * factor_ / 3, 9.0), height = std::min(-low / 2, 7.0);
         const double right = left + width;
-        for (Line line : hatch({{left, low}, {right, low}, {right, low + height}, {left, low + height}}, 1.5)) {
+        for (Line line : hatch({{{left, low}, {right, low}, {right, low + height}, {left, low + height}}}, 1.5)) {
             line.layer = Layer::Dimensions;
             view_.lines.push_back(line);
             for (Vector2d* point : {&line.from_mm, &line.to_mm}) point->x() = left + right - point->x();
@@ -184,9 +187,9 @@ Drawing viewOf(const Shaft& shaft, double factor)
     return View(shaft, factor).take();
 }
 
-std::vector<Vector2d> polygonOf(const Contour& contour, double factor)
+Polygon polygonOf(const Contour& contour, double factor)
 {
-    std::vector<Vector2d> points;
+    Polygon points;
     for (const ContourPiece& piece : contour) {
         points.emplace_back(factor * piece.from_mm);
         if (!piece.isArc()) continue;
@@ -201,24 +204,25 @@ std::vector<Vector2d> polygonOf(const Contour& contour, double factor)
     return points;
 }
 
-std::vector<Line> hatch(const std::vector<Vector2d>& polygon, double spacing_mm)
+std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm)
 {
-    std::vector<Line> lines;
-    if (polygon.size() < 3) return lines;
     const Vector2d along = Vector2d(1, 1).normalized(), across(-along.y(), along.x());
-    double low = polygon.front().dot(across), high = low;
-    for (const Vector2d& point : polygon) {
-        low = std::min(low, point.dot(across));
-        high = std::max(high, point.dot(across));
-    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Polygon& polygon : polygons)
+        for (const Vector2d& point : polygon) {
+            low = std::min(low, point.dot(across));
+            high = std::max(high, point.dot(across));
+        }
+    std::vector<Line> lines;
+    if (!(low < high)) return lines;
     for (double at = (std::floor(low / spacing_mm) + 0.5) * spacing_mm; at < high; at += spacing_mm) {
         std::vector<double> cuts;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-            const double u = a.dot(across) - at, v = b.dot(across) - at;
-            if ((u < 0) == (v < 0)) continue;
-            cuts.push_back((a + (b - a) * (u / (u - v))).dot(along));
-        }
+        for (const Polygon& polygon : polygons)
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+                const double u = a.dot(across) - at, v = b.dot(across) - at;
+                if ((u < 0) != (v < 0)) cuts.push_back((a + (b - a) * (u / (u - v))).dot(along));
+            }
         std::sort(cuts.begin(), cuts.end());
         for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
             if (cuts[i + 1] - cuts[i] > 0.05)
@@ -236,7 +240,7 @@ Drawing keywaySection(const KeywayView& keyway, double factor)
     const double slot = std::asin(half / radius);
     section.arcs.push_back(
         {Vector2d::Zero(), radius, 90 + slot * 180 / kPi, 450 - slot * 180 / kPi, Layer::Contour, thick_mm});
-    std::vector<Vector2d> polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
+    Polygon polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
         section.lines.push_back({polygon[i], polygon[i + 1], Layer::Contour, thick_mm});
     constexpr int kSteps = 180;
@@ -245,7 +249,14 @@ Drawing keywaySection(const KeywayView& keyway, double factor)
         const double angle = begin + turn * i / kSteps;
         polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
-    for (const Line& line : hatch(polygon, 2.5)) section.lines.push_back(line);
+    Polygon hole;
+    const double bore = factor * keyway.bore_diameter_mm / 2;
+    if (bore > 0) {
+        section.arcs.push_back({Vector2d::Zero(), bore, 0, 360, Layer::Contour, thick_mm});
+        for (int i = 0; i < kSteps; ++i)
+            hole.emplace_back(bore * std::cos(2 * kPi * i / kSteps), bore * std::sin(2 * kPi * i / kSteps));
+    }
+    for (const Line& line : hatch({polygon, hole}, 2.5)) section.lines.push_back(line);
     const double over = radius + 3;
     for (const Vector2d& axis : {Vector2d(over, 0), Vector2d(0, over)})
         section.lines.push_back({-axis, axis, Layer::Axis, thin_mm, LineType::DashDot});

@@ -10,11 +10,13 @@ namespace lathelier::drawing {
 /// Edges of the view without its axis; the upper half is cut where the shaft has bores. `shaft` with its bores stated.
 Drawing viewOf(const Shaft& shaft, double factor);
 
+using Polygon = std::vector<Eigen::Vector2d>;
+
 /// Parallel lines at 45° inside closed polygons (even-odd), `spacing_mm` apart.
-std::vector<Line> hatch(const std::vector<Eigen::Vector2d>& polygon, double spacing_mm);
+std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm);
 
 /// The corners of closed pieces, arcs as steps of at most 2°, multiplied by `factor`.
-std::vector<Eigen::Vector2d> polygonOf(const Contour& contour, double factor);
+Polygon polygonOf(const Contour& contour, double factor);
 
 /// A cross section through a keyway, opening upward, its centre at 0, hatched, with its axes.
 Drawing keywaySection(const KeywayView& keyway, double factor);

@@ -33,9 +33,11 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
         for (const Sheet small : {Sheet::A4Landscape, Sheet::A4Portrait})
             attempts.push_back({small, 3.5, kGenerous_mm, kHalf});
     const Sheet last = sheet.value_or(Sheet::A3Landscape);
-    for (const double least : {kReadable_mm, 0.0})
+    for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
+        for (const double height : {3.5, 2.5}) attempts.push_back({last, height, kReadable_mm, 0, lengths});
+    for (const double least : {kReadable_mm / 2, 0.0})
         for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
-            for (const double height : {3.5, 2.5}) attempts.push_back({last, height, least, 0, lengths});
+            attempts.push_back({last, 2.5, least, 0, lengths});
     return attempts;
 }
 

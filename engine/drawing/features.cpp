@@ -43,7 +43,7 @@ public:
         : shaft_(shaft), options_(options), outer_(outerRows(shaft))
     {
         addDiameters();
-        addCallouts(outer_, true);
+        addCallouts(outer_, options.uncertainties, true);
         addLengths();
         for (std::size_t i = 0; i < shaft.bores.size(); ++i) addBore(i);
         addMarks();
@@ -57,11 +57,10 @@ private:
         return shortNumber(value, decimals, options_.decimal_separator);
     }
 
-    /// U of a row of the outside, or nothing known.
-    SizeUncertainty uncertaintyOf(const ContourRow& row, bool outside) const
+    /// U of the rows of the outside, or of a bore; those that are missing are unknown.
+    static SizeUncertainty uncertaintyOf(const ContourRow& row, const std::vector<SizeUncertainty>& known)
     {
-        return outside && row.index < options_.uncertainties.size() ? options_.uncertainties[row.index]
-                                                                    : SizeUncertainty{};
+        return row.index < known.size() ? known[row.index] : SizeUncertainty{};
     }
 
     bool isMeasured(const ContourRow& row) const { return options_.measured && !row.is_nominal; }
@@ -122,7 +121,8 @@ private:
             if (goes_on) continue;
             features_.diameters.push_back(
                 {row.start_z_mm, row.end_z_mm, row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm, uncertaintyOf(row, true).start_diameter_um)),
+                 withPrefix(kDiameter, size(row, row.start_diameter_mm,
+                                            uncertaintyOf(row, options_.uncertainties).start_diameter_um)),
                  row.start_diameter_mm});
         }
     }
@@ -196,7 +196,8 @@ private:
                 isMeasured(rows[first])};
     }
 
-    void addCallouts(const std::vector<ContourRow>& rows, bool outside, Mouth mouth = Mouth::None)
+    void addCallouts(const std::vector<ContourRow>& rows, const std::vector<SizeUncertainty>& known, bool outside,
+                     Mouth mouth = Mouth::None)
     {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const ContourRow& row = rows[i];
@@ -211,7 +212,7 @@ private:
                 case RowKind::Radius:
                 case RowKind::Curve:
                     add(withPrefix("R", size({.is_nominal = row.is_nominal}, std::abs(row.arc_radius_mm),
-                                             uncertaintyOf(row, outside).arc_radius_um)),
+                                             uncertaintyOf(row, known).arc_radius_um)),
                         row.middle_mm());
                     break;
                 case RowKind::Taper: add({taperText(rows, i), isMeasured(row)}, row.middle_mm()); break;
@@ -232,14 +233,13 @@ private:
     }
 
     /// U of a length: those of both ends, where the far one is known.
-    std::optional<double> lengthUncertainty(const Station& station) const
+    static std::optional<double> lengthUncertainty(const Station& station, const std::vector<SizeUncertainty>& known)
     {
-        const auto& all = options_.uncertainties;
         const std::size_t i = station.before;
-        std::optional<double> end = i < all.size() ? all[i].z_end_um : std::nullopt;
-        if (!end && i + 1 < all.size()) end = all[i + 1].z_start_um;
+        std::optional<double> end = i < known.size() ? known[i].z_end_um : std::nullopt;
+        if (!end && i + 1 < known.size()) end = known[i + 1].z_start_um;
         if (!end) return end;
-        return std::hypot(*end, all.front().z_start_um.value_or(0));
+        return std::hypot(*end, known.front().z_start_um.value_or(0));
     }
 
     void addLengths()
@@ -249,8 +249,8 @@ private:
         for (const Station& station : stationsOf(outer_)) {
             ContourRow row = outer_[station.before];
             row.tolerance.reset();
-            features_.lengths.push_back(
-                {0, station.z_mm, radius, station.radius_mm, size(row, station.z_mm, lengthUncertainty(station))});
+            features_.lengths.push_back({0, station.z_mm, radius, station.radius_mm,
+                                         size(row, station.z_mm, lengthUncertainty(station, options_.uncertainties))});
         }
     }
 
@@ -259,11 +259,19 @@ private:
         const std::vector<ContourRow> rows = boreRows(shaft_, number_of_bore);
         if (rows.empty()) return;
         const bool free = shaft_.bores[number_of_bore].from == ShaftEnd::Free;
+        const std::vector<SizeUncertainty> known = number_of_bore < options_.bore_uncertainties.size()
+                                                       ? options_.bore_uncertainties[number_of_bore]
+                                                       : std::vector<SizeUncertainty>();
         const double length = shaft_.length_mm(), mouth = rows.front().start_z_mm;
         const bool through = std::abs(rows.back().end_z_mm - mouth) > length - kSame_mm;
+        const ContourRow* last = nullptr;  // the cylinder that a groove may interrupt
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const ContourRow& row = rows[i];
-            if (row.kind != RowKind::Cylinder) continue;
+            if (row.kind == RowKind::Groove || row.kind == RowKind::Undercut) continue;
+            const bool goes_on =
+                last && row.kind == RowKind::Cylinder && same(last->end_diameter_mm, row.start_diameter_mm);
+            last = row.kind == RowKind::Cylinder ? &row : nullptr;
+            if (!last || goes_on) continue;
             const auto isOpen = [&](std::size_t from, std::size_t to) {
                 return std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                    rows.begin() + static_cast<std::ptrdiff_t>(to), [&](const ContourRow& other) {
@@ -274,12 +282,13 @@ private:
             const bool from_mouth = isOpen(0, i), from_far = through && isOpen(i + 1, rows.size());
             BoreDimension bore{
                 {std::min(row.start_z_mm, row.end_z_mm), std::max(row.start_z_mm, row.end_z_mm), row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm, std::nullopt)), row.start_diameter_mm},
+                 withPrefix(kDiameter, size(row, row.start_diameter_mm, uncertaintyOf(row, known).start_diameter_um)),
+                 row.start_diameter_mm},
                 free ? from_mouth : from_far,
                 free ? from_far : from_mouth};
             features_.bores.push_back(std::move(bore));
         }
-        addCallouts(rows, false, free ? Mouth::Free : Mouth::Chuck);
+        addCallouts(rows, known, false, free ? Mouth::Free : Mouth::Chuck);
         if (through && rows.size() > 1 && rows.back().isMinor())
             features_.callouts.back().mouth = free ? Mouth::Chuck : Mouth::Free;
         for (const Station& station : stationsOf(rows)) {
@@ -287,7 +296,7 @@ private:
             if (drill_point || (through && same(station.z_mm, rows.back().end_z_mm))) continue;
             const double depth = std::abs(station.z_mm - mouth);
             features_.bore_lengths.push_back({mouth, station.z_mm, outerRadius(outer_, mouth), station.radius_mm,
-                                              size(rows[station.before], depth, std::nullopt)});
+                                              size(rows[station.before], depth, lengthUncertainty(station, known))});
         }
     }
 

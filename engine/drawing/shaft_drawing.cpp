@@ -76,7 +76,8 @@ private:
         for (const Scale& scale : scales()) {
             const double factor = scale.factor();
             if (largest_mm * factor > room.width_mm()) continue;
-            if (largest_mm * factor < attempt.least_size_mm || factor < attempt.least_factor) return false;
+            const bool too_small = scale != scales().front() && largest_mm * factor < attempt.least_size_mm;
+            if (too_small || factor < attempt.least_factor) return false;
             Drawing content = layOut(shaft_, features, factor, attempt.height_mm, attempt.lengths);
             const Box box = boxOf(content);
             if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;

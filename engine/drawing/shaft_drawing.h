@@ -44,7 +44,8 @@ struct DrawingOptions {
     std::string decimal_separator = ".";  ///< "," where the reader expects it
     bool measured = false;                ///< rows without ShaftSegment::measured are measured values
     std::vector<SizeUncertainty> uncertainties = {};  ///< by row (k = 2); shorter: the others are unknown
-    std::function<std::string(Text)> translate = {};  ///< empty: English
+    std::vector<std::vector<SizeUncertainty>> bore_uncertainties = {};  ///< by Shaft::bores and their rows, likewise
+    std::function<std::string(Text)> translate = {};                    ///< empty: English
 };
 
 Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options);

@@ -33,12 +33,12 @@ bool isCorner(const ContourPiece& a, const ContourPiece& b)
     return std::abs(u.x() * v.y() - u.y() * v.x()) > kCorner || u.dot(v) < 0;
 }
 
-/// A point of the piece, on its arc.
-Vector2d middleOf(const ContourPiece& piece)
+/// The point at this share of the piece, 0 its start.
+Vector2d pointOn(const ContourPiece& piece, double share)
 {
-    if (!piece.isArc()) return (piece.from_mm + piece.to_mm) / 2;
+    if (!piece.isArc()) return piece.from_mm + share * (piece.to_mm - piece.from_mm);
     const auto [start, end] = piece.arcAngles();
-    const double angle = (start + end) / 2;
+    const double angle = start + share * (end - start);
     return piece.centre_mm() + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
 }
 
@@ -100,6 +100,27 @@ private:
                               end * 180 / kPi, Layer::Contour, thick_mm});
     }
 
+    /// The piece as far as no material hides it, where one of its ends at least is seen.
+    void addVisible(const ContourPiece& piece, bool mirror)
+    {
+        constexpr double kInside = 1e-6;
+        const bool start_hidden = isHidden(outside_, pointOn(piece, kInside)),
+                   end_hidden = isHidden(outside_, pointOn(piece, 1 - kInside));
+        if (start_hidden && end_hidden) return;
+        if (start_hidden == end_hidden) {
+            addPiece(piece, mirror);
+            return;
+        }
+        double seen = end_hidden ? 0 : 1, hidden = 1 - seen;
+        for (int i = 0; i < 50; ++i) {
+            const double middle = (seen + hidden) / 2;
+            (isHidden(outside_, pointOn(piece, middle)) ? hidden : seen) = middle;
+        }
+        ContourPiece part = piece;
+        (end_hidden ? part.to_mm : part.from_mm) = pointOn(piece, seen);
+        addPiece(part, mirror);
+    }
+
     /// The upper or the lower half of the outside; its edges run from the axis.
     void addOutside(bool upper)
     {
@@ -109,7 +130,7 @@ private:
         edge(outside_.back().to_mm);
         for (std::size_t i = 0; i < outside_.size(); ++i) {
             const ContourPiece& piece = outside_[i];
-            if (!isHidden(outside_, middleOf(piece))) addPiece(piece, !upper);
+            addVisible(piece, !upper);
             if (i + 1 == outside_.size() || !isCorner(piece, outside_[i + 1])) continue;
             if (!isHidden(outside_, piece.to_mm)) edge(piece.to_mm);
         }

@@ -220,6 +220,40 @@ TEST(ShaftDrawing, BoreDiametersOfRowsAreBores)
     EXPECT_EQ(dimensions(drawShaft(shaft, {})).count("⌀12"), 1U);
 }
 
+TEST(ShaftDrawing, BoresPrintTheirUncertainty)
+{
+    const Shaft shaft = flangePart();
+    DrawingOptions options = measuredOptions(shaft);
+    options.bore_uncertainties.assign(1, std::vector<SizeUncertainty>(5, options.uncertainties[0]));
+    const Drawing drawing = drawShaft(shaft, options);
+    EXPECT_TRUE(says(drawing, "⌀32.000 ±0.004"));
+    EXPECT_TRUE(says(drawing, "18.000 ±0.015"));
+    EXPECT_THAT(overlappingTexts(drawing), IsEmpty());
+    EXPECT_THAT(crossedTexts(drawing), IsEmpty());
+}
+
+TEST(ShaftDrawing, AGrooveDoesNotRepeatADiameter)
+{
+    Shaft shaft;
+    shaft.segments = {{60, 40, 40, 0, {}, ""}};
+    shaft.bores = {{ShaftEnd::Chuck, {{10, 16, 16, {}, ""}, {3, 20, 20, {}, "groove"}, {5, 16, 16, {}, ""}}}};
+    const std::multiset<std::string> texts = dimensions(drawShaft(shaft, {}));
+    EXPECT_EQ(texts.count("⌀16"), 1U);
+    EXPECT_EQ(texts.count("3×⌀20"), 1U);
+    EXPECT_EQ(texts.count("18"), 1U);
+}
+
+TEST(ShaftDrawing, AnUndercutEndsAtItsShoulder)
+{
+    // The arc of the form F runs behind the collar's face at z = 70; what lies before it is drawn up to there.
+    double last = 0;
+    for (const Arc& arc : viewOf(undercutPart(), 1).arcs)
+        if (std::abs(arc.radius_mm - 0.8) < 1e-9)
+            for (const double angle : {arc.start_deg, arc.end_deg})
+                last = std::max(last, arc.centre_mm.x() + arc.radius_mm * std::cos(angle * 3.14159265358979 / 180));
+    EXPECT_NEAR(last, 70, 1e-3);
+}
+
 TEST(ShaftDrawing, AKeywayInABoredShaftShowsTheBore)
 {
     Shaft shaft = keywayPart();

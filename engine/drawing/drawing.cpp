@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "engine/core/utf8.h"
 
@@ -26,19 +27,23 @@ constexpr int kOther = 700;      // letters with accents and other scripts, on t
 constexpr double kBelow = 0.32;  // of the height, below the base line
 constexpr double kAbove = 1.15;  // of the height, above it
 
+/// Signs of drawings, likewise.
+constexpr std::array<std::pair<char32_t, int>, 7> kSigns = {{
+    {0xB0, 500},     // °
+    {0xB1, 838},     // ±
+    {0xD7, 838},     // ×
+    {0x2212, 838},   // minus
+    {0x2300, 787},   // ⌀, set as Ø
+    {0x25B7, 769},   // ▷
+    {0x2026, 1000},  // …
+}};
+
 int advanceOf(char32_t code)
 {
     if (code >= 0x20 && code <= 0x7E) return kAscii.at(code - 0x20);
-    switch (code) {
-        case 0xB0: return 500;     // °
-        case 0xB1: return 838;     // ±
-        case 0xD7: return 838;     // ×
-        case 0x2212: return 838;   // minus
-        case 0x2300: return 787;   // ⌀, set as Ø
-        case 0x25B7: return 769;   // ▷
-        case 0x2026: return 1000;  // …
-        default: return code > 0x2000 ? 1000 : kOther;
-    }
+    for (const auto& [sign, advance] : kSigns)
+        if (sign == code) return advance;
+    return code > 0x2000 ? 1000 : kOther;
 }
 
 void grow(Box& box, const Vector2d& point)

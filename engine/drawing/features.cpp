@@ -81,8 +81,8 @@ private:
     const ShaftMark* threadOver(const ContourRow& row) const
     {
         for (const ShaftMark& mark : shaft_.marks)
-            if (mark.kind == "thread" && mark.z_start_mm && mark.z_end_mm && row.middle_z_mm() > *mark.z_start_mm &&
-                row.middle_z_mm() < *mark.z_end_mm && !threadDesignation(mark, options_.decimal_separator).empty())
+            if (mark.kind == "thread" && mark.z_start_mm && mark.z_end_mm && row.middleZ_mm() > *mark.z_start_mm &&
+                row.middleZ_mm() < *mark.z_end_mm && !threadDesignation(mark, options_.decimal_separator).empty())
                 return &mark;
         return nullptr;
     }

@@ -210,7 +210,13 @@ private:
     {
         std::vector<LeaderText> texts;
         for (const Leader& leader : leaders_) texts.push_back({leader.at_mm.x(), paint_.widthOf(leader.label) + 1});
+        if (!features_.keyways.empty()) texts.push_back({cuttingPlane(features_.keyways.front()), 0});
         places_ = placeLeaders(texts, kLeaderSpace_mm);
+        double cut = 0;
+        if (!features_.keyways.empty()) {
+            cut = places_.back().x_mm;
+            places_.pop_back();
+        }
         double y = view_.top_mm + kFirstLane_mm + cutSpace();
         for (const LengthDimension& length : features_.bore_lengths) {
             addBoreLength(length, y);
@@ -218,7 +224,7 @@ private:
         }
         const double bend = view_.top_mm + kBend_mm;
         double first = features_.bore_lengths.empty() ? view_.top_mm + kBend_mm + 4 : y - pitch() + 2 * kBend_mm;
-        if (!features_.keyways.empty()) first = std::max(first, addCuttingPlane(features_.keyways.front()));
+        if (!features_.keyways.empty()) first = std::max(first, addCuttingPlane(features_.keyways.front(), cut));
         for (std::size_t i = 0; i < leaders_.size(); ++i) addLeader(leaders_[i], places_[i], bend, first);
     }
 
@@ -263,12 +269,11 @@ private:
                     place.to_left ? Anchor::End : Anchor::Start);
     }
 
-    /// Where A-A crosses the keyway: as near to its middle as leaders and extension lines allow.
+    /// Where A-A crosses the keyway: as near to its middle as extension lines allow.
     double cuttingPlane(const KeywayView& keyway) const
     {
         const double from = factor_ * keyway.from_z_mm, to = factor_ * keyway.to_z_mm, middle = (from + to) / 2;
         std::vector<double> lines = edges_;
-        for (const LeaderPlace& place : places_) lines.push_back(place.x_mm);
         for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
         lines.push_back(0);
         const auto clearance = [&](double x) {
@@ -283,10 +288,11 @@ private:
         return best;
     }
 
-    /// The height that the upper letter needs.
-    double addCuttingPlane(const KeywayView& keyway)
+    /// At `x`, which leaders left free, where the keyway is there. The height that the upper letter needs.
+    double addCuttingPlane(const KeywayView& keyway, double x)
     {
-        const double x = cuttingPlane(keyway), height = paint_.height_mm();
+        const double height = paint_.height_mm();
+        if (x < factor_ * keyway.from_z_mm || x > factor_ * keyway.to_z_mm) x = cuttingPlane(keyway);
         for (const double sign : {1.0, -1.0}) {
             const double edge = sign > 0 ? view_.top_mm : view_.bottom_mm, far = edge + sign * kCut_mm;
             drawing_.lines.push_back({{x, edge + sign}, {x, far}, Layer::Contour, thick_mm});

@@ -25,7 +25,7 @@ struct ContourRow {
     bool is_nominal = false;  ///< values were set after measuring
 
     double length_mm() const;
-    double middle_z_mm() const { return (start_z_mm + end_z_mm) / 2; }
+    double middleZ_mm() const { return (start_z_mm + end_z_mm) / 2; }
     /// z and radius of the row's middle, on the arc where it is one.
     Eigen::Vector2d middle_mm() const;
     /// Angle between the surface and the axis, of a cone.

@@ -104,7 +104,7 @@ Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options)
     return Composer(shaft, options).take();
 }
 
-std::optional<double> mass_kg(const Shaft& shaft)
+std::optional<double> massInKilograms(const Shaft& shaft)
 {
     if (!shaft.material) return std::nullopt;
     return volume_mm3(shaft) * shaft.material->density_kg_m3 * 1e-9;

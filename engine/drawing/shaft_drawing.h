@@ -51,6 +51,6 @@ struct DrawingOptions {
 Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options);
 
 /// Mass without marks, kg; none where the material is not stated.
-std::optional<double> mass_kg(const Shaft& shaft);
+std::optional<double> massInKilograms(const Shaft& shaft);
 
 }  // namespace lathelier::drawing

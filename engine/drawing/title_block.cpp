@@ -56,7 +56,7 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
     const std::string material = !options.material.empty() ? options.material
                                  : shaft.material          ? shaft.material->name
                                                            : std::string();
-    const std::optional<double> mass = mass_kg(shaft);
+    const std::optional<double> mass = massInKilograms(shaft);
     rows.push_back({9,
                     {{LT_TEXT("Engine", "Material"), material, 75},
                      {LT_TEXT("Engine", "Mass"),

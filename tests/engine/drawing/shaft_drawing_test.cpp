@@ -169,11 +169,12 @@ TEST(ShaftDrawing, MassIsThatOfTheVolume)
                                                        {"taper", 101680.76147928408},  {"keyway", 147397.0653920597},
                                                        {"flange", 185788.5709091718},  {"thread", 25709.84656319503}};
     for (const auto& [name, shaft] : allParts()) {
-        EXPECT_NEAR(mass_kg(shaft).value() / 7.85e-6, volumes_mm3.at(name), 1e-6 * volumes_mm3.at(name)) << name;
+        EXPECT_NEAR(massInKilograms(shaft).value() / 7.85e-6, volumes_mm3.at(name), 1e-6 * volumes_mm3.at(name))
+            << name;
     }
     Shaft unknown = table1Part();
     unknown.material.reset();
-    EXPECT_FALSE(mass_kg(unknown));
+    EXPECT_FALSE(massInKilograms(unknown));
 }
 
 TEST(ShaftDrawing, MeasuredSizesAreItalicAndNominalOnesUpright)

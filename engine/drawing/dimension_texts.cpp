@@ -26,9 +26,9 @@ std::string trimmed(std::string text)
 /// "+0.02", "−0.01", "0": the minus sign of typography.
 std::string deviation(double value_um, const std::string& separator)
 {
-    const std::string size = shortNumber(std::abs(value_um) / 1000, 4, separator);
-    if (size == "0") return size;
-    return (value_um > 0 ? "+" : "\u2212") + size;
+    std::string size = shortNumber(std::abs(value_um) / 1000, 4, separator);
+    if (size != "0") size.insert(0, value_um > 0 ? "+" : "\u2212");
+    return size;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr double kCut_mm = 5;          // from the view to the arrows of a cutti
 constexpr double kOverhang_mm = 4;     // of the axis
 constexpr double kLeaderSpace_mm = 2;  // least distance of leaders
 constexpr double kClear_mm = 1.2;      // between a dimension line and an edge beside it
-constexpr double kBend_mm = 3;         // leaders are vertical from so far above the view
+constexpr double kBend_mm = 3;         // leaders are vertical from so far above the view; also beside keyways
 
 class Layout {
 public:
@@ -77,12 +77,20 @@ private:
         const double radius = factor_ * diameter.diameter_mm / 2;
         const double from = factor_ * diameter.from_z_mm, to = factor_ * diameter.to_z_mm;
         if (!placeInside(diameter, radius, from, to)) {
-            double x = (from + to) / 2;
-            const double reach = (to - from) / 2 - 1;
-            for (double off = 0; off <= reach && isNearEdge(x); off += 0.5)
-                x = isNearEdge((from + to) / 2 + off) ? (from + to) / 2 - off : (from + to) / 2 + off;
+            const double x = clearPlace(from, to, radius);
             leaders_.push_back({{x, radius}, diameter.label, bored_ ? std::nullopt : std::optional(-radius)});
         }
+    }
+
+    /// Where a dimension line across the view meets nothing, next to the middle; the middle where there is no such
+    /// place.
+    double clearPlace(double from, double to, double radius) const
+    {
+        const double middle = (from + to) / 2, reach = (to - from) / 2 - 1;
+        for (double off = 0; off <= reach; off += 0.5)
+            for (const double x : {middle + off, middle - off})
+                if (!isNearEdge(x) && isFree({x - kBend_mm, -radius, x + kBend_mm, bored_ ? 0 : radius})) return x;
+        return middle;
     }
 
     /// On a line across the view where there is room; the place nearest to the row's middle.

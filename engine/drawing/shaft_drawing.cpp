@@ -44,7 +44,7 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
 class Composer {
 public:
     Composer(const Shaft& shaft, const DrawingOptions& options)
-        : options_(options), shaft_(withStatedBores(shaft)), block_mm_(titleBlockHeight_mm(shaft, options))
+        : shaft_(withStatedBores(shaft)), block_mm_(titleBlockHeight_mm(shaft, options))
     {
         double largest = shaft.length_mm();
         for (const ShaftSegment& row : shaft.segments)
@@ -91,7 +91,6 @@ private:
         return false;
     }
 
-    const DrawingOptions& options_;
     Shaft shaft_;
     double block_mm_;
     Drawing drawing_;

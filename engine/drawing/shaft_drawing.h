@@ -15,7 +15,7 @@
 //
 // Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of
 // lengths need too much height, they become running dimensions on one line; what still does not fit is
-// drawn with its overall length only (Drawing::complete is false). Undercuts of form F hidden behind a shoulder are not
+// drawn with its overall length only (Drawing::complete is false). What of an undercut lies behind a shoulder is not
 // drawn in the full view.
 //
 // Precondition: a shaft that keeps checkShaft(). Errors: none; a shaft without rows gives an empty sheet.
@@ -34,9 +34,9 @@
 namespace lathelier::drawing {
 
 struct DrawingOptions {
-    std::optional<Sheet> sheet = {};  ///< none: A4 landscape, or A3 where A4 would need less than 1:2 or smaller type
-    std::string name = {};            ///< empty: Shaft::name
-    std::string material = {};        ///< empty: the name of Shaft::material
+    std::optional<Sheet> sheet = {};      ///< none: A4, upright where that helps; A3 where A4 is too small
+    std::string name = {};                ///< empty: Shaft::name
+    std::string material = {};            ///< empty: the name of Shaft::material
     std::optional<InputFile> scan = {};   ///< that the shaft was recovered from; none: no file, no remark on scans
     std::string date = {};                ///< as it is to be printed
     std::string method = {};              ///< of the recognition, as it is to be printed

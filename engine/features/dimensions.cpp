@@ -152,6 +152,10 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             row.uncertainty.length_um = length(s[6]);
             row.uncertainty.start_diameter_um = diameter(s[2]);
             row.uncertainty.end_diameter_um = diameter(e.cylinder ? s[2] : s[3]);
+            if (e.rough) {  // its crests are known to about the noise
+                row.uncertainty.start_diameter_um = row.uncertainty.end_diameter_um = 2e3 * outline.model.sigma_mm;
+                row.role = "rough";
+            }
             if (e.arc) row.uncertainty.arc_radius_um = length(s[4]);
             if (!e.arc && !e.cylinder) row.uncertainty.angle_deg = 2 * s[5];
             rows.push_back(row);

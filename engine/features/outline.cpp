@@ -107,6 +107,7 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 struct Circle {
     double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
     double crest_mm = 0;  ///< radius that the outermost eighth of the points has
+    double root_mm = 0;   ///< radius that one in fifty lies below
 };
 
 Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm)
@@ -145,6 +146,9 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     const auto crest = radii.begin() + static_cast<std::ptrdiff_t>(0.9375 * static_cast<double>(radii.size()));
     std::nth_element(radii.begin(), crest, radii.end());
     circle.crest_mm = *crest;
+    const auto root = radii.begin() + static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(radii.size()));
+    std::nth_element(radii.begin(), root, radii.end());
+    circle.root_mm = *root;
     return circle;
 }
 
@@ -206,6 +210,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
             cylinder.cylinder = cylinder.rough = true;
             cylinder.at_mm = (rough.from_mm + rough.to_mm) / 2;
             cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest_mm > 0 ? circle.crest_mm : mean;
+            cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
             rough.elements = {cylinder};
             rough.after = to < walls.size() ? Border::Rough : after;
             outline.rough.push_back({rough.from_mm, rough.to_mm, eccentric ? circle.offset_mm : 0});
@@ -271,8 +276,11 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
             left = plane(stretches[s + 1].from_mm, 0.05, true, Border::Gap);
             outline.gaps.push_back({stretch.to_mm, stretches[s + 1].from_mm});
         } else {
-            const double z =
-                stretch.after == Border::Shoulder ? (stretch.to_mm + stretches[s + 1].from_mm) / 2 : stretch.to_mm;
+            const bool own_rough = stretch.elements.front().rough, next_rough = stretches[s + 1].elements.front().rough;
+            const double z = own_rough                           ? stretch.to_mm
+                             : next_rough                        ? stretches[s + 1].from_mm
+                             : stretch.after == Border::Shoulder ? (stretch.to_mm + stretches[s + 1].from_mm) / 2
+                                                                 : stretch.to_mm;
             run.right = left = plane(z, 0.1, false, stretch.after);
         }
         model.runs.push_back(std::move(run));
@@ -355,10 +363,12 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
             {1.0, 0.45 * (a.nodes_mm.back() - a.nodes_mm.front()), 0.45 * (b.nodes_mm.back() - b.nodes_mm.front())});
         const auto [a_low, a_high] = radiiNear(a, false, room);
         const auto [b_low, b_high] = radiiNear(b, true, room);
-        const double end = endRadius_mm(a), start = startRadius_mm(b);
+        const bool a_rough = a.elements.back().rough, b_rough = b.elements.front().rough;
+        const double end = a_rough ? a.elements.back().root_mm : endRadius_mm(a);
+        const double start = b_rough ? b.elements.front().root_mm : startRadius_mm(b);
         const bool rises = start > end;
         plane.lean = lean * std::abs(start - end);
-        if (borders[a.right] == Border::Rough) continue;
+        if (borders[a.right] == Border::Rough && std::abs(start - end) < 4 * model.sigma_mm) continue;
         ++sought;
         if (const auto face = seenFace(input.cloud, plane.z_mm, std::min(start, end), std::max(start, end),
                                        model.sigma_mm, density)) {
@@ -372,7 +382,7 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         edge.sign = rises ? 1 : -1;
         edge.before_mm = rises ? a_low : end;
         edge.after_mm = rises ? start : b_low;
-        edge.above_mm = rises ? b_high - start : a_high - end;
+        edge.above_mm = std::max(0.0, rises ? b_high - start : a_high - end);
         edge.from_mm = plane.z_mm - room;
         edge.to_mm = plane.z_mm + room;
         if (std::abs(edge.after_mm - edge.before_mm) < 4 * model.sigma_mm) continue;
@@ -515,6 +525,32 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
     return merged;
 }
 
+namespace {
+
+/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them.
+void meetCones(Model& model, const std::vector<Border>& borders)
+{
+    constexpr double reach_mm = 3;
+    for (std::size_t r = 0; r + 1 < model.runs.size(); ++r) {
+        Run &a = model.runs[r], &b = model.runs[r + 1];
+        if (a.right != b.left || borders[a.right] != Border::Rough) continue;
+        const bool first_rough = a.elements.back().rough;
+        const Element& cone = first_rough ? b.elements.front() : a.elements.back();
+        const double crest = first_rough ? a.elements.back().level_mm : b.elements.front().level_mm;
+        if (cone.arc || std::abs(cone.slope) < 0.2) continue;
+        const double z = cone.at_mm + (crest - cone.level_mm) / cone.slope;
+        Plane& plane = model.planes[a.right];
+        const bool inside = z > a.nodes_mm[a.nodes_mm.size() - 2] && z < b.nodes_mm[1];
+        if (std::abs(z - plane.z_mm) > reach_mm || !inside) continue;
+        plane.z_mm = plane.seen_mm = z;
+        plane.sigma_mm = 0.02;
+        resolve(model, a);
+        resolve(model, b);
+    }
+}
+
+}  // namespace
+
 std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress)
 {
     Outline outline;
@@ -541,6 +577,7 @@ std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& 
     fitAll(model, 8, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, 25, progress);
+    meetCones(model, borders);
     progress.report(1);
     return outline;
 }

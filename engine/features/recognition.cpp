@@ -8,6 +8,7 @@
 #include "engine/core/shaft_contour.h"
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
+#include "engine/features/marks.h"
 #include "engine/features/outline.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
@@ -235,6 +236,23 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         result.complete = false;
     }
     describeEnds(*outside, result);
+    result.marks = findMarks(cloud, *outside, fitting);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm -= zero;
+        *mark.z_end_mm -= zero;
+    }
+    for (const ShaftMark& mark : result.marks)
+        for (RecognizedRow& row : result.segments) {
+            const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
+            if (row.role != "rough" || middle < row.z_start_mm || middle > row.z_end_mm) continue;
+            row.role = mark.kind;
+            if (mark.kind == "knurl") row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
+        }
+    for (RecognizedRow& row : result.segments)
+        if (row.role == "rough") row.role.clear();
+    if (!result.marks.empty())
+        result.notes.push_back({notes::marksLeftOut, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
+    result.shaft.marks = result.marks;
     for (const RoughZone& zone : outside->rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;

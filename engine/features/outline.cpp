@@ -68,15 +68,110 @@ bool isStep(const Element& a, const Element& b, double z, double error_mm)
     return std::abs(bend) < 1e-9 || std::abs(jump / bend) > 0.4;
 }
 
+/// Largest deviation of means over five walls from a line over [from, to].
+double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
+{
+    double largest = 0, sum = 0;
+    int count = 0;
+    for (const Wall& wall : run.walls) {
+        if (wall.z_mm < from_mm + 0.1 || wall.z_mm > to_mm - 0.1) continue;
+        sum += wall.r_mm - level - slope * (wall.z_mm - at);
+        if (++count == 5) {
+            largest = std::max(largest, std::abs(sum / 5));
+            sum = count = 0;
+        }
+    }
+    return largest;
+}
+
+/// Is the jump between two pieces a step of the part, and not wear? A jump within the form tolerance is one only
+/// between pieces that are level as far as their walls tell.
+bool isGenuine(const Piece& a, const Piece& b, double jump_mm, double form_mm)
+{
+    if (std::abs(jump_mm) > form_mm) return true;
+    const auto level = [](const Piece& piece) { return !piece.arc && std::abs(piece.slope) < 4 * piece.slope_error; };
+    return level(a) && level(b);
+}
+
+double radiusOf(const Piece& piece, double z)
+{
+    if (!piece.arc) return piece.level_mm + piece.slope * (z - piece.at_mm);
+    const double off = z - piece.centre_z_mm;
+    return piece.centre_r_mm +
+           (piece.convex ? 1 : -1) * std::sqrt(std::max(0.0, piece.radius_mm * piece.radius_mm - off * off));
+}
+
+double slopeOf(const Piece& piece, double z)
+{
+    constexpr double h = 0.05;
+    return (radiusOf(piece, z + h) - radiusOf(piece, z - h)) / (2 * h);
+}
+
+/// Pieces of a worn seat as one: neighbours that a cylinder or a cone describes within the form tolerance, without
+/// bends and genuine steps between them.
+void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, double form_mm,
+               std::vector<MergedJunction>& merged)
+{
+    if (!(form_mm > 0)) return;
+    const auto joins = [&](std::size_t k) {
+        const double z = (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
+        const double jump = radiusOf(pieces[k + 1], z) - radiusOf(pieces[k], z);
+        const double bend = std::atan(slopeOf(pieces[k + 1], z)) - std::atan(slopeOf(pieces[k], z));
+        return MergedJunction{z, 1e3 * jump, bend * 180 / std::numbers::pi};
+    };
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+        for (std::size_t j = pieces.size() - 1; j > i; --j) {
+            bool possible = true;
+            for (std::size_t k = i; k < j && possible; ++k) {
+                const MergedJunction join = joins(k);
+                const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump at all
+                possible = std::abs(join.angle_deg) < kBend * 180 / std::numbers::pi &&
+                           (std::abs(join.step_um) < small ||
+                            !isGenuine(pieces[k], pieces[k + 1], 1e-3 * join.step_um, form_mm));
+            }
+            if (!possible) continue;
+            Run seat;
+            seat.walls.assign(walls.begin() + static_cast<std::ptrdiff_t>(pieces[i].begin),
+                              walls.begin() + static_cast<std::ptrdiff_t>(pieces[j].end));
+            double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
+            for (const Wall& wall : seat.walls) {
+                n += wall.points;
+                sz += wall.points * wall.z_mm;
+                sr += wall.points * wall.r_mm;
+                szz += wall.points * wall.z_mm * wall.z_mm;
+                szr += wall.points * wall.z_mm * wall.r_mm;
+            }
+            Piece one = pieces[i];
+            one.end = pieces[j].end;
+            one.arc = false;
+            one.at_mm = sz / n;
+            one.level_mm = sr / n;
+            one.slope = 0;
+            const double from = seat.walls.front().z_mm, to = seat.walls.back().z_mm;
+            bool fits = deviationFrom(seat, from, to, one.level_mm, 0, one.at_mm) <= form_mm;
+            if (!fits) {
+                one.slope = (szr - sz * sr / n) / std::max(1e-12, szz - sz * sz / n);
+                fits = deviationFrom(seat, from, to, one.level_mm, one.slope, one.at_mm) <= form_mm;
+            }
+            if (!fits) continue;
+            for (std::size_t k = i; k < j; ++k) merged.push_back(joins(k));
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                         pieces.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+            pieces[i] = one;
+            break;
+        }
+}
+
 /// Cuts walls of one chain into stretches at steps.
 void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, bool trim_start, bool trim_end,
-                  double form_mm, Border after, const Progress& progress)
+                  double form_mm, Border after, std::vector<MergedJunction>& merged, const Progress& progress)
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
     if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
         pieces.erase(pieces.begin());
     if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
+    mergeWear(pieces, walls, form_mm, merged);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
     Stretch stretch;
     stretch.from_mm = walls.front().z_mm;
@@ -194,7 +289,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
                 addStretches(stretches,
                              {walls.begin() + static_cast<std::ptrdiff_t>(at),
                               walls.begin() + static_cast<std::ptrdiff_t>(from)},
-                             trim_start && at == 0, true, input.form_mm, Border::Rough, progress);
+                             trim_start && at == 0, true, input.form_mm, Border::Rough, outline.merged, progress);
             Stretch rough;
             rough.from_mm = walls[from].z_mm;
             rough.to_mm = walls[to - 1].z_mm;
@@ -219,7 +314,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         }
         if (at + 2 < walls.size())
             addStretches(stretches, {walls.begin() + static_cast<std::ptrdiff_t>(at), walls.end()},
-                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, progress);
+                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, outline.merged, progress);
         else if (!stretches.empty())
             stretches.back().after = after;
     }
@@ -441,22 +536,6 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
     for (Run& run : model.runs) resolve(model, run);
 }
 
-/// Largest deviation of means over five walls from a line over [from, to].
-double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
-{
-    double largest = 0, sum = 0;
-    int count = 0;
-    for (const Wall& wall : run.walls) {
-        if (wall.z_mm < from_mm + 0.1 || wall.z_mm > to_mm - 0.1) continue;
-        sum += wall.r_mm - level - slope * (wall.z_mm - at);
-        if (++count == 5) {
-            largest = std::max(largest, std::abs(sum / 5));
-            sum = count = 0;
-        }
-    }
-    return largest;
-}
-
 }  // namespace
 
 std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
@@ -573,7 +652,7 @@ std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& 
     selectKinds(model, progress);
     selectKinds(model, progress);
     simplify(model, progress);
-    outline.merged = mergeWithinForm(model, input.form_mm);
+    for (const MergedJunction& junction : mergeWithinForm(model, input.form_mm)) outline.merged.push_back(junction);
     fitAll(model, 8, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, 25, progress);

@@ -154,8 +154,8 @@ TEST(Roles, SmallEdgesAreBreaks)
 
 TEST(Roles, ThreadsAndKnurls)
 {
-    Recognition part = recognitionOf(cone(13, 15.96, 1.5) + cylinder(15.96, 26.5) + cylinder(13.2, 4) + cylinder(18, 22) +
-                                     cylinder(24, 30) + cone(24, 22, 1));
+    Recognition part = recognitionOf(cone(13, 15.96, 1.5) + cylinder(15.96, 26.5) + cylinder(13.2, 4) +
+                                     cylinder(18, 22) + cylinder(24, 30) + cone(24, 22, 1));
     part.marks.resize(2);
     part.marks[0].kind = "thread";
     part.marks[0].z_start_mm = 0;

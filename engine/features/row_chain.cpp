@@ -27,6 +27,7 @@ RowChain::RowChain(const Recognition& recognition) : rows_(&recognition.segments
     starts_at_end_ = isSeen(recognition, 0);
     ends_at_end_ = isSeen(recognition, 1);
     if (!recognition.ends.empty()) end_uncertainty_mm_ = recognition.ends.front().uncertainty_mm;
+    if (recognition.ends.size() > 1) far_end_uncertainty_mm_ = recognition.ends[1].uncertainty_mm;
     findJoints();
 }
 
@@ -38,10 +39,9 @@ RowChain::RowChain(const Recognition& recognition, std::size_t bore) : rows_(&re
     const double to_free = std::min(first.z_start_mm, first.z_end_mm);
     const double to_chuck = length - std::max(last.z_start_mm, last.z_end_mm);
     // Rows run from the mouth inward; one row alone is at the end that it is nearer to, or says so by its z.
-    const bool from_chuck = rows_->size() > 1 ? first.z_end_mm + first.z_start_mm > last.z_end_mm + last.z_start_mm
-                            : first.z_start_mm != first.z_end_mm && first.z_start_mm > first.z_end_mm
-                                ? true
-                                : to_chuck < to_free;
+    const bool falls =
+        size() > 1 ? first.z_start_mm + first.z_end_mm > last.z_start_mm + last.z_end_mm : to_chuck < to_free;
+    const bool from_chuck = falls || first.z_start_mm > first.z_end_mm;
     sense_ = from_chuck ? -1 : 1;
     origin_mm_ = from_chuck ? length : 0;
     if (recognition.ends.size() > (from_chuck ? 1U : 0U))
@@ -84,6 +84,7 @@ double RowChain::boundaryUncertainty_mm(std::size_t boundary) const
     // A row of a bore from the chuck may count z either way: the larger of its two ends' does for both.
     if (boundary > 0) U = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
     if (U == 0 && boundary < size()) U = inMillimetres(row(boundary).uncertainty.z_start_um);
+    if (U == 0 && boundary == size()) U = far_end_uncertainty_mm_;
     return std::hypot(U, end_uncertainty_mm_);
 }
 

@@ -26,7 +26,7 @@ class RowChain {
 public:
     /// The outside.
     explicit RowChain(const Recognition& recognition);
-    /// Bore number `bore`.
+    /// Bore number `bore`: its rows run from its mouth inward, so that z falls along one from the chuck.
     RowChain(const Recognition& recognition, std::size_t bore);
 
     std::size_t size() const { return rows_->size(); }
@@ -63,7 +63,7 @@ private:
     std::vector<Joint> joints_;
     double sign_ = 1, sense_ = 1, origin_mm_ = 0;
     bool starts_at_end_ = true, ends_at_end_ = true;
-    double end_uncertainty_mm_ = 0;
+    double end_uncertainty_mm_ = 0, far_end_uncertainty_mm_ = 0;
 };
 
 /// U of a row's diameters in mm, the larger; 0: not known.

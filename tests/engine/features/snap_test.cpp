@@ -274,5 +274,44 @@ TEST(Snap, EditedSuggestionsCount)
     EXPECT_FALSE(shaft.segments[0].measured);
 }
 
+/// Contours of any rows: wherever the measured shaft keeps the rules, the nominal one does.
+TEST(Snap, AnyContourStaysSound)
+{
+    int sound = 0, changed = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        std::uint64_t count = 0;
+        const auto uniform = [&](double low, double high) {
+            return low + (high - low) * randomUniform(seed, 9, count++);
+        };
+        Table table;
+        double d = uniform(8, 40);
+        const auto rows = static_cast<int>(uniform(1, 10));
+        for (int i = 0; i < rows; ++i) {
+            const double length = uniform(0, 1) < 0.5 ? uniform(0.1, 2) : uniform(2, 30), kind = uniform(0, 1);
+            if (uniform(0, 1) < 0.4) d = uniform(8, 40);
+            const double end = kind < 0.5 ? d : std::max(1.0, d + uniform(-1, 1) * 2 * length);
+            TableRow row{length, d, end};
+            if (kind > 0.75) row.arc_mm = (kind > 0.87 ? 1 : -1) * std::hypot(length, (end - d) / 2) * uniform(0.5, 2);
+            table.push_back(row);
+            d = end;
+        }
+        Recognition part = recognitionOf(table);
+        for (RecognizedRow& row : part.segments)
+            if (uniform(0, 1) < 0.1) row.fully_visible = false;
+        describeRows(part);
+        const Shaft measured = measuredShaft(part), nominal = appliedNominal(part);
+        try {
+            checkShaft(measured);
+        } catch (const Error&) {
+            continue;
+        }
+        ++sound;
+        changed += !(nominal == measured);
+        EXPECT_NO_THROW(checkShaft(nominal)) << seed;
+    }
+    EXPECT_GT(sound, 1000);
+    EXPECT_GT(changed, 500);
+}
+
 }  // namespace
 }  // namespace lathelier::features

@@ -10,6 +10,8 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/marks.h"
 #include "engine/features/outline.h"
+#include "engine/features/roles.h"
+#include "engine/features/snap.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
@@ -107,19 +109,8 @@ void addBores(const Outline& inner, double zero_mm, double length_mm, const Revo
     for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
         if (list->empty()) continue;
         result.bores.push_back(fromMouth(*list, mouth));
-        ShaftBore bore;
-        bore.from = mouth;
-        for (const RecognizedRow& row : result.bores.back())
-            bore.segments.push_back({row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm,
-                                     row.arc_radius_mm, row.role});
-        result.shaft.bores.push_back(bore);
     }
     addMeridian(inner, zero_mm, true, 0, result.meridian);
-}
-
-ShaftSegment segmentOf(const RecognizedRow& row)
-{
-    return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
 }
 
 void describeEnds(const Outline& outline, Recognition& result)
@@ -252,7 +243,6 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         if (row.role == "rough") row.role.clear();
     if (!result.marks.empty())
         result.notes.push_back({notes::marksLeftOut, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
-    result.shaft.marks = result.marks;
     for (const RoughZone& zone : outside->rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;
@@ -276,13 +266,14 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (const RecognizedRow& row : result.segments) covered += row.z_end_mm - row.z_start_mm;
     const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
     result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
-    for (const RecognizedRow& row : result.segments) result.shaft.segments.push_back(segmentOf(row));
     input.bore = true;
     input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
     if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
         addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     std::stable_sort(result.meridian.begin(), result.meridian.end(),
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
+    describeRows(result);
+    result.shaft = parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;

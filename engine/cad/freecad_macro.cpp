@@ -218,7 +218,7 @@ private:
             radius(against ? next(i) : i, name);
             if (heights_.join(i, next(i))) {
                 const bool up = piece.to_mm.x() > piece.from_mm.x();
-                const double length = std::abs(piece.to_mm.x() - piece.from_mm.x());
+                const double length = std::abs(statedLength(piece));
                 bind(fmt::format("K('DistanceY',{},{},{})", up ? vertex(i) : vertexAtEnd(i),
                                  up ? vertexAtEnd(i) : vertex(i), number(length)),
                      "L" + name, "Len_" + name, length, false);
@@ -228,6 +228,16 @@ private:
                      "Rad_" + name, std::abs(piece.arc_radius_mm), false);
             radius(against ? i : next(i), "e" + name);
         }
+    }
+
+    /// As the row says it: differences of places carry their rounding.
+    double statedLength(const ContourPiece& piece) const
+    {
+        const auto row = static_cast<std::size_t>(piece.row);
+        if (piece.bore == ContourPiece::none) return shaft_.segments[row].length_mm;
+        const auto bore = static_cast<std::size_t>(piece.bore);
+        return bore < shaft_.bores.size() ? shaft_.bores[bore].segments[row].length_mm
+                                          : piece.to_mm.x() - piece.from_mm.x();
     }
 
     static std::string nameOf(const ContourPiece& piece)

@@ -187,8 +187,8 @@ bool isFinite(const StepFace& face)
 
 StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progress& progress)
 {
-    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     STEPControl_Reader reader;
+    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     std::istringstream stream{std::string(bytes)};
     if (reader.ReadStream("part.step", stream) != IFSelect_RetDone) refuseRecord(1);
     progress.report(0.3);

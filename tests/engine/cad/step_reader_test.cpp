@@ -121,6 +121,17 @@ TEST(StepReader, NamesComeBack)
     EXPECT_EQ(readStep(stepText(tableOne(), options), notes).shaft.name, options.name);
 }
 
+TEST(StepReader, LengthsAreThoseOfTheFilesUnit)
+{
+    std::string metres = stepText(tableOne(), fixedTime());
+    const std::string unit = "SI_UNIT(.MILLI.,.METRE.)";
+    metres.replace(metres.find(unit), unit.size(), "SI_UNIT($,.METRE.)");
+    Notes notes;
+    const StepPart part = readStep(metres, notes);
+    ASSERT_EQ(part.shaft.segments.size(), 4U);
+    EXPECT_NEAR(part.shaft.segments[1].start_diameter_mm, 37000, 1e-6);
+}
+
 TEST(StepReader, AFlatIsARemark)
 {
     ForeignStep file(somewhere());

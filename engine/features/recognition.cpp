@@ -242,7 +242,7 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (RecognizedRow& row : result.segments)
         if (row.role == "rough") row.role.clear();
     if (!result.marks.empty())
-        result.notes.push_back({notes::marksLeftOut, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
+        result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
     for (const RoughZone& zone : outside->rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;

@@ -27,8 +27,13 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
         features::recognize(file.scan, parameters, progress.part(0.2, 0.9, LT_TEXT("Engine", "Recognising"))));
     result->shaft.name = request.operands.at(0).substr(request.operands.at(0).find_last_of('/') + 1);
     answerWith(
-        answer, result, [](const auto& found) { return features::toJson(found); },
-        [](const auto&) { return report::Document{}; }, [](const auto&) { return std::string(); });
+        answer, result,
+        [](const auto& found) {
+            Json json = features::toJson(found);
+            json["steps"] = stepsJson(found.shaft);
+            return json;
+        },
+        [](const auto&) { return report::Document{}; }, [](const auto& found) { return shaftSummary(found.shaft); });
     writeShaftOutputs(
         request, {result->shaft, result->complete, missingOf(*result), parameters.length_of_chucked_mm.value_or(0)},
         progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);
@@ -38,10 +43,12 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
 
 Verb recognizeVerb()
 {
+    std::vector<Option> options = optionsOf<features::RecognitionParameters>();
+    for (Option& option : cadOptions()) options.push_back(std::move(option));
     return {"recognize",
             "Recognize a turned part in its scan: diameters, lengths, chamfers, fillets, their uncertainties.",
             {{"SCAN", "The part: a point cloud or mesh."}},
-            optionsOf<features::RecognitionParameters>(),
+            options,
             {&io::scanFiles()},
             shaftOutputs(),
             true,

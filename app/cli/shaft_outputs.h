@@ -9,6 +9,15 @@ namespace lathelier::cli {
 /// Options that name these files.
 std::vector<OutputOption> shaftOutputs();
 
+/// How they are written: schema of STEP, contour or drawing as DXF.
+std::vector<Option> cadOptions();
+
+/// The paper's Table 1 of a shaft, as `steps` in JSON.
+Json stepsJson(const Shaft& shaft);
+
+/// The rows of a shaft for people.
+std::string shaftSummary(const Shaft& shaft);
+
 /// What the files say besides the shaft.
 struct ShaftToWrite {
     const Shaft& shaft;

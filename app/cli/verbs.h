@@ -19,6 +19,7 @@ Verb simulateVerb();
 Verb toolpathVerb();
 Verb deflectionVerb();
 Verb recognizeVerb();
+Verb drawVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -6,6 +6,7 @@
 #include "app/cli/verbs.h"
 #include "engine/features/recognition.h"
 #include "engine/features/recognized_rows.h"
+#include "engine/features/snap.h"
 
 namespace lathelier::cli {
 namespace {
@@ -30,7 +31,9 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
         answer, result,
         [](const auto& found) {
             Json json = features::toJson(found);
-            json["steps"] = stepsJson(found.shaft);
+            json[found.paper_steps.empty() ? "steps" : "robust_steps"] = stepsJson(measuredShaft(found));
+            if (found.parameters.snap == features::Snap::Apply && found.paper_steps.empty())
+                json["steps"] = stepsJson(found.shaft);
             return json;
         },
         [](const auto&) { return report::Document{}; }, [](const auto& found) { return shaftSummary(found.shaft); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
@@ -10,6 +11,7 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/marks.h"
 #include "engine/features/outline.h"
+#include "engine/features/paper_method.h"
 #include "engine/features/roles.h"
 #include "engine/features/snap.h"
 #include "engine/registration/point_checks.h"
@@ -274,6 +276,15 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
     describeRows(result);
     result.shaft = parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
+    if (parameters.method == RecognitionMethod::Paper) {
+        const PaperResult published = paperSteps(points, result.axis_direction, parameters, fitting);
+        result.method_used = "paper";
+        result.paper_steps = published.steps;
+        const double cosine = std::min(1.0, std::abs(published.axis.dot(result.axis_direction)));
+        result.paper_axis_off_deg = std::acos(cosine) * 180 / std::numbers::pi;
+        result.notes.push_back({notes::paperMethod, {}});
+        result.shaft = shaftOf(published.steps);
+    }
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;

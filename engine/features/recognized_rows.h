@@ -11,12 +11,14 @@ const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*)
 const std::vector<QuantityOf<RecognizedFeature>>& quantitiesOf(const RecognizedFeature*);
 const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*);
 const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*);
+const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*);
 const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*);
 
 /// "cylinder", "cone", "arc".
 const char* key(RowKind kind);
 
-/// The result as `recognize --json` has it, but for `steps`.
+/// The result as `recognize --json` has it, but for `steps`, which are those of the published method only when it was
+/// asked for.
 Json toJson(const Recognition& result);
 
 }  // namespace lathelier::features

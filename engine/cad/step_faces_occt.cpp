@@ -16,6 +16,8 @@
 #include <Standard_Failure.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_SurfaceCurve.hxx>
+#include <StepShape_EdgeCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -68,6 +70,17 @@ void refuseBrokenRecords(const Handle(StepData_StepModel) & model, const Part21&
         if (check.IsNull() || !check->HasFailed()) continue;
         const auto line = checked.line_of_record.find(model->IdentLabel(model->Value(i)));
         refuseRecord(line == checked.line_of_record.end() ? 1 : line->second);
+    }
+}
+
+/// Curves in space rule: those in a surface's parameters are redundant, and the kernel does not check their kinds.
+void forgetParameterCurves(const Handle(StepData_StepModel) & model)
+{
+    for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+        const Handle(StepShape_EdgeCurve) edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
+        if (edge.IsNull()) continue;
+        const Handle(StepGeom_SurfaceCurve) curve = Handle(StepGeom_SurfaceCurve)::DownCast(edge->EdgeGeometry());
+        if (!curve.IsNull()) edge->SetEdgeGeometry(curve->Curve3d());
     }
 }
 
@@ -195,6 +208,7 @@ StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progres
     const Handle(StepData_StepModel) model = reader.StepModel();
     if (model.IsNull()) refuseRecord(1);
     refuseBrokenRecords(model, checked);
+    forgetParameterCurves(model);
     const Handle(Message_ProgressIndicator) indicator = new Stop(progress);
     reader.TransferRoots(indicator->Start());
     progress.report(0.7);

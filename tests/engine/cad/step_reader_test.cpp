@@ -236,6 +236,7 @@ TEST(StepReader, GrammarRings)
     EXPECT_EQ(place("#1 = A(#3);\n"), "5:8");
     EXPECT_EQ(place("#1 = A();\n#1 = A();\n"), "6:1");
     EXPECT_EQ(place("#1 = A(1e300);\n"), "5:8");
+    EXPECT_EQ(place("#1 = CIRCLE('',1.E+12);\n"), "5:16");
     EXPECT_EQ(place("#1 = A(,);\n"), "5:8");
     EXPECT_EQ(place("#1 = B_SPLINE_CURVE(1000000000);\n"), "5:21");
     EXPECT_EQ(place("#1 = A('x);\n"), "5:8");

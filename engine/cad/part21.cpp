@@ -16,6 +16,7 @@ namespace {
 constexpr int deepestList = 16;
 constexpr int longestChain = 200;
 constexpr double largestNumber = 1e100;
+constexpr double largestLength = 1e9;  ///< of points, vectors, radii, in any unit
 constexpr std::int64_t largestInteger = 1000000000;
 /// Counts, degrees and multiplicities of splines: larger ones would ask for memory that no file of this size fills.
 constexpr std::int64_t largestSplineInteger = 100000;
@@ -227,6 +228,8 @@ private:
         const std::string_view kind = scanner_.word();
         if (kind.empty() || kind.size() > 100) scanner_.refuse(at, LT_TEXT("Engine", "the kind of a record"));
         ++result_.count_of_kind[std::string(kind)];
+        geometry_ = kind == "CARTESIAN_POINT" || kind == "VECTOR" || kind == "CIRCLE" || kind == "ELLIPSE" ||
+                    kind.ends_with("_SURFACE");
         parameters(number,
                    kind.find("SPLINE") != std::string_view::npos || kind.find("BEZIER") != std::string_view::npos);
     }
@@ -304,11 +307,12 @@ private:
         if (end == nullptr) scanner_.refuse(at, LT_TEXT("Engine", "a number"));
         const std::string_view written(begin, static_cast<std::size_t>(end - begin));
         const bool integer = written.find_first_of(".eEdD") == std::string_view::npos;
+        const double largest_real = geometry_ ? largestLength : largestNumber;
         const double largest =
-            integer ? static_cast<double>(spline ? largestSplineInteger : largestInteger) : largestNumber;
+            integer ? static_cast<double>(spline ? largestSplineInteger : largestInteger) : largest_real;
         if (!(std::abs(value) <= largest) || written.size() > 64)
             scanner_.refuse(
-                at, integer ? LT_TEXT("Engine", "a smaller whole number") : LT_TEXT("Engine", "a number below 1e100"));
+                at, integer ? LT_TEXT("Engine", "a smaller whole number") : LT_TEXT("Engine", "a smaller number"));
         scanner_.moveTo(at + written.size());
     }
 
@@ -371,6 +375,7 @@ private:
     const Progress& progress_;
     Part21 result_;
     std::vector<Reference> references_;
+    bool geometry_ = false;  ///< of the record that is read
     std::int64_t line_ = 1;
     std::size_t counted_ = 0;
 };

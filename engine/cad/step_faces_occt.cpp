@@ -16,6 +16,16 @@
 #include <Standard_Failure.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Conic.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepGeom_Line.hxx>
+#include <StepGeom_Pcurve.hxx>
+#include <StepGeom_SurfaceCurve.hxx>
+#include <StepGeom_Vector.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_VertexPoint.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -60,14 +70,55 @@ private:
                                     {"expected", LT_TEXT("Engine", "a record as its schema describes it")}});
 }
 
+bool isPointInSpace(const Handle(StepGeom_Point) & stated)
+{
+    const Handle(StepGeom_CartesianPoint) point = Handle(StepGeom_CartesianPoint)::DownCast(stated);
+    return !point.IsNull() && point->NbCoordinates() == 3;
+}
+
+bool isDirectionInSpace(const Handle(StepGeom_Direction) & direction)
+{
+    return !direction.IsNull() && direction->NbDirectionRatios() == 3;
+}
+
+/// Where the kernel takes three coordinates for granted.
+bool isInSpace(const Handle(Standard_Transient) & record)
+{
+    if (const auto vertex = Handle(StepShape_VertexPoint)::DownCast(record); !vertex.IsNull())
+        return isPointInSpace(vertex->VertexGeometry());
+    if (const auto frame = Handle(StepGeom_Axis2Placement3d)::DownCast(record); !frame.IsNull())
+        return isPointInSpace(frame->Location()) && (!frame->HasAxis() || isDirectionInSpace(frame->Axis())) &&
+               (!frame->HasRefDirection() || isDirectionInSpace(frame->RefDirection()));
+    if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(record); !edge.IsNull()) {
+        const auto line = Handle(StepGeom_Line)::DownCast(edge->EdgeGeometry());
+        const auto conic = Handle(StepGeom_Conic)::DownCast(edge->EdgeGeometry());
+        return (line.IsNull() || (isPointInSpace(line->Pnt()) && !line->Dir().IsNull() &&
+                                  isDirectionInSpace(line->Dir()->Orientation()))) &&
+               (conic.IsNull() || !conic->Position().Axis2Placement3d().IsNull()) &&
+               Handle(StepGeom_Pcurve)::DownCast(edge->EdgeGeometry()).IsNull();
+    }
+    return true;
+}
+
 /// The kernel goes on with records whose parameters it could not read: not here.
 void refuseBrokenRecords(const Handle(StepData_StepModel) & model, const Part21& checked)
 {
     for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
         const Handle(Interface_Check) check = model->Check(i, true);
-        if (check.IsNull() || !check->HasFailed()) continue;
+        if ((check.IsNull() || !check->HasFailed()) && isInSpace(model->Value(i))) continue;
         const auto line = checked.line_of_record.find(model->IdentLabel(model->Value(i)));
         refuseRecord(line == checked.line_of_record.end() ? 1 : line->second);
+    }
+}
+
+/// Curves in space rule: those in a surface's parameters are redundant, and the kernel does not check their kinds.
+void forgetParameterCurves(const Handle(StepData_StepModel) & model)
+{
+    for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+        const Handle(StepShape_EdgeCurve) edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
+        if (edge.IsNull() || edge->EdgeGeometry().IsNull()) continue;
+        const Handle(StepGeom_SurfaceCurve) curve = Handle(StepGeom_SurfaceCurve)::DownCast(edge->EdgeGeometry());
+        if (!curve.IsNull()) edge->SetEdgeGeometry(curve->Curve3d());
     }
 }
 
@@ -194,6 +245,7 @@ StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progres
     progress.report(0.3);
     const Handle(StepData_StepModel) model = reader.StepModel();
     if (model.IsNull()) refuseRecord(1);
+    forgetParameterCurves(model);
     refuseBrokenRecords(model, checked);
     const Handle(Message_ProgressIndicator) indicator = new Stop(progress);
     reader.TransferRoots(indicator->Start());

@@ -20,10 +20,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double plainVolume = 1e-6;   ///< V_solid / V_table this near 1 is a plain body, whatever wrote the file
-constexpr double leastVolume = 0.9;    ///< below, the marks would be most of the part
-constexpr double beyond_mm = 1e-3;     ///< of the largest circle
-constexpr std::size_t worstFaces = 4;  ///< named in a refusal
+constexpr double plainVolume = 1e-6;    ///< V_solid / V_table this near 1 is a plain body, whatever wrote the file
+constexpr double inexactVolume = 1e-4;  ///< as far as files of coarse tolerances go
+constexpr double leastVolume = 0.9;     ///< below, the marks would be most of the part
+constexpr double beyond_mm = 1e-3;      ///< of the largest circle
+constexpr std::size_t worstFaces = 4;   ///< named in a refusal
 
 const Text notRound = LT_TEXT("Engine", "its sections are not round");
 const Text noSingleAxis = LT_TEXT("Engine", "no single axis fits");
@@ -255,6 +256,8 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
         refuseIt();  // a contour that no lathe's table can say
     }
     if (!(ratio >= leastVolume && ratio <= 1 + plainVolume)) refuseIt();
+    // Without a face to blame, the file contradicts itself.
+    if (meridian.other_faces.empty() && std::abs(ratio - 1) > inexactVolume) refuseIt();
     part.free_end_mm = axis->point_mm + z.low * axis->direction;
     part.other_faces = describe(solid, meridian.other_faces, *axis, z.low);
     if (!part.other_faces.empty() || std::abs(ratio - 1) > plainVolume) {

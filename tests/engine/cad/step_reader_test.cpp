@@ -215,6 +215,28 @@ TEST(StepReader, BrokenBytesEndWithALocatedError)
     }
 }
 
+// Each of these was the end of the kernel.
+TEST(StepReader, RecordsOfTheWrongKind)
+{
+    const std::string whole = stepText(blindBores(), fixedTime());
+    const auto changed = [&](const char* pattern, const char* by) {
+        return std::regex_replace(whole, std::regex(pattern), by, std::regex_constants::format_first_only);
+    };
+    Notes notes;  // curves in the parameters of a surface are not used
+    expectSame(
+        readStep(changed("DEFINITIONAL_REPRESENTATION\\('',\\(#\\d+", "DEFINITIONAL_REPRESENTATION('',(#12"), notes)
+            .shaft,
+        blindBores(), 1e-9);
+    EXPECT_EQ(refusal(changed("TOROIDAL_SURFACE\\('',(#\\d+),[^,]*,", "TOROIDAL_SURFACE('',$1,1.E+99,")).first,
+              "malformed");
+    std::smatch flat;
+    ASSERT_TRUE(std::regex_search(whole, flat, std::regex("#(\\d+) = CARTESIAN_POINT\\('',\\([^,()]+,[^,()]+\\)\\)")));
+    EXPECT_EQ(refusal(changed("VERTEX_POINT\\('',#\\d+", ("VERTEX_POINT('',#" + flat[1].str()).c_str())).first,
+              "malformed");
+    EXPECT_EQ(refusal(changed("CYLINDRICAL_SURFACE\\('',(#\\d+),[^)]*", "CYLINDRICAL_SURFACE('',$1,0.")).first,
+              "not_a_body_of_revolution");
+}
+
 TEST(StepReader, GrammarRings)
 {
     const auto file = [](const std::string& records) {
@@ -236,6 +258,7 @@ TEST(StepReader, GrammarRings)
     EXPECT_EQ(place("#1 = A(#3);\n"), "5:8");
     EXPECT_EQ(place("#1 = A();\n#1 = A();\n"), "6:1");
     EXPECT_EQ(place("#1 = A(1e300);\n"), "5:8");
+    EXPECT_EQ(place("#1 = CIRCLE('',1.E+12);\n"), "5:16");
     EXPECT_EQ(place("#1 = A(,);\n"), "5:8");
     EXPECT_EQ(place("#1 = B_SPLINE_CURVE(1000000000);\n"), "5:21");
     EXPECT_EQ(place("#1 = A('x);\n"), "5:8");

@@ -80,12 +80,11 @@ ContourPiece RowChain::piece(std::size_t i) const
 
 double RowChain::boundaryUncertainty_mm(std::size_t boundary) const
 {
-    double U = 0;
-    // A row of a bore from the chuck may count z either way: the larger of its two ends' does for both.
-    if (boundary > 0) U = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
-    if (U == 0 && boundary < size()) U = inMillimetres(row(boundary).uncertainty.z_start_um);
-    if (U == 0 && boundary == size()) U = far_end_uncertainty_mm_;
-    return std::hypot(U, end_uncertainty_mm_);
+    double own_mm = 0;
+    if (boundary > 0) own_mm = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
+    if (own_mm == 0 && boundary < size()) own_mm = inMillimetres(row(boundary).uncertainty.z_start_um);
+    if (own_mm == 0 && boundary == size()) own_mm = far_end_uncertainty_mm_;
+    return std::hypot(own_mm, end_uncertainty_mm_);
 }
 
 double RowChain::closing_mm(std::size_t i) const
@@ -207,7 +206,8 @@ std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
             return {};
         found.width = {width, std::hypot(inMillimetres(chain.row(first).uncertainty.z_start_um),
                                          inMillimetres(row.uncertainty.z_end_um))};
-        if (const auto U = row.uncertainty.length_um; U && first == i) found.width.U_mm = *U / 1000;
+        if (const auto length_um = row.uncertainty.length_um; length_um && first == i)
+            found.width.U_mm = *length_um / 1000;
         const std::size_t shaft = left < right ? first - 1 : i + 1;
         found.shaft = {std::abs(rim), diameterUncertainty_mm(chain.row(shaft))};
         return found;

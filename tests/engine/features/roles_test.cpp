@@ -15,6 +15,7 @@ using testing::IsEmpty;
 std::vector<std::string> rolesOf(const std::vector<RecognizedRow>& rows)
 {
     std::vector<std::string> roles;
+    roles.reserve(rows.size());
     for (const RecognizedRow& row : rows) roles.push_back(row.role);
     return roles;
 }

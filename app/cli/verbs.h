@@ -18,6 +18,7 @@ Verb speedVerb();
 Verb simulateVerb();
 Verb toolpathVerb();
 Verb deflectionVerb();
+Verb recognizeVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

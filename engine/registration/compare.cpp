@@ -12,6 +12,7 @@
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_deviation.h"
+#include "engine/registration/revolution/revolution_refusal.h"
 #include "engine/registration/statistics.h"
 #include "engine/registration/surface/facet_sagitta.h"
 #include "engine/registration/surface/surface_deviation.h"
@@ -49,15 +50,6 @@ SurfacePoints surfaceOf(const Scan& scan, const char* role, const Progress& prog
     return surface;
 }
 
-/// Turns the frame so that z runs along the reported direction of the axis.
-void faceForward(RevolutionFit& fit)
-{
-    const Vector3d direction = fit.axis_T_scan.linear().row(2);
-    Eigen::Index dominant = 0;
-    direction.cwiseAbs().maxCoeff(&dominant);
-    if (direction[dominant] < 0) fit = reversed(fit);
-}
-
 /// What the two parts turned out to be, and what follows for the method.
 struct Plan {
     CompareMethod method = CompareMethod::Plane;
@@ -75,66 +67,6 @@ Note methodNote(const char* method, Text reason, const Plan& plan)
     add("reference_on_one_meridian_percent", plan.reference.fit);
     add("copy_on_one_meridian_percent", plan.copy.fit);
     return note;
-}
-
-/// What scripts read as `reason`.
-const char* keyOf(NotTurned reason)
-{
-    switch (reason) {
-        case NotTurned::Flat: return "flat";
-        case NotTurned::SeveralParts: return "several_parts";
-        case NotTurned::NoSingleAxis: return "no_single_axis";
-        case NotTurned::Bent: return "bent";
-        case NotTurned::SmallCoverage: return "coverage_too_small";
-        case NotTurned::Line: return "line";
-        case NotTurned::NotRound: return "not_round";
-        case NotTurned::No: return "";
-    }
-    return "";
-}
-
-/// What people read.
-Text phraseOf(NotTurned reason)
-{
-    switch (reason) {
-        case NotTurned::Flat: return LT_TEXT("Engine", "it is flat");
-        case NotTurned::SeveralParts: return LT_TEXT("Engine", "there are several parts");
-        case NotTurned::NoSingleAxis: return LT_TEXT("Engine", "no single axis fits");
-        case NotTurned::Bent: return LT_TEXT("Engine", "it is bent");
-        case NotTurned::SmallCoverage: return LT_TEXT("Engine", "too little of the circle is there");
-        case NotTurned::Line: return LT_TEXT("Engine", "the points lie on a line");
-        case NotTurned::NotRound: return LT_TEXT("Engine", "its sections are not round");
-        case NotTurned::No: return {};
-    }
-    return {};
-}
-
-[[noreturn]] void refuseRevolution(const RevolutionFit& fit, const char* role)
-{
-    if (fit.not_turned == NotTurned::SmallCoverage)
-        throw Error(
-            errors::coverageTooSmall,
-            {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", kLeastCoverage_deg}});
-    Values values{{"role", std::string(role)},
-                  {"reason", std::string(keyOf(fit.not_turned))},
-                  {"why", phraseOf(fit.not_turned)},
-                  {"residual_mm", fit.sigma_mm}};
-    if (fit.not_turned == NotTurned::Bent) values.emplace_back("bow_mm", fit.bend.size_mm());
-    throw Error(errors::notABodyOfRevolution, std::move(values));
-}
-
-/// What the fit says whatever the method: a line of noise is degenerate, a bend and a small arc are noted.
-void remark(const RevolutionFit& fit, const char* role, Notes& notes)
-{
-    if (fit.not_turned == NotTurned::Line)
-        throw Error(errors::pointsDegenerate, {{"found", LT_TEXT("Engine", "on a line")}, {"role", std::string(role)}});
-    if (fit.bend.isSeen() && (fit.not_turned == NotTurned::No || fit.not_turned == NotTurned::Bent))
-        notes.push_back({notes::partIsBent,
-                         {{"role", std::string(role)},
-                          {"bow_mm", fit.bend.size_mm()},
-                          {"bow_uncertainty_mm", 2 * fit.bend.sigma_mm}}});
-    if (fit.not_turned == NotTurned::No && fit.coverage_deg < 180)
-        notes.push_back({notes::coverageBelowHalf, {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}}});
 }
 
 /// Fits axes where they matter and decides. Error notABodyOfRevolution when one was asked for.
@@ -161,7 +93,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
                 plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
     });
     plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
-    remark(plan.reference.fit, "reference", notes);
+    remarkRevolution(plan.reference.fit, "reference", notes);
     if (forced && !plan.reference_turned) refuseRevolution(plan.reference.fit, "reference");
     if (plan.reference_turned) faceForward(plan.reference.fit);
     if (!forced && (!is_auto || !plan.reference_turned)) {
@@ -171,7 +103,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
         return plan;
     }
     const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
-    remark(plan.copy.fit, "copy", notes);
+    remarkRevolution(plan.copy.fit, "copy", notes);
     if (forced && !copy_turned) refuseRevolution(plan.copy.fit, "copy");
     if (copy_turned) faceForward(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
     plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;

@@ -170,7 +170,7 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 const double r = p.head<2>().norm();
                 const double high = std::max(edge.before_mm, edge.after_mm);
                 const double height = heightOf(edge);
-                if (r > high + reach || r < high - height - reach || r == 0) continue;
+                if (r > high + edge.above_mm + reach || r < high - height - reach || r == 0) continue;
                 const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 double own = z * edge.sign;
                 if (scanner) {
@@ -282,7 +282,12 @@ std::optional<double> balance(const std::vector<Ray>& rays)
 std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                    const Progress& progress)
 {
-    const std::vector<Edge> edges = findEdges(fit);
+    return findEdgeRays(points, fit, findEdges(fit), progress);
+}
+
+std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                                   const std::vector<Edge>& edges, const Progress& progress)
+{
     if (edges.empty()) return {};
     double largest = 0;
     for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);

@@ -15,6 +15,7 @@ struct Edge {
     double after_mm = 0;            ///< radius just after it
     double sign = 1;                ///< 1: the radius rises with z, -1: it falls
     double from_mm = 0, to_mm = 0;  ///< the stretch of z that was looked at
+    double above_mm = 0;            ///< how far beyond the larger radius its wall rises within that stretch
 };
 
 /// One ray near an edge: its height where it passes the larger radius, and whether it hit it.
@@ -38,5 +39,9 @@ std::optional<double> balance(const std::vector<Ray>& rays);
 /// turned away, which displaces the balance there by half the shadow.
 std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                    const Progress& progress = {});
+
+/// The same for edges that are known, in order of z.
+std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                                   const std::vector<Edge>& edges, const Progress& progress = {});
 
 }  // namespace lathelier::registration

@@ -1,0 +1,55 @@
+// What recognition remarks: codes with their English patterns. {name} is replaced by the named value.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace notes {
+
+inline constexpr NoteCode gapInData{
+    "gap", Severity::Warning,
+    LT_TEXT("Engine", "There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.")};
+
+inline constexpr NoteCode endNotSeen{
+    "end_not_seen", Severity::Warning,
+    LT_TEXT("Engine", "The {end} of the part is not seen: the data end at z {z_mm} mm. The length is not known.")};
+
+inline constexpr NoteCode endConfirmed{
+    "end_confirmed", Severity::Info,
+    LT_TEXT("Engine", "The length of {length_mm} mm was stated; the data alone do not show the {end}.")};
+
+inline constexpr NoteCode segmentNotCoaxial{
+    "segment_not_coaxial", Severity::Warning,
+    LT_TEXT("Engine", "Row {row} (z {z_start_mm} to {z_end_mm} mm) lies {offset_mm} mm off the common axis.")};
+
+inline constexpr NoteCode coveragePartial{
+    "coverage_partial", Severity::Warning,
+    LT_TEXT("Engine",
+            "Only {coverage_deg}° of the circle are seen: ovality of the part is taken for size; the uncertainties are "
+            "wider by {added_um} µm.")};
+
+inline constexpr NoteCode marksFound{
+    "marks_found", Severity::Info,
+    LT_TEXT("Engine", "Marks that are no body of revolution, named beside the rows: {count}.")};
+
+inline constexpr NoteCode uncertaintyNoiseOnly{
+    "uncertainty_noise_only", Severity::Info,
+    LT_TEXT("Engine", "The uncertainties hold the noise of the scan only; the scanner's own accuracy was not stated.")};
+
+inline constexpr NoteCode roughZone{
+    "rough_zone", Severity::Warning,
+    LT_TEXT("Engine",
+            "From z {z_start_mm} to {z_end_mm} mm the surface is rough (a thread, a knurl): one row over its crests.")};
+
+inline constexpr NoteCode rowsMerged{
+    "rows_merged", Severity::Info,
+    LT_TEXT("Engine", "Junctions within the form tolerance that were taken away: {count}.")};
+
+inline constexpr NoteCode paperMethod{
+    "paper_method", Severity::Info,
+    LT_TEXT("Engine", "The published method was used; its sections know no cones, arcs and undercuts.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

@@ -1,0 +1,51 @@
+// One outline of the part, the outside or a bore, from its walls to a settled model.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/features/edges.h"
+#include "engine/features/model_fit.h"
+#include "engine/features/recognition.h"
+#include "engine/registration/revolution/revolution_axis.h"
+
+namespace lathelier::features {
+
+/// What is known before the outline is looked at.
+struct OutlineInput {
+    const std::vector<Eigen::Vector3d>& points_mm;  ///< of the scan
+    const registration::RevolutionFit& fit;         ///< in whose frame all the rest is
+    const MeridianCloud& cloud;
+    const Walls& coarse;  ///< for the cutting
+    const Walls& fine;    ///< for the fit
+    std::optional<registration::ScannerAxis> scanner;
+    double form_mm = 0.02;
+    bool bore = false;
+    std::vector<Plane> part_ends = {};  ///< of the outside: a bore that comes near one ends there
+};
+
+/// A stretch that is too rough for its elements: one cylinder over its crests.
+struct RoughZone {
+    double z_start_mm = 0, z_end_mm = 0;
+    double eccentric_mm = 0;  ///< a round that lies this far off the axis explains the roughness; 0: it does not
+};
+
+struct Outline {
+    Model model;
+    JointFit fit;
+    std::vector<Gap> gaps;  ///< in the frame of the fit
+    std::vector<RoughZone> rough;
+    std::vector<MergedJunction> merged;
+    std::optional<EndPlace> ends[2];  ///< at the first and the last plane; nullopt: nothing is known
+    bool face_seen[2] = {false, false};
+    bool surface_scan = false;  ///< faces are seen: no rays of a rotary scanner
+};
+
+/// Nothing when no chain of that side is there.
+std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress = {});
+
+/// Neighbours that one cylinder, or one cone, describes within the form tolerance become that: what was taken away.
+std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm);
+
+}  // namespace lathelier::features

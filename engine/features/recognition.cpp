@@ -1,0 +1,282 @@
+#include "engine/features/recognition.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/core_codes.h"
+#include "engine/core/parallel.h"
+#include "engine/core/shaft_contour.h"
+#include "engine/features/dimensions.h"
+#include "engine/features/features_codes.h"
+#include "engine/features/marks.h"
+#include "engine/features/outline.h"
+#include "engine/features/roles.h"
+#include "engine/features/snap.h"
+#include "engine/registration/point_checks.h"
+#include "engine/registration/registration_codes.h"
+#include "engine/registration/revolution/revolution_refusal.h"
+#include "engine/registration/surface/surface_samples.h"
+
+namespace lathelier::features {
+namespace {
+
+using Eigen::Vector3d;
+using registration::RevolutionFit;
+
+constexpr std::size_t kMeshSamples = 400000;
+constexpr double kBin_mm = 0.1;
+constexpr double kLeastInBin = 25;
+
+RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, Notes& notes, const Progress& progress)
+{
+    RevolutionFit fit = registration::fitRevolution(points, progress);
+    registration::remarkRevolution(fit, "scan", notes);
+    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
+    registration::faceForward(fit);
+    if (free_end == FreeEnd::Last) fit = registration::reversed(fit);
+    return fit;
+}
+
+std::vector<Vector3d> onAxis(const std::vector<Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
+{
+    std::vector<Vector3d> moved(points.size());
+    parallelFor(points.size(), 32768, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) moved[i] = fit.onAxis(points[i]);
+    });
+    return moved;
+}
+
+double largestRadius(const RevolutionFit& fit)
+{
+    double largest = 0;
+    for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
+    return largest;
+}
+
+/// What closes an end of the outside.
+std::string closedBy(const std::vector<RecognizedRow>& rows, bool start, bool data)
+{
+    if (data) return "data";
+    const RecognizedRow& row = start ? rows.front() : rows.back();
+    const double toward_end = start ? row.half_angle_deg : -row.half_angle_deg;
+    if (row.kind == RowKind::Arc) return *row.arc_radius_mm > 0 ? "round" : "edge";
+    return row.kind == RowKind::Cone && toward_end > 10 ? "chamfer" : "edge";
+}
+
+/// Does the end of the data belong to the part? Unknown counts as no, unless a chamfer or a round leads to it.
+bool isPartsEnd(const Outline& outline, bool start, const std::string& closed_by)
+{
+    if (outline.face_seen[start ? 0 : 1]) return true;
+    const auto& end = outline.ends[start ? 0 : 1];
+    if (!end) return closed_by != "edge";
+    if (end->tilt_share_sigma < 0.25) return end->tilt_share < 0.5;
+    return closed_by != "edge";
+}
+
+/// Rows of a bore from its mouth inward.
+std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd mouth)
+{
+    if (mouth == ShaftEnd::Free) return rows;
+    std::reverse(rows.begin(), rows.end());
+    for (RecognizedRow& row : rows) {
+        std::swap(row.start_diameter_mm, row.end_diameter_mm);
+        std::swap(row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um);
+    }
+    return rows;
+}
+
+/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its narrowest
+/// row only where that is hidden; else it is a through bore.
+void addBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
+              const AddedUncertainty& added, Recognition& result)
+{
+    constexpr double near_mm = 1;
+    const std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> from_free, from_chuck;
+    std::size_t gap = rows.size();
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) gap = i + 1;
+    const bool free = rows.front().z_start_mm<near_mm, chuck = rows.back().z_end_mm> length_mm - near_mm;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (free && (i < gap || !chuck))
+            from_free.push_back(rows[i]);
+        else if (chuck)
+            from_chuck.push_back(rows[i]);
+    if (free && chuck && gap == rows.size()) from_chuck.clear();
+    if (!from_free.empty()) from_free.front().z_start_mm = 0;
+    if (!from_chuck.empty()) from_chuck.back().z_end_mm = length_mm;
+    if (free && chuck && gap == rows.size()) from_free.back().z_end_mm = length_mm;
+    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
+        if (list->empty()) continue;
+        result.bores.push_back(fromMouth(*list, mouth));
+    }
+    addMeridian(inner, zero_mm, true, 0, result.meridian);
+}
+
+void describeEnds(const Outline& outline, Recognition& result)
+{
+    const Model& model = outline.model;
+    const double zero = model.planes.front().z_mm;
+    bool seen[2];
+    for (const bool start : {true, false}) {
+        const Plane& plane = start ? model.planes.front() : model.planes.back();
+        RecognizedEnd end;
+        end.z_mm = plane.z_mm - zero;
+        end.uncertainty_mm = 2 * plane.sigma_mm;
+        end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start, false);
+        seen[start ? 0 : 1] = isPartsEnd(outline, start, end.closed_by);
+        if (!seen[start ? 0 : 1]) end.closed_by = "data";
+        result.ends.push_back(end);
+    }
+    const double measured = model.planes.back().z_mm - zero;
+    result.length_uncertainty_mm = 2 * std::hypot(model.planes.front().sigma_mm, model.planes.back().sigma_mm);
+    if (seen[0] && seen[1]) result.length_mm = measured;
+    for (const bool start : {true, false}) {
+        if (seen[start ? 0 : 1]) continue;
+        const Text end = start ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end");
+        if (result.parameters.length_mm)
+            result.notes.push_back({notes::endConfirmed, {{"length_mm", *result.parameters.length_mm}, {"end", end}}});
+        else
+            result.notes.push_back({notes::endNotSeen, {{"end", end}, {"z_mm", result.ends[start ? 0 : 1].z_mm}}});
+    }
+    if (!result.length_mm && result.parameters.length_mm) {
+        result.length_mm = result.parameters.length_mm;
+        // The end that is not seen is put where the stated length says.
+        const double missing = *result.parameters.length_mm - measured;
+        if (!seen[1] && !result.segments.empty()) {
+            result.segments.back().z_end_mm += missing;
+            result.ends[1].z_mm += missing;
+        } else if (!seen[0] && !result.segments.empty()) {
+            for (RecognizedRow& row : result.segments) {
+                row.z_start_mm += missing;
+                row.z_end_mm += missing;
+            }
+            result.segments.front().z_start_mm = 0;
+            for (RecognizedEnd& end : result.ends) end.z_mm += &end == &result.ends[1] ? missing : 0;
+        }
+    }
+    if (!result.length_mm) result.complete = false;
+}
+
+}  // namespace
+
+Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+{
+    for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
+        check(field.info, field.get(parameters));
+    Scan samples;
+    if (scan.isMesh()) samples = registration::sampleSurface(scan, kMeshSamples, 0, progress);
+    const std::vector<Vector3d>& points = scan.isMesh() ? samples.points_mm : scan.points_mm;
+    registration::checkPoints(points, "scan", progress);
+
+    Recognition result;
+    result.parameters = parameters;
+    result.method_used = "robust";
+    const RevolutionFit fit =
+        fitAxis(points, parameters.free_end, result.notes, progress.part(0, 0.4, LT_TEXT("Engine", "Axis")));
+    const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
+    const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);
+    double bin = std::max(kBin_mm, kLeastInBin / std::max(1.0, cloud.points_per_mm));
+    Walls coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
+    const std::optional<registration::ScannerAxis> scanner =
+        scan.isMesh() ? std::nullopt : registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
+    if (!scanner && bin < 2 * coarse.sigma_mm) {
+        bin = 2 * coarse.sigma_mm;
+        coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
+    }
+    const Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
+    result.noise_mm = coarse.sigma_mm;
+    result.points_used = static_cast<std::int64_t>(points.size());
+
+    const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
+    OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false};
+    const std::optional<Outline> outside = settleOutline(input, fitting.part(0, 0.8));
+    if (!outside)
+        throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
+                                           {"points", static_cast<std::int64_t>(points.size())},
+                                           {"minimum", std::int64_t{50}}});
+    const double zero = outside->model.planes.front().z_mm;
+    AddedUncertainty added;
+    if (parameters.scanner_accuracy_mm)
+        added.scanner_um = 1e3 * *parameters.scanner_accuracy_mm;
+    else
+        result.notes.push_back({notes::uncertaintyNoiseOnly, {}});
+    if (fit.coverage_deg < 300) {
+        added.ovality_um = ovalityFactor(fit.coverage_deg) * std::max(5.0, added.scanner_um);
+        if (fit.coverage_deg >= 180)
+            result.notes.push_back(
+                {notes::coveragePartial, {{"coverage_deg", fit.coverage_deg}, {"added_um", added.ovality_um}}});
+    }
+    const Eigen::Isometry3d along(Eigen::Translation3d(0, 0, -zero));
+    result.part_T_scan = along * fit.axis_T_scan;
+    const Eigen::Isometry3d scan_T_part = result.part_T_scan.inverse();
+    result.axis_point_mm = scan_T_part.translation();
+    result.axis_direction = scan_T_part.linear().col(2);
+    result.spot_mm = outside->model.spot_mm;
+    result.segments = rowsOf(*outside, zero, fit.coverage_deg, added);
+    result.merged = outside->merged;
+    for (MergedJunction& junction : result.merged) junction.z_mm -= zero;
+    if (!result.merged.empty())
+        result.notes.push_back({notes::rowsMerged, {{"count", static_cast<std::int64_t>(result.merged.size())}}});
+    addMeridian(*outside, zero, false, 0, result.meridian);
+    for (const Gap& gap : outside->gaps) {
+        result.gaps.push_back({gap.z_start_mm - zero, gap.z_end_mm - zero});
+        result.notes.push_back(
+            {notes::gapInData,
+             {{"z_start_mm", result.gaps.back().z_start_mm}, {"z_end_mm", result.gaps.back().z_end_mm}}});
+        result.complete = false;
+    }
+    describeEnds(*outside, result);
+    result.marks = findMarks(cloud, *outside, fitting);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm -= zero;
+        *mark.z_end_mm -= zero;
+    }
+    for (const ShaftMark& mark : result.marks)
+        for (RecognizedRow& row : result.segments) {
+            const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
+            if (row.role != "rough" || middle < row.z_start_mm || middle > row.z_end_mm) continue;
+            row.role = mark.kind;
+            if (mark.kind == "knurl") row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
+        }
+    for (RecognizedRow& row : result.segments)
+        if (row.role == "rough") row.role.clear();
+    if (!result.marks.empty())
+        result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
+    for (const RoughZone& zone : outside->rough) {
+        const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
+        std::int64_t row = 1;
+        for (std::size_t i = 0; i < result.segments.size(); ++i)
+            if (result.segments[i].z_start_mm < (from + to) / 2) row = static_cast<std::int64_t>(i) + 1;
+        if (zone.eccentric_mm > 0)
+            result.notes.push_back(
+                {notes::segmentNotCoaxial,
+                 {{"row", row}, {"z_start_mm", from}, {"z_end_mm", to}, {"offset_mm", zone.eccentric_mm}}});
+        else
+            result.notes.push_back({notes::roughZone, {{"z_start_mm", from}, {"z_end_mm", to}}});
+    }
+    double squares = 0, n = 0, covered = 0;
+    for (const MeridianPoint& point : result.meridian)
+        if (!std::isnan(point.residual_mm)) {
+            squares += point.residual_mm * point.residual_mm;
+            n += 1;
+        }
+    result.residual_rmse_mm = n > 0 ? std::sqrt(squares / n) : 0;
+    result.chi2_per_bin = outside->fit.rows > 0 ? outside->fit.chi2 / static_cast<double>(outside->fit.rows) : 0;
+    for (const RecognizedRow& row : result.segments) covered += row.z_end_mm - row.z_start_mm;
+    const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
+    result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
+        addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    std::stable_sort(result.meridian.begin(), result.meridian.end(),
+                     [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
+    describeRows(result);
+    result.shaft = parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
+    if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
+    progress.report(1);
+    return result;
+}
+
+}  // namespace lathelier::features

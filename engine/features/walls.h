@@ -1,0 +1,59 @@
+// The meridian of a scan in bins: in each bin along the axis the walls that the points show, and chains of walls.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/progress.h"
+
+namespace lathelier::features {
+
+/// The points in the part's frame, sorted into bins along z. Index i is that of the scan's point.
+struct MeridianCloud {
+    std::vector<float> z_mm, r_mm;         ///< along the axis, distance from it
+    std::vector<float> turn;               ///< direction about the axis as a share of a turn, 0…1
+    double z_first_mm = 0, z_last_mm = 0;  ///< of the data, less what is sparse beyond them
+    double points_per_mm = 0;              ///< median over the length
+};
+
+MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points_on_axis, const Progress& progress = {});
+
+/// One wall in one bin.
+struct Wall {
+    double z_mm = 0;      ///< mean of its points
+    double r_mm = 0;      ///< mean of its points within 4 robust standard deviations
+    double sigma_mm = 0;  ///< robust scatter of its points along r
+    double width_mm = 0;  ///< of an even spread of z with the same variance as its points have
+    double points = 0;
+    double coverage = 0;  ///< share of the circle that its points see, 0…1
+    bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
+};
+
+/// Walls that follow each other along z.
+struct Chain {
+    std::vector<Wall> walls;  ///< in order of z
+    bool bore = false;
+
+    double zFirst_mm() const { return walls.front().z_mm; }
+    double zLast_mm() const { return walls.back().z_mm; }
+};
+
+/// What lies apart from its wall in a part of the circle: a keyway's floor, a flat.
+struct OddPlace {
+    double z_mm = 0, r_mm = 0;
+    double turn = 0;   ///< of the middle of its sectors
+    double share = 0;  ///< of the circle
+};
+
+struct Walls {
+    double bin_mm = 0;
+    double sigma_mm = 0;        ///< noise of single points, from the quiet bins
+    std::vector<Chain> chains;  ///< by the z of their first wall, outside before bores
+    std::vector<OddPlace> odd;  ///< in order of z
+};
+
+/// Bins of `bin_mm`. `sigma_mm`: noise of single points, as the axis fit has it.
+Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, const Progress& progress = {});
+
+}  // namespace lathelier::features

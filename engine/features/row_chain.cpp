@@ -65,6 +65,16 @@ void RowChain::findJoints()
     }
 }
 
+bool RowChain::isRoughSeam(std::size_t boundary) const
+{
+    constexpr double kStep_mm = 0.1;
+    const auto isRough = [](const RecognizedRow& row) { return row.role == "thread" || row.role == "knurl"; };
+    if (joint(boundary) != Joint::Plane) return false;
+    const RecognizedRow &before = row(boundary - 1), &after = row(boundary);
+    return isRough(before) != isRough(after) &&
+           std::abs(before.end_diameter_mm - after.start_diameter_mm) / 2 <= kStep_mm;
+}
+
 double RowChain::angle_deg(std::size_t i) const
 {
     return std::atan2(std::abs(endHeight_mm(i) - startHeight_mm(i)) / 2, std::abs(length_mm(i))) * 180 /
@@ -105,7 +115,7 @@ double lengthUncertainty_mm(const RecognizedRow& row)
 
 std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t first)
 {
-    constexpr double kAngle_deg = 2, kDeepest_mm = 1.5, kWidest_mm = 10;
+    constexpr double kAngle_deg = 2, kDeepest_mm = 1.5, kWidest_mm = 10, kBeyondFace_mm = 0.05;
     UndercutRows found;
     found.first = first;
     const std::size_t n = chain.size();
@@ -149,7 +159,11 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
     const double window = kAngle_deg + cone.uncertainty.angle_deg.value_or(0);
     if (std::abs(chain.angle_deg(found.run_out) - kUndercutRunOut_deg) > window) return {};
     MeasuredUndercut& measured = found.measured;
-    measured.form = relieved || !arc.fully_visible ? UndercutForm::F : UndercutForm::E;
+    // The circle of form F reaches t2, at least 0.1 mm, beyond the face; where it ends there it is cut off.
+    const double face_at = found.before_face ? chain.closing_mm(found.last) : chain.end_mm(first - 1);
+    const double reach = std::abs(chain.piece(found.arc).centre_mm().x() - face_at);
+    const bool beyond = std::abs(*arc.arc_radius_mm) - reach > kBeyondFace_mm;
+    measured.form = relieved || beyond || !arc.fully_visible ? UndercutForm::F : UndercutForm::E;
     measured.shaft_mm =
         std::abs(found.before_face ? chain.startHeight_mm(found.run_out) : chain.endHeight_mm(found.run_out));
     measured.depth = {std::abs(falls) / 2,

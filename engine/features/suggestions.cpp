@@ -118,7 +118,7 @@ std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const
         const bool is_datum = joint == Joint::Plane || joint == Joint::Relieved ||
                               (joint == Joint::Joined && chain.length_mm(i) < 0) ||
                               (joint == Joint::End && (chain.endsAtEnd() || chain.isBore()));
-        if (is_datum && has_z[i] && next_covered)
+        if (is_datum && has_z[i] && next_covered && !chain.isRoughSeam(i + 1))
             append(list, suggestLength(chain.closing_mm(i), chain.boundaryUncertainty_mm(i + 1), "z_mm"));
     }
     return all;

@@ -179,7 +179,8 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
 std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
 {
     constexpr std::size_t kMostRows = 5;
-    constexpr double kWidest_mm = 8, kWidestShare = 0.5, kShallowest_mm = 0.1, kFlank_deg = 10, kSame_mm = 0.002;
+    constexpr double kNarrowest_mm = 0.2, kWidest_mm = 8, kWidestShare = 0.5, kShallowest_mm = 0.1, kFlank_deg = 10,
+                     kSame_mm = 0.002;
     if (first == 0) return {};
     const auto meets = [&](std::size_t b) { return chain.joint(b) == Joint::Plane || chain.joint(b) == Joint::Joined; };
     const double left = chain.endHeight_mm(first - 1);
@@ -212,7 +213,7 @@ std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
         const bool next_rises =
             i + 1 < chain.size() && chain.joint(i + 1) == Joint::Joined && chain.endHeight_mm(i + 1) > right + kSame_mm;
         if (!closed || rim - lowest < kShallowest_mm || next_rises) continue;
-        if (width > kWidestShare * std::abs(rim)) return {};
+        if (width < kNarrowest_mm || width > kWidestShare * std::abs(rim)) return {};
         found.last = i;
         found.between_planes = chain.joint(first) == Joint::Plane && chain.joint(i + 1) == Joint::Plane;
         // A flank on one side and a plane on the other is a step with a fillet or a run-out, not a groove.

@@ -198,10 +198,11 @@ std::optional<Suggestion> suggestThread(double crest_mm, double U_mm, double pit
     if (!(std::abs(pitch - pitch_mm) <= kShare * pitch)) return {};
     const double upper_mm = -(15 + 11 * pitch) / 1000;
     const double lower_mm = upper_mm - (180 * std::cbrt(pitch * pitch) - 3.15 / std::sqrt(pitch)) / 1000;
-    const double U = std::max(U_mm, -upper_mm);  // a crest without its deviation g counts too
+    const double expanded_mm = std::max(U_mm, -upper_mm);  // a crest without its deviation g counts too
     std::optional<double> diameter;
     for (const CoarseThread& thread : coarseThreads()) {
-        if (pitch > thread.pitch_mm || !isWithin({crest_mm, U}, thread.diameter_mm, lower_mm, upper_mm)) continue;
+        if (pitch > thread.pitch_mm || !isWithin({crest_mm, expanded_mm}, thread.diameter_mm, lower_mm, upper_mm))
+            continue;
         if (!diameter || std::abs(thread.diameter_mm - crest_mm) < std::abs(*diameter - crest_mm))
             diameter = thread.diameter_mm;
     }

@@ -75,15 +75,18 @@ private:
 
     /// The undercut of the standard that row i is part of and that can be put in place; none: it stays as measured.
     std::optional<UndercutRows> standard(std::size_t i) const;
+    /// A row's end; what meets it goes along: in one point, or in the u of a plane.
     void putStart(std::size_t i, const Vector2d& point)
     {
         at_[i].right = point;
         if (isJoined(i)) at_[i].left = point;
+        if (chain_.joint(i) == Joint::Plane) at_[i].left.x() = point.x();
     }
     void putEnd(std::size_t i, const Vector2d& point)
     {
         at_[i + 1].left = point;
         if (isJoined(i + 1)) at_[i + 1].right = point;
+        if (chain_.joint(i + 1) == Joint::Plane) at_[i + 1].right.x() = point.x();
     }
     std::optional<Line> neighbour(std::size_t i, bool before) const;
     void placePlanes(std::optional<double> end_mm);

@@ -29,7 +29,8 @@ bool fallsAway(const RowChain& chain, std::size_t i, bool at_start)
 bool breaksAnEdge(const RowChain& chain, std::size_t i)
 {
     const bool rises = chain.endHeight_mm(i) > chain.startHeight_mm(i);
-    return fallsAway(chain, i, rises) && chain.joint(rises ? i + 1 : i) == Joint::Joined;
+    const std::size_t upper = rises ? i + 1 : i;
+    return fallsAway(chain, i, rises) && (chain.joint(upper) == Joint::Joined || chain.isRoughSeam(upper));
 }
 
 /// Is the arc's lowest or highest point inside?
@@ -163,7 +164,7 @@ std::vector<RecognizedFeature> featuresOf(const RowChain& chain, const Patterns&
         const Joint joint = chain.joint(i + 1);
         const bool relieved_face = chain.length_mm(i) < 0;
         if ((joint != Joint::Plane && joint != Joint::Relieved && !relieved_face) || is_wall[i + 1]) continue;
-        if (i + 1 >= chain.size()) continue;
+        if (i + 1 >= chain.size() || chain.isRoughSeam(i + 1)) continue;
         const double z = chain.closing_mm(i);
         features.push_back({"shoulder", z, z, numbersOf(i, i + 1), ""});
     }

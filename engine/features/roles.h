@@ -6,7 +6,7 @@
 //   edge_round  convex arc in the same place, or between two rows
 //   fillet      hollow arc that rises or falls all along
 //   saddle      hollow arc with its lowest point inside
-//   groove      rows lower than both neighbours, at most 8 mm and half a diameter wide, between planes or flanks
+//   groove      rows lower than both neighbours, 0.2 to 8 mm and at most half a diameter wide, between planes or flanks
 //   undercut    pattern of DIN 509: cone of 15° ± 2°, bottom, hollow arc, face
 //   taper       every other cone
 //   thread, knurl  cylinder that such a mark covers by half

@@ -65,6 +65,16 @@ void RowChain::findJoints()
     }
 }
 
+bool RowChain::isRoughSeam(std::size_t boundary) const
+{
+    constexpr double kStep_mm = 0.1;
+    const auto isRough = [](const RecognizedRow& row) { return row.role == "thread" || row.role == "knurl"; };
+    if (joint(boundary) != Joint::Plane) return false;
+    const RecognizedRow &before = row(boundary - 1), &after = row(boundary);
+    return isRough(before) != isRough(after) &&
+           std::abs(before.end_diameter_mm - after.start_diameter_mm) / 2 <= kStep_mm;
+}
+
 double RowChain::angle_deg(std::size_t i) const
 {
     return std::atan2(std::abs(endHeight_mm(i) - startHeight_mm(i)) / 2, std::abs(length_mm(i))) * 180 /
@@ -80,12 +90,11 @@ ContourPiece RowChain::piece(std::size_t i) const
 
 double RowChain::boundaryUncertainty_mm(std::size_t boundary) const
 {
-    double U = 0;
-    // A row of a bore from the chuck may count z either way: the larger of its two ends' does for both.
-    if (boundary > 0) U = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
-    if (U == 0 && boundary < size()) U = inMillimetres(row(boundary).uncertainty.z_start_um);
-    if (U == 0 && boundary == size()) U = far_end_uncertainty_mm_;
-    return std::hypot(U, end_uncertainty_mm_);
+    double own_mm = 0;
+    if (boundary > 0) own_mm = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
+    if (own_mm == 0 && boundary < size()) own_mm = inMillimetres(row(boundary).uncertainty.z_start_um);
+    if (own_mm == 0 && boundary == size()) own_mm = far_end_uncertainty_mm_;
+    return std::hypot(own_mm, end_uncertainty_mm_);
 }
 
 double RowChain::closing_mm(std::size_t i) const
@@ -106,7 +115,7 @@ double lengthUncertainty_mm(const RecognizedRow& row)
 
 std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t first)
 {
-    constexpr double kAngle_deg = 2, kDeepest_mm = 1.5, kWidest_mm = 10;
+    constexpr double kAngle_deg = 2, kDeepest_mm = 1.5, kWidest_mm = 10, kBeyondFace_mm = 0.05;
     UndercutRows found;
     found.first = first;
     const std::size_t n = chain.size();
@@ -150,7 +159,11 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
     const double window = kAngle_deg + cone.uncertainty.angle_deg.value_or(0);
     if (std::abs(chain.angle_deg(found.run_out) - kUndercutRunOut_deg) > window) return {};
     MeasuredUndercut& measured = found.measured;
-    measured.form = relieved || !arc.fully_visible ? UndercutForm::F : UndercutForm::E;
+    // The circle of form F reaches t2, at least 0.1 mm, beyond the face; where it ends there it is cut off.
+    const double face_at = found.before_face ? chain.closing_mm(found.last) : chain.end_mm(first - 1);
+    const double reach = std::abs(chain.piece(found.arc).centre_mm().x() - face_at);
+    const bool beyond = std::abs(*arc.arc_radius_mm) - reach > kBeyondFace_mm;
+    measured.form = relieved || beyond || !arc.fully_visible ? UndercutForm::F : UndercutForm::E;
     measured.shaft_mm =
         std::abs(found.before_face ? chain.startHeight_mm(found.run_out) : chain.endHeight_mm(found.run_out));
     measured.depth = {std::abs(falls) / 2,
@@ -166,7 +179,8 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
 std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
 {
     constexpr std::size_t kMostRows = 5;
-    constexpr double kWidest_mm = 8, kWidestShare = 0.5, kShallowest_mm = 0.1, kFlank_deg = 10, kSame_mm = 0.002;
+    constexpr double kNarrowest_mm = 0.2, kWidest_mm = 8, kWidestShare = 0.5, kShallowest_mm = 0.1, kFlank_deg = 10,
+                     kSame_mm = 0.002;
     if (first == 0) return {};
     const auto meets = [&](std::size_t b) { return chain.joint(b) == Joint::Plane || chain.joint(b) == Joint::Joined; };
     const double left = chain.endHeight_mm(first - 1);
@@ -199,7 +213,7 @@ std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
         const bool next_rises =
             i + 1 < chain.size() && chain.joint(i + 1) == Joint::Joined && chain.endHeight_mm(i + 1) > right + kSame_mm;
         if (!closed || rim - lowest < kShallowest_mm || next_rises) continue;
-        if (width > kWidestShare * std::abs(rim)) return {};
+        if (width < kNarrowest_mm || width > kWidestShare * std::abs(rim)) return {};
         found.last = i;
         found.between_planes = chain.joint(first) == Joint::Plane && chain.joint(i + 1) == Joint::Plane;
         // A flank on one side and a plane on the other is a step with a fillet or a run-out, not a groove.
@@ -207,7 +221,8 @@ std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
             return {};
         found.width = {width, std::hypot(inMillimetres(chain.row(first).uncertainty.z_start_um),
                                          inMillimetres(row.uncertainty.z_end_um))};
-        if (const auto U = row.uncertainty.length_um; U && first == i) found.width.U_mm = *U / 1000;
+        if (const auto length_um = row.uncertainty.length_um; length_um && first == i)
+            found.width.U_mm = *length_um / 1000;
         const std::size_t shaft = left < right ? first - 1 : i + 1;
         found.shaft = {std::abs(rim), diameterUncertainty_mm(chain.row(shaft))};
         return found;

@@ -32,6 +32,8 @@ public:
     std::size_t size() const { return rows_->size(); }
     const RecognizedRow& row(std::size_t i) const { return (*rows_)[i]; }
     Joint joint(std::size_t boundary) const { return joints_[boundary]; }  ///< before row `boundary`; size(): after all
+    /// Does a row go on here in one with role "thread" or "knurl"? Its diameter is known less well: a step to 0.1 mm.
+    bool isRoughSeam(std::size_t boundary) const;
     double start_mm(std::size_t i) const { return sense_ * (row(i).z_start_mm - origin_mm_); }
     double end_mm(std::size_t i) const { return sense_ * (row(i).z_end_mm - origin_mm_); }
     double length_mm(std::size_t i) const { return end_mm(i) - start_mm(i); }

@@ -96,13 +96,13 @@ std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const
         const RecognizedRow& row = chain.row(i);
         if (!isCovered(row)) continue;
         std::vector<Suggestion>& list = all[i];
-        const double U = diameterUncertainty_mm(row);
+        const double expanded_mm = diameterUncertainty_mm(row);
         if (!settled[i] && row.kind == RowKind::Cylinder) {
             const ShaftMark* thread = thread_of[i];
             std::optional<Suggestion> found;
             if (thread && thread->pitch_mm)
-                found = suggestThread(thread->major_mm.value_or(row.start_diameter_mm), U, *thread->pitch_mm);
-            if (!found) found = suggestDiameter(row.start_diameter_mm, U, surfaceOf(chain));
+                found = suggestThread(thread->major_mm.value_or(row.start_diameter_mm), expanded_mm, *thread->pitch_mm);
+            if (!found) found = suggestDiameter(row.start_diameter_mm, expanded_mm, surfaceOf(chain));
             append(list, found);
         } else if (!settled[i] && row.role == "chamfer" && !isEdgeBreak(chain, i)) {
             append(list, suggestChamfer(std::abs(chain.length_mm(i)), lengthUncertainty_mm(row), chain.angle_deg(i),
@@ -118,7 +118,7 @@ std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const
         const bool is_datum = joint == Joint::Plane || joint == Joint::Relieved ||
                               (joint == Joint::Joined && chain.length_mm(i) < 0) ||
                               (joint == Joint::End && (chain.endsAtEnd() || chain.isBore()));
-        if (is_datum && has_z[i] && next_covered)
+        if (is_datum && has_z[i] && next_covered && !chain.isRoughSeam(i + 1))
             append(list, suggestLength(chain.closing_mm(i), chain.boundaryUncertainty_mm(i + 1), "z_mm"));
     }
     return all;

@@ -84,7 +84,8 @@ TEST(Nominal, SharesOfASimulation)
     };
     for (const Line& line : {Line{0.002, 78, 23}, Line{0.01, 77, 15.5}, Line{0.03, 73, 11}}) {
         const Shares drawn = sharesOf(line.U_mm, true), any = sharesOf(line.U_mm, false);
-        RecordProperty("right_percent", std::to_string(drawn.right));
+        SCOPED_TRACE("right, wrong, of any: " +
+                     testing::PrintToString(std::vector{drawn.right, drawn.wrong, any.wrong}));
         EXPECT_NEAR(drawn.right, line.right, 2) << line.U_mm;
         EXPECT_LT(drawn.wrong, 0.6) << line.U_mm;
         EXPECT_NEAR(any.wrong, line.of_any, 1.5) << line.U_mm;

@@ -15,6 +15,7 @@ using testing::IsEmpty;
 std::vector<std::string> rolesOf(const std::vector<RecognizedRow>& rows)
 {
     std::vector<std::string> roles;
+    roles.reserve(rows.size());
     for (const RecognizedRow& row : rows) roles.push_back(row.role);
     return roles;
 }
@@ -106,6 +107,15 @@ TEST(Roles, HiddenUndercut)
     arc.end_diameter_mm = 24.4 + 2 * 0.27;
     describeRows(part);
     EXPECT_EQ(suggestionOf(part.segments[10], "undercut")->designation, "DIN 509 - F 0.8×0.3");
+    // As a scan gave it: its circle goes 0.18 mm beyond the face that it ends at.
+    arc.fully_visible = true;
+    arc.uncertainty.arc_radius_um = 30;
+    arc.arc_radius_mm = -0.78458;
+    arc.z_start_mm = 69.3943;
+    arc.end_diameter_mm = 24.9713;
+    part.segments[9].z_end_mm = arc.z_start_mm;
+    describeRows(part);
+    EXPECT_EQ(suggestionOf(part.segments[10], "undercut")->designation, "DIN 509 - F 0.8×0.3");
 }
 
 TEST(Roles, TapersRoundsAndSaddle)
@@ -169,6 +179,18 @@ TEST(Roles, ThreadsAndKnurls)
     EXPECT_THAT(rolesOf(part.segments), ElementsAre("chamfer", "thread", "groove", "", "knurl", "chamfer"));
     EXPECT_EQ(part.marks[0].designation, "M16×2");
     EXPECT_EQ(suggestionOf(part.segments[1], "diameter_mm")->designation, "M16×2");
+}
+
+TEST(Roles, AChamferGoesOnInAKnurl)
+{
+    Recognition part = recognitionOf(cylinder(18, 20) + cylinder(24.02, 30) + cone(24.08, 22.08, 1));
+    part.marks.resize(1);
+    part.marks[0].kind = "knurl";
+    part.marks[0].z_start_mm = 20;
+    part.marks[0].z_end_mm = 50;
+    describeRows(part);
+    EXPECT_THAT(rolesOf(part.segments), ElementsAre("", "knurl", "chamfer"));
+    EXPECT_THAT(featuresOf(part), ElementsAre("shoulder", "chamfer 1×45°"));
 }
 
 TEST(Roles, Bores)

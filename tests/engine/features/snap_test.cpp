@@ -53,10 +53,10 @@ Table disturbed(Table table, std::uint64_t seed)
         const bool at_start = i > 0 && std::abs(truth[i - 1].end_mm - truth[i].start_mm) < 1e-9;
         const bool at_end = i + 1 < table.size() && std::abs(truth[i].end_mm - truth[i + 1].start_mm) < 1e-9;
         if (isQuarter(truth[i])) {
-            const double R = row.length_mm * (1 + off(2, i, 0.015)), sign = row.arc_mm.value() > 0 ? 1 : -1;
-            const double rise = truth[i].end_mm > truth[i].start_mm ? 2 * R : -2 * R;
-            row.length_mm = R;
-            row.arc_mm = sign * R;
+            const double radius = row.length_mm * (1 + off(2, i, 0.015)), sign = row.arc_mm.value() > 0 ? 1 : -1;
+            const double rise = truth[i].end_mm > truth[i].start_mm ? 2 * radius : -2 * radius;
+            row.length_mm = radius;
+            row.arc_mm = sign * radius;
             if (at_start) {
                 row.start_mm = table[i - 1].end_mm;
                 row.end_mm = row.start_mm + rise;

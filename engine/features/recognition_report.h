@@ -1,0 +1,34 @@
+// A recognition as a report, as tables, and as one sentence.
+#pragma once
+
+#include <vector>
+
+#include "engine/features/accepted_sizes.h"
+#include "engine/features/paper_table.h"
+#include "engine/report/document.h"
+
+namespace lathelier::features {
+
+/// "Length 183.002 ± 0.010 mm": the same on the command line, in the panel and in the report. There is no verdict: a
+/// scan alone states no limit.
+report::Answer answer(const Recognition& result);
+
+/// The rows with the uncertainty beside each value (k = 2) and what nominal sizes they may have had.
+report::Table rowsTable(const Recognition& result, const Language& language = {});
+
+/// "⌀ 30 (+0.4 µm, chance 10 %, h6)": one suggestion as people read it.
+std::string suggestionText(const Suggestion& suggestion, const Language& language = {});
+
+report::Table stepsTable(const Recognition& result);  ///< the published Table 1 (paper_table.h)
+
+/// Answer, rows, features, marks, gaps and notes: what the command line prints with report::toPlainText().
+report::Section recognitionSummary(const Recognition& result, const Language& language = {});
+
+/// The same with charts, ends, the published table, how well it fits, method and parameters.
+report::Document recognitionReport(const Recognition& result, const std::vector<InputFile>& inputs,
+                                   const Language& language = {});
+
+/// The rows as CSV: decimal point, full precision, uncertainties in columns of their own.
+std::string rowsCsv(const Recognition& result);
+
+}  // namespace lathelier::features

@@ -201,10 +201,9 @@ report::Table rowsTable(const Recognition& result, const Language& language)
                      report::Labelled{LT_TEXT("Engine", "Form"), um},
                      LT_TEXT("Engine", "Nominal")};
     table.decimals = {0, 0, 4, 4, 4, 4, 3, 2, 1, 0};
-    std::int64_t number = 0;
-    for (const RecognizedRow& row : result.segments) {
+    const auto add = [&](Value number, const RecognizedRow& row) {
         const SizeUncertainty& u = row.uncertainty;
-        table.rows.push_back({++number, wordsOf(row, language),
+        table.rows.push_back({std::move(number), wordsOf(row, language),
                               withUncertainty(row.z_start_mm, mmOf(u.z_start_um), mm, language),
                               withUncertainty(row.z_end_mm, mmOf(u.z_end_um), mm, language),
                               withUncertainty(row.start_diameter_mm, mmOf(u.start_diameter_um), mm, language),
@@ -212,7 +211,12 @@ report::Table rowsTable(const Recognition& result, const Language& language)
                                   ? Value()
                                   : withUncertainty(row.end_diameter_mm, mmOf(u.end_diameter_um), mm, language),
                               shapeOf(row, language), row.residual_um, row.form_pv_um, suggestionsOf(row, language)});
-    }
+    };
+    std::int64_t number = 0;
+    for (const RecognizedRow& row : result.segments) add(++number, row);
+    for (std::size_t bore = 0; bore < result.bores.size(); ++bore)
+        for (std::size_t i = 0; i < result.bores[bore].size(); ++i)
+            add("B" + std::to_string(bore + 1) + "." + std::to_string(i + 1), result.bores[bore][i]);
     return table;
 }
 
@@ -227,14 +231,6 @@ report::Table stepsTable(const Recognition& result)
 report::Section recognitionSummary(const Recognition& result, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result), rowsTable(result, language)}};
-    std::int64_t number = 0;
-    for (const auto& bore : result.bores) {
-        Recognition inside;
-        inside.segments = bore;
-        report::Table table = rowsTable(inside, language);
-        table.title = text(LT_TEXT("Engine", "Bore"), language) + " " + std::to_string(++number);
-        section.blocks.push_back(std::move(table));
-    }
     if (!result.features.empty()) section.blocks.push_back(featuresTable(result));
     if (!result.marks.empty()) section.blocks.push_back(marksTable(result, language));
     if (!result.gaps.empty())

@@ -13,7 +13,8 @@ namespace lathelier::features {
 /// scan alone states no limit.
 report::Answer answer(const Recognition& result);
 
-/// The rows with the uncertainty beside each value (k = 2) and what nominal sizes they may have had.
+/// The rows, then those of bores as "B1.2", with the uncertainty beside each value (k = 2) and the nominal sizes that
+/// they may have had.
 report::Table rowsTable(const Recognition& result, const Language& language = {});
 
 /// "⌀ 30 (+0.4 µm, chance 10 %, h6)": one suggestion as people read it.

@@ -214,7 +214,10 @@ void ChartView::fitRanges()
 {
     if (content_->holds) return;  // the ground must not move under the pointer
     const Interval x = report::shownX(content_->data), y = report::shownY(content_->data);
-    plot().xAxis->setRange(x.from, x.to);
+    if (const ChartView* leader = content_->leader)
+        takeX(leader->visibleRange().left(), leader->visibleRange().right());
+    else
+        plot().xAxis->setRange(x.from, x.to);
     plot().yAxis->setRange(y.from, y.to);
 }
 

@@ -1,0 +1,238 @@
+#include "widgets/recognise/recognise_views.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/features/recognition_plots.h"
+#include "engine/features/recognition_quantities.h"
+#include "engine/features/recognition_report.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
+
+namespace lathelier::recognise_panel {
+namespace {
+
+constexpr double kFar_um = 1e6;  ///< beyond every residual that is shown
+
+QString captionOf(Text text)
+{
+    return screenText(text);
+}
+
+}  // namespace
+
+RecogniseViews::RecogniseViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      charts_(new QSplitter(Qt::Vertical)),
+      meridian_(new plot::ChartView),
+      residuals_(new plot::ChartView),
+      rows_(new RowsView),
+      scene_(new scene::SceneView),
+      steps_(new CopyTable),
+      beside_(new QLabel),
+      numbers_(new CopyTable),
+      synthetic_(new QLabel)
+{
+    meridian_->setObjectName("meridian");
+    residuals_->setObjectName("residuals");
+    scene_->setObjectName("scene");
+    steps_->setObjectName("steps");
+    beside_->setObjectName("beside");
+    numbers_->setObjectName("numbers");
+    residuals_->followX(meridian_);
+    residuals_->setProperty(ViewFrame::onlyLarge, true);  // small, the shape says more
+    charts_->setChildrenCollapsible(false);
+    charts_->addWidget(meridian_);
+    charts_->addWidget(residuals_);
+    charts_->setStretchFactor(0, 3);
+    charts_->setStretchFactor(1, 2);
+    auto* table = new QWidget;
+    auto* inside = new QVBoxLayout(table);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(steps_, 1);
+    beside_->setWordWrap(true);
+    beside_->setProperty(ViewFrame::onlyLarge, true);
+    inside->addWidget(beside_);
+    heroes_->add("meridian", charts_);
+    heroes_->add("rows", rows_);
+    heroes_->add("part", scene_);
+    heroes_->add("steps", table);
+    heroes_->add("tables", numbers_);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(synthetic_, 0, Qt::AlignRight);
+    layout->addWidget(heroes_, 1);
+
+    for (plot::ChartView* chart : {meridian_, residuals_}) {
+        connect(chart, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) { pickAt(z_mm); });
+        connect(chart, &plot::PlotCanvas::notWritten, this, &RecogniseViews::notWritten);
+    }
+    connect(scene_, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
+        const Scan& scan = *scene_->objects()[static_cast<std::size_t>(object)].scan;
+        pickAt((picture_->result->part_T_scan * scan.points_mm[static_cast<std::size_t>(point)]).z());
+    });
+    connect(scene_, &scene::SceneView::notWritten, this, &RecogniseViews::notWritten);
+    connect(rows_, &RowsView::rowPointedAt, this, [this](int row) {
+        row_ = row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
+        pointOut(row_);
+    });
+    connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
+        if (!picture_ || step < 0) return;
+        const auto table_steps = features::paperTable(*picture_->result).steps;
+        if (step < static_cast<int>(table_steps.size()))
+            markRow(static_cast<std::size_t>(table_steps[static_cast<std::size_t>(step)].row - 1));
+    });
+    retranslate();
+}
+
+void RecogniseViews::setPicture(const std::shared_ptr<const RecognisePicture>& picture)
+{
+    const bool new_rows = !picture_ || picture_->result != picture->result;
+    picture_ = picture;
+    if (new_rows) {
+        row_.reset();
+        showScan();
+    }
+    show();
+    markRow(row_);
+}
+
+void RecogniseViews::show()
+{
+    if (!picture_) return;
+    const features::Recognition& result = *picture_->result;
+    meridian_->setData(meridianPlot(result, screenLanguage()));
+    residuals_->setData(residualPlot(result));
+    rows_->setPicture(picture_);
+    {
+        const QSignalBlocker quiet(steps_);
+        steps_->setTable(stepsTable(result));
+    }
+    QStringList beside;
+    for (const std::int64_t row : features::paperTable(result).beside) {
+        const auto& said = result.segments[static_cast<std::size_t>(row - 1)];
+        beside << tr("row %1: %2, z %3-%4")
+                      .arg(row)
+                      .arg(captionOf(kindName(said.kind)), screenNumber(said.z_start_mm, millimetre, 1),
+                           screenQuantity(said.z_end_mm, millimetre, 1));
+    }
+    beside_->setText(beside.isEmpty() ? tr("All rows are in this table.")
+                                      : tr("Not in this table: %1").arg(beside.join("; ")));
+    numbers_->setQuantities(recognitionReport(result, picture_->inputs, screenLanguage()));
+    synthetic_->setVisible(picture_->synthetic);
+}
+
+/// In the colours of the meridian.
+void RecogniseViews::showScan()
+{
+    if (!picture_) return;
+    const features::Recognition& result = *picture_->result;
+    const std::array<QString, 4> names{captionOf(kindName(features::RowKind::Cylinder)),
+                                       captionOf(kindName(features::RowKind::Cone)),
+                                       captionOf(kindName(features::RowKind::Arc)), tr("on no row")};
+    std::vector<scene::SceneObject> objects;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const ScanPtr& scan = picture_->by_kind[i];
+        if (!scan || (scan->isMesh() ? scan->triangles.empty() : scan->points_mm.empty())) continue;
+        scene::SceneObject object;
+        object.name = names[i];
+        object.scan = scan;
+        const report::ChartColour colour =
+            i < 3 ? report::ChartColour(static_cast<int>(i)) : report::ChartColour(report::ColourRole::Neutral);
+        object.colour = plot::toQt(report::colourOf(colour));
+        objects.push_back(std::move(object));
+    }
+    scene_->setLongAxis(scene::SceneAxis{result.axis_point_mm, result.axis_direction});
+    scene_->setObjects(std::move(objects));
+    const double end_mm = result.ends.empty() ? 0 : result.ends.back().z_mm;
+    scene_->setOutline({{result.axis_point_mm - 0.05 * end_mm * result.axis_direction,
+                         result.axis_point_mm + 1.05 * end_mm * result.axis_direction}});
+}
+
+void RecogniseViews::pickAt(double z_mm)
+{
+    if (!picture_) return;
+    const auto& rows = picture_->result->segments;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (z_mm >= rows[i].z_start_mm && z_mm <= rows[i].z_end_mm) return markRow(i);
+    markRow({});
+}
+
+void RecogniseViews::markRow(std::optional<std::size_t> row)
+{
+    if (!picture_ || (row && *row >= picture_->result->segments.size())) row.reset();
+    row_ = row;
+    rows_->markRow(row);
+    pointOut(row);
+}
+
+void RecogniseViews::markStretch(double from_mm, double to_mm)
+{
+    pickAt((from_mm + to_mm) / 2);
+    if (row_) return;
+    plot::PointedOut stretch;
+    stretch.shapes = {QPolygonF(QRectF(QPointF(from_mm, -kFar_um), QPointF(to_mm, kFar_um)))};
+    meridian_->pointOut(stretch);
+    residuals_->pointOut(stretch);
+}
+
+void RecogniseViews::pointOut(std::optional<std::size_t> row)
+{
+    plot::PointedOut contour, stretch;
+    if (!picture_ || !row || *row >= picture_->result->segments.size()) {
+        meridian_->pointOut(contour);
+        residuals_->pointOut(stretch);
+        return scene_->setMarker({});
+    }
+    const features::RecognizedRow& marked = picture_->result->segments[*row];
+    for (const double sign : {1.0, -1.0}) {
+        QPolygonF line;
+        for (const Eigen::Vector2d& point : features::contourOf(marked)) line << QPointF(point.x(), sign * point.y());
+        contour.lines.push_back(std::move(line));
+    }
+    stretch.shapes = {QPolygonF(QRectF(QPointF(marked.z_start_mm, -kFar_um), QPointF(marked.z_end_mm, kFar_um)))};
+    meridian_->pointOut(contour);
+    residuals_->pointOut(stretch);
+    const double z_mm = (marked.z_start_mm + marked.z_end_mm) / 2;
+    const double radius_mm = (marked.start_diameter_mm + marked.end_diameter_mm) / 4;
+    scene_->setMarker(picture_->result->part_T_scan.inverse() * Eigen::Vector3d(0, radius_mm, z_mm),
+                      tr("row %1: ⌀ %2").arg(*row + 1).arg(screenQuantity(marked.start_diameter_mm, millimetre, 3)));
+}
+
+Values RecogniseViews::view() const
+{
+    Values kept;
+    if (std::vector<double> camera = scene_->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void RecogniseViews::restoreView(const Values& kept)
+{
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) scene_->setView(*numbers);
+}
+
+void RecogniseViews::retranslate()
+{
+    heroes_->setTitle("meridian", tr("Meridian"));
+    heroes_->setTitle("rows", tr("Rows"));
+    heroes_->setTitle("part", tr("Part"));
+    heroes_->setTitle("steps", tr("Table as published"));
+    heroes_->setTitle("tables", tr("Numbers"));
+    steps_->setAccessibleName(tr("Table as published"));
+    numbers_->setAccessibleName(tr("Numbers"));
+    synthetic_->setText(tr("Synthetic data"));
+    synthetic_->setToolTip(tr("These points were computed, not measured."));
+    rows_->retranslate();
+    showScan();
+    show();
+    pointOut(row_);
+}
+
+}  // namespace lathelier::recognise_panel

@@ -5,14 +5,6 @@
 
 namespace lathelier {
 
-namespace errors {
-
-inline constexpr ErrorCode shaftIncomplete{
-    "shaft_incomplete", ErrorKind::NoAnswer,
-    LT_TEXT("Engine", "The shaft is not complete: a stretch has no data, or an end is not seen. State the length.")};
-
-}  // namespace errors
-
 namespace notes {
 
 inline constexpr NoteCode gapInData{

@@ -114,11 +114,41 @@ Curve binsOf(const Recognition& result)
 {
     Curve bins{LT_TEXT("Engine", "data"), {}, {}, Curve::Style::Points};
     bins.colour = report::ColourRole::Neutral;
+    bins.thin = true;
     for (const MeridianPoint& point : result.meridian) {
         bins.x.push_back(point.z_mm);
         bins.y.push_back(point.radius_mm);
     }
     return bins;
+}
+
+/// The radius of a row over so many bins, as its form is judged; broken between rows.
+Curve meansOf(const Recognition& result)
+{
+    constexpr std::size_t bins = 5;
+    Curve means{LT_TEXT("Engine", "mean of five bins"), {}, {}};
+    means.colour = report::ColourRole::Copy;
+    std::vector<const MeridianPoint*> run;
+    const auto close = [&] {
+        if (run.size() >= bins && !means.x.empty()) {
+            means.x.push_back(run.front()->z_mm);
+            means.y.push_back(nothing);
+        }
+        for (std::size_t i = 0; i + bins <= run.size(); ++i) {
+            double sum_mm = 0;
+            for (std::size_t k = 0; k < bins; ++k) sum_mm += run[i + k]->residual_mm;
+            means.x.push_back(run[i + bins / 2]->z_mm);
+            means.y.push_back(1e3 * sum_mm / bins);
+        }
+        run.clear();
+    };
+    for (const MeridianPoint& point : result.meridian) {
+        if (point.bore || point.row < 0 || !std::isfinite(point.residual_mm)) continue;
+        if (!run.empty() && run.front()->row != point.row) close();
+        run.push_back(&point);
+    }
+    close();
+    return means;
 }
 
 void addRows(report::Plot& plot, const Recognition& result)
@@ -240,6 +270,10 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     plot.curves.push_back(std::move(axis));
     addStretches(plot, result);
     addNames(plot, result, language);
+    if (const auto largest = largestDiameter(result)) {  // room for the names
+        const double edge_mm = 0.65 * largest->diameter_mm;
+        plot.y.range = Interval{-edge_mm, edge_mm};
+    }
     return plot;
 }
 
@@ -257,7 +291,9 @@ report::Plot residualPlot(const Recognition& result)
         curve.name = kindName(kind);
         curve.style = Curve::Style::Points;
         curve.colour = colourOf(kind);
+        curve.thin = true;
     }
+    Curve means = meansOf(result);
     std::vector<double> sizes;
     for (const MeridianPoint& point : result.meridian) {
         if (point.bore || point.row < 0 || !std::isfinite(point.residual_mm)) continue;
@@ -274,6 +310,7 @@ report::Plot residualPlot(const Recognition& result)
     if (!band.x.empty()) plot.curves.push_back(std::move(band));
     for (Curve& curve : kinds)
         if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+    if (!means.x.empty()) plot.curves.push_back(std::move(means));
     double edge_um = 1;
     if (!sizes.empty()) {
         const auto at =

@@ -64,7 +64,7 @@ Value roleName(const std::string& role)
                         {"undercut", LT_TEXT("Engine", "undercut")},
                         {"thread", LT_TEXT("Engine", "thread")},
                         {"knurl", LT_TEXT("Engine", "knurl")},
-                        {"taper", LT_TEXT("Engine", "taper")},
+                        {"taper", LT_TEXT("Engine", "tapered stretch")},
                         {"saddle", LT_TEXT("Engine", "saddle")},
                         {"sphere", LT_TEXT("Engine", "sphere")},
                         {"keyway", LT_TEXT("Engine", "keyway")},
@@ -200,8 +200,8 @@ const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*)
         quantity<S>("radius_mm", &S::radius_mm, {LT_TEXT("Engine", "Radius"), mm, 4}),
         quantity<S>("z_start_mm", &S::z_start_mm, {LT_TEXT("Engine", "z from"), mm, 3}),
         quantity<S>("z_end_mm", &S::z_end_mm, {LT_TEXT("Engine", "z to"), mm, 3}),
-        quantity<S>("chamfer_start_mm", &S::chamfer_start_mm, {LT_TEXT("Engine", "Chamfer at its start"), mm, 3}),
-        quantity<S>("chamfer_end_mm", &S::chamfer_end_mm, {LT_TEXT("Engine", "Chamfer at its end"), mm, 3}));
+        quantity<S>("chamfer_start_mm", &S::chamfer_start_mm, {LT_TEXT("Engine", "Chamfer, start"), mm, 3}),
+        quantity<S>("chamfer_end_mm", &S::chamfer_end_mm, {LT_TEXT("Engine", "Chamfer, end"), mm, 3}));
     return all;
 }
 

@@ -27,7 +27,7 @@ int decimalsFor(double uncertainty)
 }
 
 /// "30.0004 ± 0.0006"
-Value withUncertainty(double value, std::optional<double> uncertainty, Text unit, const Language& language)
+std::string withUncertainty(double value, std::optional<double> uncertainty, Text unit, const Language& language)
 {
     const int decimals = uncertainty ? decimalsFor(*uncertainty) : 3;
     std::string text = shownNumber(value, unit, decimals, language);
@@ -47,13 +47,21 @@ std::string wordsOf(const RecognizedRow& row, const Language& language)
     return words;
 }
 
+/// Of a cone and an arc from its start to its end.
+std::string diameterOf(const RecognizedRow& row, const Language& language)
+{
+    const SizeUncertainty& u = row.uncertainty;
+    std::string text = withUncertainty(row.start_diameter_mm, mmOf(u.start_diameter_um), mm, language);
+    if (row.kind != RowKind::Cylinder)
+        text += " → " + withUncertainty(row.end_diameter_mm, mmOf(u.end_diameter_um), mm, language);
+    return text;
+}
+
 /// Radius of an arc or half angle of a cone.
 Value shapeOf(const RecognizedRow& row, const Language& language)
 {
     if (row.kind == RowKind::Arc && row.arc_radius_mm) {
-        const Value radius =
-            withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), mm, language);
-        return "R " + std::get<std::string>(radius);
+        return "R " + withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), mm, language);
     }
     if (row.kind != RowKind::Cone) return {};
     const int decimals = row.uncertainty.angle_deg ? decimalsFor(*row.uncertainty.angle_deg) : 3;
@@ -192,25 +200,21 @@ report::Table rowsTable(const Recognition& result, const Language& language)
     table.title = LT_TEXT("Engine", "Rows from the free end, ± k = 2");
     table.columns = {LT_TEXT("Engine", "Row"),
                      LT_TEXT("Engine", "Kind"),
+                     report::Labelled{LT_TEXT("Engine", "Diameter"), mm},
+                     LT_TEXT("Engine", "Nominal"),
                      report::Labelled{LT_TEXT("Engine", "z from"), mm},
                      report::Labelled{LT_TEXT("Engine", "z to"), mm},
-                     report::Labelled{LT_TEXT("Engine", "⌀ at its start"), mm},
-                     report::Labelled{LT_TEXT("Engine", "⌀ at its end"), mm},
-                     LT_TEXT("Engine", "Radius or half angle"),
+                     LT_TEXT("Engine", "R or half angle"),
                      report::Labelled{LT_TEXT("Engine", "Residual"), um},
-                     report::Labelled{LT_TEXT("Engine", "Form"), um},
-                     LT_TEXT("Engine", "Nominal")};
-    table.decimals = {0, 0, 4, 4, 4, 4, 3, 2, 1, 0};
+                     report::Labelled{LT_TEXT("Engine", "Form"), um}};
+    table.decimals = {0, 0, 0, 0, 0, 0, 0, 2, 1};
     const auto add = [&](Value number, const RecognizedRow& row) {
         const SizeUncertainty& u = row.uncertainty;
-        table.rows.push_back({std::move(number), wordsOf(row, language),
+        table.rows.push_back({std::move(number), wordsOf(row, language), diameterOf(row, language),
+                              suggestionsOf(row, language),
                               withUncertainty(row.z_start_mm, mmOf(u.z_start_um), mm, language),
-                              withUncertainty(row.z_end_mm, mmOf(u.z_end_um), mm, language),
-                              withUncertainty(row.start_diameter_mm, mmOf(u.start_diameter_um), mm, language),
-                              row.kind == RowKind::Cylinder
-                                  ? Value()
-                                  : withUncertainty(row.end_diameter_mm, mmOf(u.end_diameter_um), mm, language),
-                              shapeOf(row, language), row.residual_um, row.form_pv_um, suggestionsOf(row, language)});
+                              withUncertainty(row.z_end_mm, mmOf(u.z_end_um), mm, language), shapeOf(row, language),
+                              row.residual_um, row.form_pv_um});
     };
     std::int64_t number = 0;
     for (const RecognizedRow& row : result.segments) add(++number, row);

@@ -16,6 +16,7 @@ report::Answer answer(const Recognition& result);
 /// The rows, then those of bores as "B1.2", with the uncertainty beside each value (k = 2) and the nominal sizes that
 /// they may have had.
 report::Table rowsTable(const Recognition& result, const Language& language = {});
+inline constexpr int nominalColumn = 3;  ///< of rowsTable(), from 0
 
 /// "⌀ 30 (+0.4 µm, chance 10 %, h6)": one suggestion as people read it.
 std::string suggestionText(const Suggestion& suggestion, const Language& language = {});

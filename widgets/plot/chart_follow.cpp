@@ -14,7 +14,7 @@ void ChartView::followX(ChartView* leader)
         takeX(shown.left(), shown.right());
     });
     connect(this, &ChartView::rangeChanged, leader, [this] {
-        if (content_->sharing || !isViewChosen()) return;
+        if (content_->sharing) return;
         const QRectF shown = visibleRange();
         content_->leader->showX(shown.left(), shown.right());
     });

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_item.h"
-#include "engine/features/features_codes.h"
 #include "engine/features/recognition_plots.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/recognition_report.h"
@@ -48,7 +48,11 @@ report::Document reportOf(const RecognisePicture& picture, const Language& langu
 
 void requireComplete(const RecognisePicture& picture)
 {
-    if (!picture.result->complete) throw Error(errors::shaftIncomplete, {});
+    const features::Recognition& result = *picture.result;
+    if (result.complete) return;
+    throw Error(errors::shaftIncomplete,
+                {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length")
+                                                : LT_TEXT("Engine", "a stretch of it has no data")}});
 }
 
 }  // namespace
@@ -79,7 +83,7 @@ RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
     setViews(views_, views_->heroes());
     connect(views_->rows(), &RowsView::sizeAccepted, this, &RecognisePanel::toggle);
     connect(views_->rows(), &RowsView::allAccepted, this, &RecognisePanel::acceptAll);
-    connect(views_->rows(), &RowsView::shaftWanted, this, &RecognisePanel::keepShaft);
+    connect(views_, &RecogniseViews::shaftWanted, this, &RecognisePanel::keepShaft);
     connect(views_, &RecogniseViews::notWritten, this, &RecognisePanel::sayNotWritten);
 }
 

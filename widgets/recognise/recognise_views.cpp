@@ -8,6 +8,7 @@
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/recognition_report.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::recognise_panel {
@@ -33,6 +34,7 @@ RecogniseViews::RecogniseViews(QWidget* parent)
       steps_(new CopyTable),
       beside_(new QLabel),
       numbers_(new CopyTable),
+      shaft_(new QToolButton),
       synthetic_(new QLabel)
 {
     meridian_->setObjectName("meridian");
@@ -66,7 +68,12 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(synthetic_, 0, Qt::AlignRight);
+    auto* bar = new FlowRow;
+    shaft_->setObjectName("useShaft");
+    shaft_->setAutoRaise(true);
+    bar->addWidget(shaft_);
+    bar->setTrailing(synthetic_);
+    layout->addLayout(bar);
     layout->addWidget(heroes_, 1);
 
     for (plot::ChartView* chart : {meridian_, residuals_}) {
@@ -77,6 +84,7 @@ RecogniseViews::RecogniseViews(QWidget* parent)
         const Scan& scan = *scene_->objects()[static_cast<std::size_t>(object)].scan;
         pickAt((picture_->result->part_T_scan * scan.points_mm[static_cast<std::size_t>(point)]).z());
     });
+    connect(shaft_, &QToolButton::clicked, this, &RecogniseViews::shaftWanted);
     connect(scene_, &scene::SceneView::notWritten, this, &RecogniseViews::notWritten);
     connect(rows_, &RowsView::rowPointedAt, this, [this](int row) {
         row_ = row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
@@ -229,6 +237,8 @@ void RecogniseViews::retranslate()
     numbers_->setAccessibleName(tr("Numbers"));
     synthetic_->setText(tr("Synthetic data"));
     synthetic_->setToolTip(tr("These points were computed, not measured."));
+    shaft_->setText(tr("Use this shaft"));
+    shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
     rows_->retranslate();
     showScan();
     show();

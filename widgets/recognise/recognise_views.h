@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QSplitter>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -36,6 +37,7 @@ public:
     void retranslate();
 
 signals:
+    void shaftWanted();                    ///< keep it in the project
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 private:
@@ -55,6 +57,7 @@ private:
     CopyTable* steps_;
     QLabel* beside_;
     CopyTable* numbers_;
+    QToolButton* shaft_;
     QLabel* synthetic_;
 };
 

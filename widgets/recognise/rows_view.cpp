@@ -13,25 +13,18 @@
 namespace lathelier::recognise_panel {
 
 RowsView::RowsView(QWidget* parent)
-    : QWidget(parent),
-      table_(new CopyTable),
-      buttons_(new QWidget),
-      accept_(new QPushButton),
-      all_(new QPushButton),
-      shaft_(new QPushButton)
+    : QWidget(parent), table_(new CopyTable), buttons_(new QWidget), accept_(new QPushButton), all_(new QPushButton)
 {
     table_->setObjectName("rows");
     table_->setMouseTracking(true);
     accept_->setObjectName("acceptSize");
     all_->setObjectName("acceptAll");
-    shaft_->setObjectName("useShaft");
     buttons_->setProperty(ViewFrame::onlyLarge, true);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(accept_);
     row->addWidget(all_);
     row->addStretch();
-    row->addWidget(shaft_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(table_, 1);
@@ -44,7 +37,6 @@ RowsView::RowsView(QWidget* parent)
     connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int row_at, int) { acceptFirst(row_at); });
     connect(accept_, &QPushButton::clicked, this, [this] { acceptFirst(table_->currentRow()); });
     connect(all_, &QPushButton::clicked, this, &RowsView::allAccepted);
-    connect(shaft_, &QPushButton::clicked, this, &RowsView::shaftWanted);
     retranslate();
 }
 
@@ -57,7 +49,7 @@ void RowsView::setPicture(const std::shared_ptr<const RecognisePicture>& picture
         report::Table table = rowsTable(*picture->result, screenLanguage());
         table_->setTable(table);
         for (int row = 0; row < static_cast<int>(picture->result->segments.size()); ++row)
-            addChips(row, table_->columnCount() - 1);
+            addChips(row, features::nominalColumn);
         if (at >= 0 && at < table_->rowCount()) table_->setCurrentCell(at, 0);
     }
     show();
@@ -124,7 +116,9 @@ void RowsView::show()
                       std::any_of(rows[static_cast<std::size_t>(at)].suggestions.begin(),
                                   rows[static_cast<std::size_t>(at)].suggestions.end(), features::isAcceptedAlone);
     accept_->setEnabled(here);
-    all_->setEnabled(suggests);
+    all_->setEnabled(suggests && std::any_of(rows.begin(), rows.end(), [](const features::RecognizedRow& row) {
+                         return !row.suggestions.empty();
+                     }));
 }
 
 void RowsView::retranslate()
@@ -135,8 +129,6 @@ void RowsView::retranslate()
     accept_->setToolTip(tr("Put the suggested size of this row in place of the measured one"));
     all_->setText(tr("Accept all"));
     all_->setToolTip(tr("Put all suggested sizes in place of the measured ones, which stay beside them"));
-    shaft_->setText(tr("Use this shaft"));
-    shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
     if (picture_) setPicture(picture_);
 }
 

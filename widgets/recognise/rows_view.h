@@ -24,7 +24,6 @@ signals:
     void rowPointedAt(int row);  ///< of the outside, from 0; -1: none, or a row of a bore
     void sizeAccepted(const lathelier::features::AcceptedSize& size);
     void allAccepted();
-    void shaftWanted();  ///< keep it in the project
 
 private:
     void show();
@@ -37,7 +36,6 @@ private:
     QWidget* buttons_;
     QPushButton* accept_;
     QPushButton* all_;
-    QPushButton* shaft_;
 };
 
 }  // namespace lathelier::recognise_panel

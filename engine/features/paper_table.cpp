@@ -6,6 +6,7 @@ namespace lathelier::features {
 namespace {
 
 constexpr double kLeastAngle_deg = 10;  ///< of a chamfer; flatter ones are tapers
+constexpr double kSteepAngle_deg = 25;  ///< of a chamfer that leads on into another row
 constexpr double kMeets_mm = 1e-3;      ///< ends of neighbouring rows that are one place
 
 double lengthOf(const RecognizedRow& row)
@@ -13,15 +14,25 @@ double lengthOf(const RecognizedRow& row)
     return row.z_end_mm - row.z_start_mm;
 }
 
-/// A cone that goes on from a longer cylinder and becomes narrower away from it.
-bool isChamferOf(const RecognizedRow& cone, const RecognizedRow& cylinder, bool before)
+/// Is rows[cone] a cone that goes on from the longer cylinder rows[cylinder] beside it, becomes narrower away from it,
+/// and ends there? A flat one that leads on into another row is the side of an undercut.
+bool isChamferOf(const std::vector<RecognizedRow>& rows, std::size_t cone_at, std::size_t cylinder_at)
 {
-    if (cone.kind != RowKind::Cone || cylinder.kind != RowKind::Cylinder) return false;
-    const double narrows = before ? cone.half_angle_deg : -cone.half_angle_deg;
+    if (cone_at >= rows.size()) return false;
+    const RecognizedRow &cone = rows[cone_at], &cylinder = rows[cylinder_at];
+    if (cone.kind != RowKind::Cone || lengthOf(cone) >= lengthOf(cylinder)) return false;
+    const bool before = cone_at < cylinder_at;
+    const double narrows_deg = before ? cone.half_angle_deg : -cone.half_angle_deg;
     const double gap_mm = before ? cylinder.z_start_mm - cone.z_end_mm : cone.z_start_mm - cylinder.z_end_mm;
     const double meets_mm = before ? cone.end_diameter_mm : cone.start_diameter_mm;
-    return narrows >= kLeastAngle_deg && std::abs(gap_mm) < kMeets_mm && lengthOf(cone) < lengthOf(cylinder) &&
-           std::abs(meets_mm - cylinder.start_diameter_mm) < kMeets_mm;
+    if (narrows_deg < kLeastAngle_deg || std::abs(gap_mm) > kMeets_mm ||
+        std::abs(meets_mm - cylinder.start_diameter_mm) > kMeets_mm)
+        return false;
+    if (narrows_deg >= kSteepAngle_deg) return true;
+    const std::size_t beyond = before ? cone_at - 1 : cone_at + 1;  // before the first row: none either
+    if (beyond >= rows.size()) return true;
+    return before ? std::abs(rows[beyond].end_diameter_mm - cone.start_diameter_mm) > kMeets_mm
+                  : std::abs(rows[beyond].start_diameter_mm - cone.end_diameter_mm) > kMeets_mm;
 }
 
 }  // namespace
@@ -39,12 +50,12 @@ PaperTable paperTable(const Recognition& result)
         step.radius_mm = rows[i].start_diameter_mm / 2;
         step.z_start_mm = rows[i].z_start_mm;
         step.z_end_mm = rows[i].z_end_mm;
-        if (i > 0 && isChamferOf(rows[i - 1], rows[i], true)) {
+        if (i > 0 && isChamferOf(rows, i - 1, i)) {
             said[i - 1] = true;
             step.chamfer_start_mm = lengthOf(rows[i - 1]);
             step.z_start_mm = rows[i - 1].z_start_mm;
         }
-        if (i + 1 < rows.size() && isChamferOf(rows[i + 1], rows[i], false)) {
+        if (isChamferOf(rows, i + 1, i)) {
             said[i + 1] = true;
             step.chamfer_end_mm = lengthOf(rows[i + 1]);
             step.z_end_mm = rows[i + 1].z_end_mm;

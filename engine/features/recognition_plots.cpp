@@ -23,6 +23,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMeets_mm = 1e-6;
 constexpr int kPiecesOfArc = 40;
 constexpr std::size_t kMostNamed = 8;     ///< names in the meridian; more would stand in each other's way
+constexpr double kNameAt = 0.15;          ///< of a row's length: its name stands to the right of that
 constexpr double kShownShare = 0.995;     ///< of the residuals that the chart shows at first
 constexpr double kRowsHoldLittle = 0.04;  ///< of the length: shorter cylinders carry no diameter
 
@@ -42,6 +43,14 @@ Interval rangeOf(const Recognition& result)
     if (!(from < to)) return {0, 1};
     const double air_mm = 0.03 * (to - from);
     return {from - air_mm, to + air_mm};
+}
+
+/// A disc: at equal scales its rows would stand too close to be told apart.
+bool isShort(const Recognition& result)
+{
+    const Interval range = rangeOf(result);
+    const auto largest = largestDiameter(result);
+    return largest && largest->diameter_mm > 0.8 * (range.to - range.from);
 }
 
 report::Axis zAxis(const Recognition& result)
@@ -191,7 +200,7 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
                      [&](const auto* a, const auto* b) { return length(a) > length(b); });
     longest.resize(std::min(longest.size(), kMostNamed));
     for (const RecognizedRow* row : longest)
-        plot.marks.push_back({(row->z_start_mm + row->z_end_mm) / 2, row->start_diameter_mm / 2,
+        plot.marks.push_back({row->z_start_mm + kNameAt * length(row), row->start_diameter_mm / 2,
                               "⌀ " + shownNumber(row->start_diameter_mm, mm, 3, language)});
     for (const RecognizedFeature& feature : result.features) {
         if (feature.designation.empty() || plot.marks.size() >= 2 * kMostNamed || feature.rows.empty()) continue;
@@ -260,7 +269,8 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     plot.title = LT_TEXT("Engine", "Meridian");
     plot.x = zAxis(result);
     plot.y = {LT_TEXT("Engine", "Radius"), mm};
-    plot.equal_scales = true;
+    plot.equal_scales = !isShort(result);
+    if (!plot.equal_scales) plot.remark = LT_TEXT("Engine", "z is drawn larger than the radius");
     plot.curves.push_back(binsOf(result));
     addRows(plot, result);
     const Interval range = *plot.x.range;

@@ -214,7 +214,7 @@ report::Table rowsTable(const Recognition& result, const Language& language)
                               suggestionsOf(row, language),
                               withUncertainty(row.z_start_mm, mmOf(u.z_start_um), mm, language),
                               withUncertainty(row.z_end_mm, mmOf(u.z_end_um), mm, language), shapeOf(row, language),
-                              row.residual_um, row.form_pv_um});
+                              row.residual_um, row.form_pv_um > 0 ? Value(row.form_pv_um) : Value()});
     };
     std::int64_t number = 0;
     for (const RecognizedRow& row : result.segments) add(++number, row);
@@ -229,7 +229,7 @@ report::Table stepsTable(const Recognition& result)
     const PaperTable steps = paperTable(result);
     return report::listTable<PaperStep>(
         LT_TEXT("Engine", "Steps as published, chamfers folded in"), steps.steps,
-        {"x_mm", "y_mm", "radius_mm", "z_start_mm", "z_end_mm", "chamfer_start_mm", "chamfer_end_mm", "row"});
+        {"x_mm", "y_mm", "radius_mm", "z_start_mm", "z_end_mm", "chamfer_start_mm", "chamfer_end_mm"});
 }
 
 report::Section recognitionSummary(const Recognition& result, const Language& language)

@@ -70,7 +70,6 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     layout->setSpacing(4);
     auto* bar = new FlowRow;
     shaft_->setObjectName("useShaft");
-    shaft_->setAutoRaise(true);
     bar->addWidget(shaft_);
     bar->setTrailing(synthetic_);
     layout->addLayout(bar);

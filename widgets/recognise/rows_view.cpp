@@ -1,6 +1,7 @@
 #include "widgets/recognise/rows_view.h"
 
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -48,6 +49,7 @@ void RowsView::setPicture(const std::shared_ptr<const RecognisePicture>& picture
         const QSignalBlocker quiet(table_);
         report::Table table = rowsTable(*picture->result, screenLanguage());
         table_->setTable(table);
+        table_->horizontalHeader()->setStretchLastSection(false);
         for (int row = 0; row < static_cast<int>(picture->result->segments.size()); ++row)
             addChips(row, features::nominalColumn);
         if (at >= 0 && at < table_->rowCount()) table_->setCurrentCell(at, 0);

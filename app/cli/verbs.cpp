@@ -11,7 +11,7 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),   compareVerb(),    roundnessVerb(), cylindricityVerb(), trajectoryVerb(),
                                 frfVerb(),      spindleVerb(),    lobesVerb(),     speedVerb(),        simulateVerb(),
-                                toolpathVerb(), deflectionVerb(), verifyVerb()};
+                                toolpathVerb(), deflectionVerb(), recognizeVerb(), drawVerb(),         verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &io::shaftFiles(), &receptance::spindleFiles(),
                             &receptance::measurementFiles()};

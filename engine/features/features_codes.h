@@ -29,9 +29,9 @@ inline constexpr NoteCode coveragePartial{
             "Only {coverage_deg}° of the circle are seen: ovality of the part is taken for size; the uncertainties are "
             "wider by {added_um} µm.")};
 
-inline constexpr NoteCode marksLeftOut{
-    "marks_left_out", Severity::Info,
-    LT_TEXT("Engine", "Marks that are no body of revolution and are left out of the rows: {count}.")};
+inline constexpr NoteCode marksFound{
+    "marks_found", Severity::Info,
+    LT_TEXT("Engine", "Marks that are no body of revolution, named beside the rows: {count}.")};
 
 inline constexpr NoteCode uncertaintyNoiseOnly{
     "uncertainty_noise_only", Severity::Info,

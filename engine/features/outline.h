@@ -22,6 +22,7 @@ struct OutlineInput {
     std::optional<registration::ScannerAxis> scanner;
     double form_mm = 0.02;
     bool bore = false;
+    std::vector<Plane> part_ends = {};  ///< of the outside: a bore that comes near one ends there
 };
 
 /// A stretch that is too rough for its elements: one cylinder over its crests.

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/shaft_contour.h"
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
+#include "engine/features/marks.h"
 #include "engine/features/outline.h"
+#include "engine/features/paper_method.h"
+#include "engine/features/roles.h"
+#include "engine/features/snap.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
@@ -70,9 +75,44 @@ bool isPartsEnd(const Outline& outline, bool start, const std::string& closed_by
     return closed_by != "edge";
 }
 
-ShaftSegment segmentOf(const RecognizedRow& row)
+/// Rows of a bore from its mouth inward.
+std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd mouth)
 {
-    return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
+    if (mouth == ShaftEnd::Free) return rows;
+    std::reverse(rows.begin(), rows.end());
+    for (RecognizedRow& row : rows) {
+        std::swap(row.start_diameter_mm, row.end_diameter_mm);
+        std::swap(row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um);
+    }
+    return rows;
+}
+
+/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its narrowest
+/// row only where that is hidden; else it is a through bore.
+void addBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
+              const AddedUncertainty& added, Recognition& result)
+{
+    constexpr double near_mm = 1;
+    const std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> from_free, from_chuck;
+    std::size_t gap = rows.size();
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) gap = i + 1;
+    const bool free = rows.front().z_start_mm<near_mm, chuck = rows.back().z_end_mm> length_mm - near_mm;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (free && (i < gap || !chuck))
+            from_free.push_back(rows[i]);
+        else if (chuck)
+            from_chuck.push_back(rows[i]);
+    if (free && chuck && gap == rows.size()) from_chuck.clear();
+    if (!from_free.empty()) from_free.front().z_start_mm = 0;
+    if (!from_chuck.empty()) from_chuck.back().z_end_mm = length_mm;
+    if (free && chuck && gap == rows.size()) from_free.back().z_end_mm = length_mm;
+    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
+        if (list->empty()) continue;
+        result.bores.push_back(fromMouth(*list, mouth));
+    }
+    addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
 void describeEnds(const Outline& outline, Recognition& result)
@@ -189,6 +229,22 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         result.complete = false;
     }
     describeEnds(*outside, result);
+    result.marks = findMarks(cloud, *outside, fitting);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm -= zero;
+        *mark.z_end_mm -= zero;
+    }
+    for (const ShaftMark& mark : result.marks)
+        for (RecognizedRow& row : result.segments) {
+            const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
+            if (row.role != "rough" || middle < row.z_start_mm || middle > row.z_end_mm) continue;
+            row.role = mark.kind;
+            if (mark.kind == "knurl") row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
+        }
+    for (RecognizedRow& row : result.segments)
+        if (row.role == "rough") row.role.clear();
+    if (!result.marks.empty())
+        result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
     for (const RoughZone& zone : outside->rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;
@@ -212,7 +268,23 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (const RecognizedRow& row : result.segments) covered += row.z_end_mm - row.z_start_mm;
     const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
     result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
-    for (const RecognizedRow& row : result.segments) result.shaft.segments.push_back(segmentOf(row));
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
+        addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    std::stable_sort(result.meridian.begin(), result.meridian.end(),
+                     [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
+    describeRows(result);
+    result.shaft = parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
+    if (parameters.method == RecognitionMethod::Paper) {
+        const PaperResult published = paperSteps(points, result.axis_direction, parameters, fitting);
+        result.method_used = "paper";
+        result.paper_steps = published.steps;
+        const double cosine = std::min(1.0, std::abs(published.axis.dot(result.axis_direction)));
+        result.paper_axis_off_deg = std::acos(cosine) * 180 / std::numbers::pi;
+        result.notes.push_back({notes::paperMethod, {}});
+        result.shaft = shaftOf(published.steps);
+    }
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;

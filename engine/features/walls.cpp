@@ -57,15 +57,21 @@ Binned binned(const MeridianCloud& cloud, double bin_mm)
 }
 
 /// A wall from points of one bin; the mean of what lies within 4 robust standard deviations of the median.
-Cluster clusterOf(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points, double least_sigma_mm)
+Cluster clusterOf(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points, double sigma_mm, double bin_mm)
 {
     std::vector<float> radii, offs;
     radii.reserve(points.size());
     for (const std::uint32_t i : points) radii.push_back(cloud.r_mm[i]);
     const double median = medianOf(radii);
     for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
-    const double sigma = std::max(kRobust * medianOf(offs), least_sigma_mm);
+    const double sigma = std::max(kRobust * medianOf(offs), 0.3 * sigma_mm);
     Cluster cluster;
+    const auto at = [&](double share) {
+        const auto place = radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size() - 1));
+        std::nth_element(radii.begin(), place, radii.end());
+        return static_cast<double>(*place);
+    };
+    cluster.wall.compact = at(0.92) - at(0.08) <= 4.2 * sigma_mm + 1.2 * bin_mm + 0.15;
     double n = 0, sz = 0, szz = 0, sr = 0, srr = 0;
     cluster.low_mm = 1e300;
     cluster.high_mm = -1e300;
@@ -93,7 +99,7 @@ Cluster clusterOf(const MeridianCloud& cloud, const std::vector<std::uint32_t>& 
 
 /// Points of a bin in clusters, by falling radius; they are apart by more than `gap_mm`.
 std::vector<Cluster> clustersOf(const MeridianCloud& cloud, const std::uint32_t* begin, const std::uint32_t* end,
-                                double gap_mm, double sigma_mm)
+                                double gap_mm, double sigma_mm, double bin_mm)
 {
     std::vector<std::uint32_t> points(begin, end);
     std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -107,7 +113,7 @@ std::vector<Cluster> clustersOf(const MeridianCloud& cloud, const std::uint32_t*
         if (to - from >= 4) {
             const std::vector<std::uint32_t> own(points.begin() + static_cast<std::ptrdiff_t>(from),
                                                  points.begin() + static_cast<std::ptrdiff_t>(to));
-            clusters.push_back(clusterOf(cloud, own, 0.3 * sigma_mm));
+            clusters.push_back(clusterOf(cloud, own, sigma_mm, bin_mm));
         }
         from = to;
     }
@@ -185,7 +191,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
     parallelFor(count, 64, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b)
             found[b] = clustersOf(cloud, bins.order.data() + bins.start[b], bins.order.data() + bins.start[b + 1],
-                                  gap_mm, sigma_mm);
+                                  gap_mm, sigma_mm, bin_mm);
     });
     std::vector<float> counts, covers;
     for (const auto& clusters : found)
@@ -252,6 +258,19 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
             }
     }
     for (OpenChain& one : open) closed.push_back(std::move(one.chain));
+    // Points of a face are no wall, wherever they are found together; a rough zone is longer than that.
+    for (Chain& chain : closed) {
+        const auto is_face = [&](std::size_t from, std::size_t to) {
+            return chain.walls[to - 1].z_mm - chain.walls[from].z_mm < 1.5;
+        };
+        std::size_t from = 0, to = chain.walls.size();
+        while (from < to && !chain.walls[from].compact) ++from;
+        if (from > 0 && !is_face(0, from)) from = 0;
+        while (to > from && !chain.walls[to - 1].compact) --to;
+        if (to < chain.walls.size() && !is_face(to, chain.walls.size())) to = chain.walls.size();
+        chain.walls = {chain.walls.begin() + static_cast<std::ptrdiff_t>(from),
+                       chain.walls.begin() + static_cast<std::ptrdiff_t>(to)};
+    }
     std::erase_if(closed, [](const Chain& chain) { return chain.walls.size() < 3; });
     // A bore: over most of its length another chain lies outside it by more than 1 mm.
     for (Chain& chain : closed) {

@@ -27,7 +27,7 @@ struct Wall {
     double width_mm = 0;  ///< of an even spread of z with the same variance as its points have
     double points = 0;
     double coverage = 0;  ///< share of the circle that its points see, 0…1
-    bool rough = false;   ///< scatters more than the noise and the slope explain
+    bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
 };
 
 /// Walls that follow each other along z.

@@ -9716,10 +9716,6 @@
         <translation>Widać tylko {coverage_deg}° okręgu: owalność części liczy się jako wymiar; niepewności są większe o {added_um} µm.</translation>
     </message>
     <message>
-        <source>Marks that are no body of revolution and are left out of the rows: {count}.</source>
-        <translation>Ślady, które nie są bryłą obrotową i nie należą do wierszy: {count}.</translation>
-    </message>
-    <message>
         <source>The uncertainties hold the noise of the scan only; the scanner&apos;s own accuracy was not stated.</source>
         <translation>Niepewności obejmują tylko szum skanu; nie podano dokładności samego skanera.</translation>
     </message>
@@ -9960,60 +9956,12 @@
         <translation>z do</translation>
     </message>
     <message>
-        <source>⌀ at its start</source>
-        <translation>⌀ początku</translation>
-    </message>
-    <message>
-        <source>⌀ at its end</source>
-        <translation>⌀ końca</translation>
-    </message>
-    <message>
         <source>Half angle</source>
         <translation>Kąt połówkowy</translation>
     </message>
     <message>
         <source>Seen of the circle</source>
         <translation>Widoczna część okręgu</translation>
-    </message>
-    <message>
-        <source>Residual (RMS)</source>
-        <translation>Reszta (RMS)</translation>
-    </message>
-    <message>
-        <source>Form, peak to valley</source>
-        <translation>Kształt, od szczytu do doliny</translation>
-    </message>
-    <message>
-        <source>Change of the radius along it</source>
-        <translation>Zmiana promienia na długości</translation>
-    </message>
-    <message>
-        <source>± of its start</source>
-        <translation>± początku</translation>
-    </message>
-    <message>
-        <source>± of its end</source>
-        <translation>± końca</translation>
-    </message>
-    <message>
-        <source>± of its length</source>
-        <translation>± długości</translation>
-    </message>
-    <message>
-        <source>± of ⌀ at its start</source>
-        <translation>± ⌀ początku</translation>
-    </message>
-    <message>
-        <source>± of ⌀ at its end</source>
-        <translation>± ⌀ końca</translation>
-    </message>
-    <message>
-        <source>± of the radius</source>
-        <translation>± promienia</translation>
-    </message>
-    <message>
-        <source>± of the angle</source>
-        <translation>± kąta</translation>
     </message>
     <message>
         <source>Feature</source>
@@ -10026,10 +9974,6 @@
     <message>
         <source>Closed by</source>
         <translation>Zamknięty przez</translation>
-    </message>
-    <message>
-        <source>Step of the radius</source>
-        <translation>Skok promienia</translation>
     </message>
     <message>
         <source>Bend</source>
@@ -10200,12 +10144,304 @@
         <translation>odcinek zbieżny</translation>
     </message>
     <message>
-        <source>an end is not seen; state the length</source>
-        <translation>nie widać końca; podaj długość</translation>
+        <source>No valid solid can be made of this shaft: {reason}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a stretch of it has no data</source>
-        <translation>dla odcinka nie ma danych</translation>
+        <source>The solid made of this shaft has {found_mm3} mm³ instead of {expected_mm3} mm³; it is not written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The STEP file holds no solid; wireframes and loose surfaces do not bound a part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The STEP file holds several parts: {count} solids. One turned part is expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The STEP file has {found} {items}; at most {maximum} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks that no body of revolution shows, left out of the CAD file: {count} ({kinds}); its volume is that of the plain body.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row {row} of the contour is an arc whose centre lies beyond the axis: a surface of revolution in STEP, no torus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces that are not of revolution about the axis: {count}, {area_mm2} mm² of {total_mm2} mm²; the volume of the part is {volume_percent} % of the turned body&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of a comment, “*/”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of a record from 1 to 1000000000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of a text, a single quote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a STEP file, which begins with “ISO-10303-21;”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a semicolon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HEADER</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an entry of the header or ENDSEC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DATA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a record, “#…”, or ENDSEC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>END-ISO-10303-21 after one section of data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each number of a record once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“=” after the number of a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most 32 kinds in one record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the kind of a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“(”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lists no deeper than 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comma or “)”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smaller whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smaller number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of a record that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no ring of records that refer to each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>records no more than 200 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number in each row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most 100000 rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside, bore_free or bore_chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the step before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a step longer than its chamfers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns length_mm, start_diameter_mm and end_diameter_mm, or radius_mm, z_start_mm and z_end_mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a record that does not fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a record as its schema describes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all its faces are planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface of revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free-form surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of its contour makes no edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an arc of its contour makes no edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its contour is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its contour bounds no area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its contour cannot be revolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the revolved contour is no solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the revolved contour is more than one solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the revolved contour is not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the solid cannot be written as STEP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks that are no body of revolution, named beside the rows: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z is drawn larger than the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taper of the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chamfer at its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chamfer at its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an end is not seen; state the length to confirm it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a gap in the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the shaft and write nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognising</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Schema of STEP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Application protocol that the STEP file names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP214</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP242</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contour as DXF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The closed half contour for CAM in place of the drawing.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2,43 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+
+#include "engine/features/snap.h"
 
 namespace lathelier::features {
-namespace {
-
-constexpr double kMeets_mm = 1e-6;
-
-MeasuredSize measuredOf(const ShaftSegment& segment, const RecognizedRow& row)
-{
-    return {segment.length_mm, segment.start_diameter_mm, segment.end_diameter_mm, segment.arc_radius_mm,
-            row.uncertainty};
-}
-
-/// A chamfer or fillet that met the old diameter meets the new one.
-void setDiameter(std::vector<ShaftSegment>& segments, std::size_t i, double nominal_mm)
-{
-    const double start_mm = segments[i].start_diameter_mm, end_mm = segments[i].end_diameter_mm;
-    const auto meets = [](double a, double b) { return std::abs(a - b) < kMeets_mm; };
-    if (i > 0 && meets(segments[i - 1].end_diameter_mm, start_mm)) segments[i - 1].end_diameter_mm = nominal_mm;
-    if (i + 1 < segments.size() && meets(segments[i + 1].start_diameter_mm, end_mm))
-        segments[i + 1].start_diameter_mm = nominal_mm;
-    segments[i].start_diameter_mm = segments[i].end_diameter_mm = nominal_mm;
-}
-
-/// The row's end moves; the next row gives what it takes.
-void moveEnd(std::vector<ShaftSegment>& segments, std::size_t i, double by_mm)
-{
-    if (segments[i].length_mm + by_mm <= 0) return;
-    if (i + 1 < segments.size()) {
-        if (segments[i + 1].length_mm <= by_mm) return;
-        segments[i + 1].length_mm -= by_mm;
-    }
-    segments[i].length_mm += by_mm;
-}
-
-}  // namespace
-
 std::vector<AcceptedSize> acceptedSizes(std::string_view text)
 {
     std::vector<AcceptedSize> accepted;
@@ -66,36 +33,20 @@ std::string textOf(const std::vector<AcceptedSize>& accepted)
     return text;
 }
 
-bool isAcceptedAlone(const Suggestion& suggestion)
-{
-    return suggestion.quantity == "diameter_mm" || suggestion.quantity == "length_mm" ||
-           suggestion.quantity == "z_mm" || suggestion.quantity == "radius_mm";
-}
-
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted)
 {
-    Shaft shaft = result.shaft;
-    if (result.parameters.snap != Snap::Suggest || shaft.segments.size() != result.segments.size()) return shaft;
-    for (const AcceptedSize& size : accepted) {
-        if (size.row < 1 || size.row > static_cast<std::int64_t>(result.segments.size())) continue;
-        const auto i = static_cast<std::size_t>(size.row - 1);
-        const RecognizedRow& row = result.segments[i];
-        const auto said =
-            std::find_if(row.suggestions.begin(), row.suggestions.end(),
-                         [&](const Suggestion& suggestion) { return suggestion.quantity == size.quantity; });
-        if (said == row.suggestions.end() || !isAcceptedAlone(*said)) continue;
-        ShaftSegment& segment = shaft.segments[i];
-        if (!segment.measured) segment.measured = measuredOf(result.shaft.segments[i], row);
-        if (size.quantity == "diameter_mm")
-            setDiameter(shaft.segments, i, said->nominal_mm);
-        else if (size.quantity == "radius_mm")
-            segment.arc_radius_mm = segment.arc_radius_mm
-                                        ? std::optional(std::copysign(said->nominal_mm, *segment.arc_radius_mm))
-                                        : std::nullopt;
-        else
-            moveEnd(shaft.segments, i, said->nominal_mm - said->measured_mm);
-    }
-    return shaft;
+    const RecognitionParameters& parameters = result.parameters;
+    if (parameters.snap != Snap::Suggest || parameters.method != RecognitionMethod::Robust || accepted.empty())
+        return result.shaft;
+    Recognition chosen = result;
+    for (std::size_t i = 0; i < chosen.segments.size(); ++i)
+        std::erase_if(chosen.segments[i].suggestions, [&](const Suggestion& suggestion) {
+            const AcceptedSize size{static_cast<std::int64_t>(i) + 1, suggestion.quantity};
+            return std::find(accepted.begin(), accepted.end(), size) == accepted.end();
+        });
+    for (auto& bore : chosen.bores)
+        for (RecognizedRow& row : bore) row.suggestions.clear();
+    return appliedNominal(chosen);
 }
 
 }  // namespace lathelier::features

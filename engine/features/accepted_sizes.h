@@ -21,11 +21,8 @@ struct AcceptedSize {
 std::vector<AcceptedSize> acceptedSizes(std::string_view text);
 std::string textOf(const std::vector<AcceptedSize>& accepted);
 
-/// Can this suggestion be accepted alone? A leg, a taper and an undercut change several rows at once: they can not.
-bool isAcceptedAlone(const Suggestion& suggestion);
-
-/// The shaft with the accepted sizes, the measured ones in ShaftSegment::measured; a neighbour that met the old size
-/// follows. Of sizes that are no longer suggested nothing is taken. With Snap::Apply the shaft as it is.
+/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Of sizes that are
+/// no longer suggested nothing is taken; unless the robust method only suggests, the shaft as it is.
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted);
 
 }  // namespace lathelier::features

@@ -1,18 +1,11 @@
-// The result of a recognition described for JSON, tables and CSV.
+// The single numbers of a recognition described for tables, and what its rows are called.
 #pragma once
 
-#include "engine/core/quantities.h"
-#include "engine/features/paper_table.h"
+#include "engine/features/recognized_rows.h"
 
 namespace lathelier::features {
 
-const std::vector<QuantityOf<Suggestion>>& quantitiesOf(const Suggestion*);
-const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*);
-const std::vector<QuantityOf<RecognizedFeature>>& quantitiesOf(const RecognizedFeature*);
-const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*);
-const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*);
-const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*);
-const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*);
+/// Its single numbers, for tables; JSON is toJson() (recognized_rows.h).
 const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*);
 
 /// The largest diameter of the outside with its expanded uncertainty; none without rows.

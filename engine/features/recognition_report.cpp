@@ -61,7 +61,8 @@ std::string diameterOf(const RecognizedRow& row, const Language& language)
 Value shapeOf(const RecognizedRow& row, const Language& language)
 {
     if (row.kind == RowKind::Arc && row.arc_radius_mm) {
-        return "R " + withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), mm, language);
+        return std::string("R ").append(
+            withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), mm, language));
     }
     if (row.kind != RowKind::Cone) return {};
     const int decimals = row.uncertainty.angle_deg ? decimalsFor(*row.uncertainty.angle_deg) : 3;
@@ -102,10 +103,45 @@ report::Table marksTable(const Recognition& result, const Language& language)
     return table;
 }
 
+report::Labelled fromColumn()
+{
+    return {LT_TEXT("Engine", "z from"), mm};
+}
+report::Labelled toColumn()
+{
+    return {LT_TEXT("Engine", "z to"), mm};
+}
+
 report::Table featuresTable(const Recognition& result)
 {
-    return report::listTable<RecognizedFeature>(LT_TEXT("Engine", "Features"), result.features,
-                                                {"kind_name", "z_start_mm", "z_end_mm", "row_numbers", "designation"});
+    report::Table table{LT_TEXT("Engine", "Features"),
+                        {LT_TEXT("Engine", "Feature"), fromColumn(), toColumn(), LT_TEXT("Engine", "Rows"),
+                         LT_TEXT("Engine", "Designation")},
+                        {},
+                        {0, 3, 3, 0, 0}};
+    for (const RecognizedFeature& feature : result.features)
+        table.rows.push_back(
+            {roleName(feature.kind), feature.z_start_mm, feature.z_end_mm, feature.rows, feature.designation});
+    return table;
+}
+
+report::Table gapsTable(const Recognition& result)
+{
+    report::Table table{LT_TEXT("Engine", "Stretches without data"), {fromColumn(), toColumn()}, {}, {}};
+    for (const Gap& gap : result.gaps) table.rows.push_back({gap.z_start_mm, gap.z_end_mm});
+    return table;
+}
+
+report::Table endsTable(const Recognition& result)
+{
+    report::Table table{LT_TEXT("Engine", "Free end and chuck end"),
+                        {report::Labelled{LT_TEXT("Engine", "z"), mm},
+                         report::Labelled{LT_TEXT("Engine", "± (k = 2)"), mm}, LT_TEXT("Engine", "Closed by")},
+                        {},
+                        {4, 4, 0}};
+    for (const RecognizedEnd& end : result.ends)
+        table.rows.push_back({end.z_mm, end.uncertainty_mm, endName(end.closed_by)});
+    return table;
 }
 
 /// Whose bins lie farthest apart about it.
@@ -220,16 +256,25 @@ report::Table rowsTable(const Recognition& result, const Language& language)
     for (const RecognizedRow& row : result.segments) add(++number, row);
     for (std::size_t bore = 0; bore < result.bores.size(); ++bore)
         for (std::size_t i = 0; i < result.bores[bore].size(); ++i)
-            add("B" + std::to_string(bore + 1) + "." + std::to_string(i + 1), result.bores[bore][i]);
+            add(std::string("B").append(std::to_string(bore + 1)).append(".").append(std::to_string(i + 1)),
+                result.bores[bore][i]);
     return table;
 }
 
-report::Table stepsTable(const Recognition& result)
+report::Table stepsTable(const std::vector<PaperStep>& steps)
 {
-    const PaperTable steps = paperTable(result);
-    return report::listTable<PaperStep>(
-        LT_TEXT("Engine", "Steps as published, chamfers folded in"), steps.steps,
-        {"x_mm", "y_mm", "radius_mm", "z_start_mm", "z_end_mm", "chamfer_start_mm", "chamfer_end_mm"});
+    report::Table table{
+        LT_TEXT("Engine", "Steps as published, chamfers folded in"),
+        {report::Labelled{LT_TEXT("Engine", "x"), mm}, report::Labelled{LT_TEXT("Engine", "y"), mm},
+         report::Labelled{LT_TEXT("Engine", "Radius"), mm}, report::Labelled{LT_TEXT("Engine", "z from"), mm},
+         report::Labelled{LT_TEXT("Engine", "z to"), mm}, report::Labelled{LT_TEXT("Engine", "Chamfer, start"), mm},
+         report::Labelled{LT_TEXT("Engine", "Chamfer, end"), mm}},
+        {},
+        {4, 4, 4, 3, 3, 3, 3}};
+    for (const PaperStep& step : steps)
+        table.rows.push_back({step.x_mm, step.y_mm, step.radius_mm, step.z_start_mm, step.z_end_mm,
+                              step.chamfer_start_mm, step.chamfer_end_mm});
+    return table;
 }
 
 report::Section recognitionSummary(const Recognition& result, const Language& language)
@@ -237,15 +282,13 @@ report::Section recognitionSummary(const Recognition& result, const Language& la
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result), rowsTable(result, language)}};
     if (!result.features.empty()) section.blocks.push_back(featuresTable(result));
     if (!result.marks.empty()) section.blocks.push_back(marksTable(result, language));
-    if (!result.gaps.empty())
-        section.blocks.push_back(report::listTable<Gap>(LT_TEXT("Engine", "Stretches without data"), result.gaps,
-                                                        {"z_start_mm", "z_end_mm"}));
+    if (!result.gaps.empty()) section.blocks.push_back(gapsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }
 
-report::Document recognitionReport(const Recognition& result, const std::vector<InputFile>& inputs,
-                                   const Language& language)
+report::Document recognitionReport(const Recognition& result, const std::vector<PaperStep>& steps,
+                                   const std::vector<InputFile>& inputs, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Recognised part");
@@ -257,10 +300,8 @@ report::Document recognitionReport(const Recognition& result, const std::vector<
     report::Section fit{
         LT_TEXT("Engine", "Ends, steps and fit"),
         {report::quantityTable(LT_TEXT("Engine", "Part"), result,
-                               {"length_mm.value", "length_mm.uncertainty", "largest_diameter_mm", "volume_mm3"}),
-         report::listTable<RecognizedEnd>(LT_TEXT("Engine", "Free end and chuck end"), result.ends,
-                                          {"z_mm", "uncertainty_mm", "closed_by_name"}),
-         stepsTable(result),
+                               {"length_mm", "length_uncertainty_mm", "largest_diameter_mm", "volume_mm3"}),
+         endsTable(result), stepsTable(steps),
          report::quantityTable(
              LT_TEXT("Engine", "How well the rows describe the data"), result,
              {"coverage_percent", "residual_rmse_mm", "chi2_per_bin", "noise_mm", "spot_mm", "points_used"})}};

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/features/accepted_sizes.h"
-#include "engine/features/paper_table.h"
 #include "engine/report/document.h"
 
 namespace lathelier::features {
@@ -21,14 +20,15 @@ inline constexpr int nominalColumn = 3;  ///< of rowsTable(), from 0
 /// "⌀ 30 (+0.4 µm, chance 10 %, h6)": one suggestion as people read it.
 std::string suggestionText(const Suggestion& suggestion, const Language& language = {});
 
-report::Table stepsTable(const Recognition& result);  ///< the published Table 1 (paper_table.h)
+/// The paper's Table 1: cylinders with their chamfers folded in.
+report::Table stepsTable(const std::vector<PaperStep>& steps);
 
 /// Answer, rows, features, marks, gaps and notes: what the command line prints with report::toPlainText().
 report::Section recognitionSummary(const Recognition& result, const Language& language = {});
 
-/// The same with charts, ends, the published table, how well it fits, method and parameters.
-report::Document recognitionReport(const Recognition& result, const std::vector<InputFile>& inputs,
-                                   const Language& language = {});
+/// The same with charts, ends, `steps` as the published table, how well it fits, method and parameters.
+report::Document recognitionReport(const Recognition& result, const std::vector<PaperStep>& steps,
+                                   const std::vector<InputFile>& inputs, const Language& language = {});
 
 /// The rows as CSV: decimal point, full precision, uncertainties in columns of their own.
 std::string rowsCsv(const Recognition& result);

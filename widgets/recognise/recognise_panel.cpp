@@ -39,10 +39,16 @@ report::Document reportOf(const RecognisePicture& picture, const Language& langu
 {
     features::Recognition result = *picture.result;
     result.notes = picture.notes;  // those of the file as well
-    report::Document document = recognitionReport(result, picture.inputs, language);
+    report::Document document = recognitionReport(result, picture.steps, picture.inputs, language);
     document.synthetic = picture.synthetic;
-    document.results = {report::toText(report::wholeResult("recognize", picture.inputs, toValues(result.parameters),
-                                                           nestedJson(describedValues(result)), result.notes))};
+    Json json = features::toJson(result);
+    if (picture.result->paper_steps.empty()) {
+        json["steps"] = Json::array();
+        for (const features::PaperStep& step : picture.steps)
+            json["steps"].push_back(nestedJson(describedValues(step)));
+    }
+    document.results = {report::toText(
+        report::wholeResult("recognize", picture.inputs, toValues(result.parameters), json, result.notes))};
     return document;
 }
 
@@ -50,9 +56,10 @@ void requireComplete(const RecognisePicture& picture)
 {
     const features::Recognition& result = *picture.result;
     if (result.complete) return;
-    throw Error(errors::shaftIncomplete,
-                {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length")
-                                                : LT_TEXT("Engine", "a stretch of it has no data")}});
+    throw Error(
+        errors::shaftIncomplete,
+        {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
+                                        : LT_TEXT("Engine", "there is a gap in the data")}});
 }
 
 }  // namespace

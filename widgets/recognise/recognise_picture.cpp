@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/cad/steps_view.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier::recognise_panel {
@@ -42,6 +43,21 @@ ScanByKind partedByKind(const Scan& scan, const features::Recognition& result)
     return result_parts;
 }
 
+/// As the published method found them, else the rows in the form of its table.
+void addSteps(RecognisePicture& picture)
+{
+    const features::Recognition& result = *picture.result;
+    picture.steps = result.paper_steps;
+    if (result.parameters.method == features::RecognitionMethod::Paper) return;
+    for (const cad::Step& step : cad::stepsOf(picture.shaft)) {
+        const Eigen::Vector3d middle =
+            result.axis_point_mm + (step.z_start_mm + step.z_end_mm) / 2 * result.axis_direction;
+        picture.steps.push_back({middle.x(), middle.y(), step.radius_mm, step.z_start_mm, step.z_end_mm,
+                                 step.chamfer_start_mm, step.chamfer_end_mm, 0});
+    }
+    picture.beside = cad::rowsBesideSteps(picture.shaft);
+}
+
 bool sameParameters(const features::RecognitionParameters& a, const features::RecognitionParameters& b)
 {
     return toValues(a) == toValues(b);
@@ -77,6 +93,7 @@ RecognisePicture LastRecognition::find(const project::PanelState& state, ScanSto
     picture.shaft = withAccepted(*picture.result, picture.accepted);
     if (picture.shaft.name.empty())
         picture.shaft.name = std::filesystem::path(picture.inputs.front().path).stem().string();
+    addSteps(picture);
     picture.notes = picture.result->notes;
     const Notes& of_file = picture.points->file.notes;
     picture.notes.insert(picture.notes.end(), of_file.begin(), of_file.end());

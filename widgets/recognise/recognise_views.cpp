@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kFar_um = 1e6;  ///< beyond every residual that is shown
 
-QString captionOf(Text text)
-{
-    return screenText(text);
-}
-
 }  // namespace
 
 RecogniseViews::RecogniseViews(QWidget* parent)
@@ -90,10 +85,9 @@ RecogniseViews::RecogniseViews(QWidget* parent)
         pointOut(row_);
     });
     connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
-        if (!picture_ || step < 0) return;
-        const auto table_steps = features::paperTable(*picture_->result).steps;
-        if (step < static_cast<int>(table_steps.size()))
-            markRow(static_cast<std::size_t>(table_steps[static_cast<std::size_t>(step)].row - 1));
+        if (!picture_ || step < 0 || step >= static_cast<int>(picture_->steps.size())) return;
+        const features::PaperStep& at = picture_->steps[static_cast<std::size_t>(step)];
+        pickAt((at.z_start_mm + at.z_end_mm) / 2);
     });
     retranslate();
 }
@@ -119,19 +113,24 @@ void RecogniseViews::show()
     rows_->setPicture(picture_);
     {
         const QSignalBlocker quiet(steps_);
-        steps_->setTable(stepsTable(result));
+        steps_->setTable(features::stepsTable(picture_->steps));
     }
     QStringList beside;
-    for (const std::int64_t row : features::paperTable(result).beside) {
-        const auto& said = result.segments[static_cast<std::size_t>(row - 1)];
+    double z_mm = 0;
+    for (std::size_t i = 0; i < picture_->shaft.segments.size(); ++i) {
+        const ShaftSegment& said = picture_->shaft.segments[i];
+        const double from_mm = z_mm;
+        z_mm += said.length_mm;
+        if (std::find(picture_->beside.begin(), picture_->beside.end(), i) == picture_->beside.end()) continue;
+        const features::RowKind kind = said.arc_radius_mm ? features::RowKind::Arc : features::RowKind::Cone;
+        const QString name = said.role.empty() ? screenText(kindName(kind)) : screenText(features::roleName(said.role));
         beside << tr("row %1: %2, z %3-%4")
-                      .arg(row)
-                      .arg(captionOf(kindName(said.kind)), screenNumber(said.z_start_mm, millimetre, 1),
-                           screenQuantity(said.z_end_mm, millimetre, 1));
+                      .arg(i + 1)
+                      .arg(name, screenNumber(from_mm, millimetre, 1), screenQuantity(z_mm, millimetre, 1));
     }
     beside_->setText(beside.isEmpty() ? tr("All rows are in this table.")
                                       : tr("Not in this table: %1").arg(beside.join("; ")));
-    numbers_->setQuantities(recognitionReport(result, picture_->inputs, screenLanguage()));
+    numbers_->setQuantities(recognitionReport(result, picture_->steps, picture_->inputs, screenLanguage()));
     synthetic_->setVisible(picture_->synthetic);
 }
 
@@ -140,9 +139,9 @@ void RecogniseViews::showScan()
 {
     if (!picture_) return;
     const features::Recognition& result = *picture_->result;
-    const std::array<QString, 4> names{captionOf(kindName(features::RowKind::Cylinder)),
-                                       captionOf(kindName(features::RowKind::Cone)),
-                                       captionOf(kindName(features::RowKind::Arc)), tr("on no row")};
+    const std::array<QString, 4> names{screenText(kindName(features::RowKind::Cylinder)),
+                                       screenText(kindName(features::RowKind::Cone)),
+                                       screenText(kindName(features::RowKind::Arc)), tr("on no row")};
     std::vector<scene::SceneObject> objects;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const ScanPtr& scan = picture_->by_kind[i];

@@ -72,13 +72,17 @@ void RowsView::addChips(int row, int column)
     auto* chips = new QWidget;
     auto* layout = new QHBoxLayout(chips);
     layout->setContentsMargins(2, 0, 2, 0);
+    std::vector<std::string> offered;
     for (const features::Suggestion& suggestion : measured.suggestions) {
+        // Of several tapers that are as near the first is the one that is put in place.
+        if (std::find(offered.begin(), offered.end(), suggestion.quantity) != offered.end()) continue;
+        offered.push_back(suggestion.quantity);
         const features::AcceptedSize size{row + 1, suggestion.quantity};
         auto* chip = new QToolButton;
         chip->setText(QString::fromStdString(suggestionText(suggestion, screenLanguage())));
         chip->setCheckable(true);
         chip->setChecked(isAccepted(size));
-        chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest && isAcceptedAlone(suggestion));
+        chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest);
         chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
                              .arg(chip->text(), screenNumber(suggestion.chance_percent, 0)));
         connect(chip, &QToolButton::clicked, this, [this, size] { emit sizeAccepted(size); });
@@ -115,8 +119,7 @@ void RowsView::show()
     const int at = table_->currentRow();
     const auto& rows = picture_ ? picture_->result->segments : std::vector<features::RecognizedRow>();
     const bool here = suggests && at >= 0 && at < static_cast<int>(rows.size()) &&
-                      std::any_of(rows[static_cast<std::size_t>(at)].suggestions.begin(),
-                                  rows[static_cast<std::size_t>(at)].suggestions.end(), features::isAcceptedAlone);
+                      !rows[static_cast<std::size_t>(at)].suggestions.empty();
     accept_->setEnabled(here);
     all_->setEnabled(suggests && std::any_of(rows.begin(), rows.end(), [](const features::RecognizedRow& row) {
                          return !row.suggestions.empty();

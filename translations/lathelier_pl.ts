@@ -10145,227 +10145,227 @@
     </message>
     <message>
         <source>No valid solid can be made of this shaft: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z tego wału nie da się zbudować poprawnej bryły: {reason}.</translation>
     </message>
     <message>
         <source>The solid made of this shaft has {found_mm3} mm³ instead of {expected_mm3} mm³; it is not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bryła z tego wału ma {found_mm3} mm³ zamiast {expected_mm3} mm³; nie zostaje zapisana.</translation>
     </message>
     <message>
         <source>The STEP file holds no solid; wireframes and loose surfaces do not bound a part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik STEP nie zawiera bryły; siatki krawędzi i luźne powierzchnie nie ograniczają części.</translation>
     </message>
     <message>
         <source>The STEP file holds several parts: {count} solids. One turned part is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik STEP zawiera kilka części, liczba brył: {count}. Oczekiwano jednej części toczonej.</translation>
     </message>
     <message>
         <source>The STEP file has {found} {items}; at most {maximum} are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik STEP ma {found} ({items}); odczytuje się najwyżej {maximum}.</translation>
     </message>
     <message>
         <source>Marks that no body of revolution shows, left out of the CAD file: {count} ({kinds}); its volume is that of the plain body.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady, których bryła obrotowa nie ma, pominięte w pliku CAD: {count} ({kinds}); jego objętość jest objętością samej bryły.</translation>
     </message>
     <message>
         <source>Row {row} of the contour is an arc whose centre lies beyond the axis: a surface of revolution in STEP, no torus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz {row} zarysu jest łukiem o środku za osią: w STEP powierzchnia obrotowa, nie torus.</translation>
     </message>
     <message>
         <source>Faces that are not of revolution about the axis: {count}, {area_mm2} mm² of {total_mm2} mm²; the volume of the part is {volume_percent} % of the turned body&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ściany, które nie są obrotowe względem osi: {count}, {area_mm2} mm² z {total_mm2} mm²; objętość części to {volume_percent} % objętości bryły toczonej.</translation>
     </message>
     <message>
         <source>the end of a comment, “*/”</source>
-        <translation type="unfinished"></translation>
+        <translation>koniec komentarza „*/”</translation>
     </message>
     <message>
         <source>the number of a record from 1 to 1000000000</source>
-        <translation type="unfinished"></translation>
+        <translation>numer rekordu od 1 do 1000000000</translation>
     </message>
     <message>
         <source>the end of a text, a single quote</source>
-        <translation type="unfinished"></translation>
+        <translation>koniec tekstu, apostrof</translation>
     </message>
     <message>
         <source>another beginning</source>
-        <translation type="unfinished"></translation>
+        <translation>inny początek</translation>
     </message>
     <message>
         <source>a STEP file, which begins with “ISO-10303-21;”</source>
-        <translation type="unfinished"></translation>
+        <translation>plik STEP, który zaczyna się od „ISO-10303-21;”</translation>
     </message>
     <message>
         <source>a semicolon</source>
-        <translation type="unfinished"></translation>
+        <translation>średnik</translation>
     </message>
     <message>
         <source>HEADER</source>
-        <translation type="unfinished"></translation>
+        <translation>HEADER</translation>
     </message>
     <message>
         <source>an entry of the header or ENDSEC</source>
-        <translation type="unfinished"></translation>
+        <translation>wpis nagłówka albo ENDSEC</translation>
     </message>
     <message>
         <source>DATA</source>
-        <translation type="unfinished"></translation>
+        <translation>DATA</translation>
     </message>
     <message>
         <source>a record, “#…”, or ENDSEC</source>
-        <translation type="unfinished"></translation>
+        <translation>rekord „#…” albo ENDSEC</translation>
     </message>
     <message>
         <source>END-ISO-10303-21 after one section of data</source>
-        <translation type="unfinished"></translation>
+        <translation>END-ISO-10303-21 po jednej sekcji danych</translation>
     </message>
     <message>
         <source>each number of a record once</source>
-        <translation type="unfinished"></translation>
+        <translation>każdy numer rekordu jeden raz</translation>
     </message>
     <message>
         <source>“=” after the number of a record</source>
-        <translation type="unfinished"></translation>
+        <translation>„=” po numerze rekordu</translation>
     </message>
     <message>
         <source>at most 32 kinds in one record</source>
-        <translation type="unfinished"></translation>
+        <translation>najwyżej 32 rodzaje w jednym rekordzie</translation>
     </message>
     <message>
         <source>the kind of a record</source>
-        <translation type="unfinished"></translation>
+        <translation>rodzaj rekordu</translation>
     </message>
     <message>
         <source>“(”</source>
-        <translation type="unfinished"></translation>
+        <translation>„(”</translation>
     </message>
     <message>
         <source>lists no deeper than 16</source>
-        <translation type="unfinished"></translation>
+        <translation>listy zagnieżdżone najwyżej 16 razy</translation>
     </message>
     <message>
         <source>a comma or “)”</source>
-        <translation type="unfinished"></translation>
+        <translation>przecinek albo „)”</translation>
     </message>
     <message>
         <source>a value</source>
-        <translation type="unfinished"></translation>
+        <translation>wartość</translation>
     </message>
     <message>
         <source>a smaller whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>mniejsza liczba całkowita</translation>
     </message>
     <message>
         <source>a smaller number</source>
-        <translation type="unfinished"></translation>
+        <translation>mniejsza liczba</translation>
     </message>
     <message>
         <source>the number of a record that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>numer istniejącego rekordu</translation>
     </message>
     <message>
         <source>no ring of records that refer to each other</source>
-        <translation type="unfinished"></translation>
+        <translation>brak pierścienia rekordów, które wskazują na siebie</translation>
     </message>
     <message>
         <source>records no more than 200 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>rekordy zagnieżdżone najwyżej 200 razy</translation>
     </message>
     <message>
         <source>a number in each row</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba w każdym wierszu</translation>
     </message>
     <message>
         <source>at most 100000 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>najwyżej 100000 wierszy</translation>
     </message>
     <message>
         <source>outside, bore_free or bore_chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>outside, bore_free albo bore_chuck</translation>
     </message>
     <message>
         <source>the end of the step before</source>
-        <translation type="unfinished"></translation>
+        <translation>koniec poprzedniego stopnia</translation>
     </message>
     <message>
         <source>a step longer than its chamfers</source>
-        <translation type="unfinished"></translation>
+        <translation>stopień dłuższy niż jego fazy</translation>
     </message>
     <message>
         <source>the columns length_mm, start_diameter_mm and end_diameter_mm, or radius_mm, z_start_mm and z_end_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumny length_mm, start_diameter_mm i end_diameter_mm albo radius_mm, z_start_mm i z_end_mm</translation>
     </message>
     <message>
         <source>a record that does not fit</source>
-        <translation type="unfinished"></translation>
+        <translation>rekord, który nie pasuje</translation>
     </message>
     <message>
         <source>a record as its schema describes it</source>
-        <translation type="unfinished"></translation>
+        <translation>rekord zgodny ze swoim schematem</translation>
     </message>
     <message>
         <source>all its faces are planes</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie jego ściany są płaszczyznami</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>płaszczyzna</translation>
     </message>
     <message>
         <source>torus</source>
-        <translation type="unfinished"></translation>
+        <translation>torus</translation>
     </message>
     <message>
         <source>surface of revolution</source>
-        <translation type="unfinished"></translation>
+        <translation>powierzchnia obrotowa</translation>
     </message>
     <message>
         <source>free-form surface</source>
-        <translation type="unfinished"></translation>
+        <translation>powierzchnia swobodna</translation>
     </message>
     <message>
         <source>a piece of its contour makes no edge</source>
-        <translation type="unfinished"></translation>
+        <translation>odcinek zarysu nie tworzy krawędzi</translation>
     </message>
     <message>
         <source>an arc of its contour makes no edge</source>
-        <translation type="unfinished"></translation>
+        <translation>łuk zarysu nie tworzy krawędzi</translation>
     </message>
     <message>
         <source>its contour is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>zarys nie jest zamknięty</translation>
     </message>
     <message>
         <source>its contour bounds no area</source>
-        <translation type="unfinished"></translation>
+        <translation>zarys nie ogranicza pola</translation>
     </message>
     <message>
         <source>its contour cannot be revolved</source>
-        <translation type="unfinished"></translation>
+        <translation>zarysu nie da się obrócić</translation>
     </message>
     <message>
         <source>the revolved contour is no solid</source>
-        <translation type="unfinished"></translation>
+        <translation>obrócony zarys nie jest bryłą</translation>
     </message>
     <message>
         <source>the revolved contour is more than one solid</source>
-        <translation type="unfinished"></translation>
+        <translation>obrócony zarys to więcej niż jedna bryła</translation>
     </message>
     <message>
         <source>the revolved contour is not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>obrócony zarys jest niepoprawny</translation>
     </message>
     <message>
         <source>the solid cannot be written as STEP</source>
-        <translation type="unfinished"></translation>
+        <translation>bryły nie da się zapisać jako STEP</translation>
     </message>
     <message>
         <source>Marks that are no body of revolution, named beside the rows: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady, które nie są bryłą obrotową, podane obok wierszy: {count}.</translation>
     </message>
     <message>
         <source>z is drawn larger than the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>z narysowano w większej skali niż promień</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -10373,75 +10373,75 @@
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Różnica</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Siatka</translation>
     </message>
     <message>
         <source>Chance</source>
-        <translation type="unfinished"></translation>
+        <translation>Szansa</translation>
     </message>
     <message>
         <source>Taper of the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Zbieżność promienia</translation>
     </message>
     <message>
         <source>Chamfer at its start</source>
-        <translation type="unfinished"></translation>
+        <translation>Faza na początku</translation>
     </message>
     <message>
         <source>Chamfer at its end</source>
-        <translation type="unfinished"></translation>
+        <translation>Faza na końcu</translation>
     </message>
     <message>
         <source>an end is not seen; state the length to confirm it</source>
-        <translation type="unfinished"></translation>
+        <translation>nie widać końca; podaj długość, aby ją potwierdzić</translation>
     </message>
     <message>
         <source>there is a gap in the data</source>
-        <translation type="unfinished"></translation>
+        <translation>w danych jest luka</translation>
     </message>
     <message>
         <source>Check only</source>
-        <translation type="unfinished"></translation>
+        <translation>Tylko sprawdzenie</translation>
     </message>
     <message>
         <source>Check the shaft and write nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprawdza wał i niczego nie zapisuje.</translation>
     </message>
     <message>
         <source>Recognising</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozpoznawanie</translation>
     </message>
     <message>
         <source>Writing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie</translation>
     </message>
     <message>
         <source>Schema of STEP</source>
-        <translation type="unfinished"></translation>
+        <translation>Schemat STEP</translation>
     </message>
     <message>
         <source>Application protocol that the STEP file names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokół aplikacyjny podany w pliku STEP.</translation>
     </message>
     <message>
         <source>AP214</source>
-        <translation type="unfinished"></translation>
+        <translation>AP214</translation>
     </message>
     <message>
         <source>AP242</source>
-        <translation type="unfinished"></translation>
+        <translation>AP242</translation>
     </message>
     <message>
         <source>Contour as DXF</source>
-        <translation type="unfinished"></translation>
+        <translation>Zarys jako DXF</translation>
     </message>
     <message>
         <source>The closed half contour for CAM in place of the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
     </message>
 </context>
 <context>

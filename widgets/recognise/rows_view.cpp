@@ -98,8 +98,8 @@ void RowsView::acceptFirst(int row)
 {
     if (!picture_ || row < 0 || row >= static_cast<int>(picture_->result->segments.size())) return;
     if (picture_->result->parameters.snap != features::Snap::Suggest) return;
-    for (const features::Suggestion& suggestion : picture_->result->segments[static_cast<std::size_t>(row)].suggestions)
-        if (isAcceptedAlone(suggestion)) return emit sizeAccepted({row + 1, suggestion.quantity});
+    const auto& suggestions = picture_->result->segments[static_cast<std::size_t>(row)].suggestions;
+    if (!suggestions.empty()) emit sizeAccepted({row + 1, suggestions.front().quantity});
 }
 
 void RowsView::markRow(std::optional<std::size_t> row)

@@ -13,8 +13,8 @@
 #include "engine/cad/step_writer.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_rules.h"
+#include "engine/features/stock_part.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 
@@ -30,28 +30,6 @@ constexpr const char* solidworksOption = "--solidworks";
 constexpr const char* csvOption = "--csv";
 constexpr const char* schemaKey = "step_schema";
 constexpr const char* contourKey = "dxf_contour";
-
-/// The shaft without the last `chucked_mm`.
-Shaft withoutChucked(const Shaft& shaft, double chucked_mm)
-{
-    Shaft cut = beamView(shaft);
-    double left = chucked_mm;
-    while (left > 0 && !cut.segments.empty()) {
-        ShaftSegment& last = cut.segments.back();
-        if (last.length_mm <= left) {
-            left -= last.length_mm;
-            cut.segments.pop_back();
-            continue;
-        }
-        const ContourPiece piece{{0, last.start_diameter_mm / 2},
-                                 {last.length_mm, last.end_diameter_mm / 2},
-                                 last.arc_radius_mm.value_or(0)};
-        last.end_diameter_mm = 2 * piece.radiusAt_mm(last.length_mm - left);
-        last.length_mm -= left;
-        left = 0;
-    }
-    return cut;
-}
 
 }  // namespace
 
@@ -127,7 +105,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
     answer.notes.insert(answer.notes.end(), remarks.begin(), remarks.end());
     progress.check();
     if (const std::string* path = wanted(stockOption))
-        io::writeFile(*path, io::stockText(withoutChucked(asked.shaft, asked.chucked_mm)));
+        io::writeFile(*path, io::stockText(features::outOfChuck(asked.shaft, asked.chucked_mm)));
     if (const std::string* path = wanted(csvOption)) io::writeFile(*path, cad::shaftCsv(asked.shaft));
     const bool cad = std::any_of(request.outputs.begin(), request.outputs.end(), [](const auto& output) {
         return output.first == stepOption || output.first == freecadOption || output.first == solidworksOption;

@@ -64,7 +64,6 @@ SampleContent makeScans(std::uint64_t seed, const Progress& progress)
     content.panels["compare"] = {.inputs = {{"reference", "original.ply"}, {"copy", "copy.ply"}},
                                  .parameters = {{"tolerance_mm", 0.1}, {"scanner_accuracy_mm", 0.05}},
                                  .in_report = true};
-    content.panels["recognise"] = {.inputs = {{"scan", "original.ply"}}, .parameters = {}, .in_report = false};
     return content;
 }
 

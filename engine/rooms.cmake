@@ -5,6 +5,7 @@ room(core LINKS nlohmann_json::nlohmann_json TBB::tbb fmt::fmt Boost::headers Th
 room(signal USES core)
 room(report USES core LINKS fmt::fmt ZLIB::ZLIB)
 room(io USES core LINKS fmt::fmt OpenSSL::Crypto ZLIB::ZLIB)
+room(drawing USES core report LINKS fmt::fmt)
 room(form USES core signal io report)
 room(beam USES core)
 room(receptance USES core signal io report beam)

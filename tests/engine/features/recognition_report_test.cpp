@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "engine/core/shaft_contour.h"
 #include "engine/features/recognition_plots.h"
@@ -42,9 +43,7 @@ TEST(RecognitionReport, AnswersWithLengthAndLargestDiameter)
 {
     Recognition result = describedPart(tableOne());
     result.length_uncertainty_mm = 0.012;
-    std::string said = plainText(answer(result));
-    for (std::size_t at = said.find("\u00a0"); at != std::string::npos; at = said.find("\u00a0"))
-        said.replace(at, 2, " ");
+    const std::string said = std::regex_replace(plainText(answer(result)), std::regex("\u00a0"), std::string(1, ' '));
     EXPECT_NE(said.find("Length 183.000 ± 0.012 mm"), std::string::npos) << said;
     EXPECT_NE(said.find("37.000 mm ± 1.0 µm · 4 rows"), std::string::npos) << said;
     result.length_mm.reset();

@@ -206,10 +206,9 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
         if (feature.designation.empty() || plot.marks.size() >= 2 * kMostNamed || feature.rows.empty()) continue;
         const auto row = static_cast<std::size_t>(feature.rows.front() - 1);
         if (row >= result.segments.size()) continue;
-        plot.marks.push_back(
-            {(feature.z_start_mm + feature.z_end_mm) / 2,
-             -std::max(result.segments[row].start_diameter_mm, result.segments[row].end_diameter_mm) / 2,
-             feature.designation});
+        const RecognizedRow& first = result.segments[row];
+        plot.marks.push_back({(feature.z_start_mm + feature.z_end_mm) / 2,
+                              -(first.start_diameter_mm + first.end_diameter_mm) / 4, feature.designation});
     }
 }
 

@@ -79,17 +79,22 @@ void RowsView::addChips(int row, int column)
         offered.push_back(suggestion.quantity);
         const features::AcceptedSize size{row + 1, suggestion.quantity};
         auto* chip = new QToolButton;
-        chip->setText(QString::fromStdString(suggestionText(suggestion, screenLanguage())));
+        const QString said = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
+        chip->setText(said.left(said.indexOf(" (")));
         chip->setCheckable(true);
         chip->setChecked(isAccepted(size));
         chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest);
         chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
-                             .arg(chip->text(), screenNumber(suggestion.chance_percent, 0)));
+                             .arg(said, screenNumber(suggestion.chance_percent, 0)));
+        chip->setAccessibleName(said);
         connect(chip, &QToolButton::clicked, this, [this, size] { emit sizeAccepted(size); });
         layout->addWidget(chip);
     }
     layout->addStretch();
+    table_->item(row, column)->setForeground(Qt::transparent);  // is there to be copied
     table_->setCellWidget(row, column, chips);
+    for (QToolButton* chip : chips->findChildren<QToolButton*>()) chip->ensurePolished();
+    layout->invalidate();
     table_->setColumnWidth(column, std::max(table_->columnWidth(column), chips->sizeHint().width()));
     table_->setRowHeight(row, std::max(table_->rowHeight(row), chips->sizeHint().height()));
 }

@@ -10443,6 +10443,10 @@
         <source>The closed half contour for CAM in place of the drawing.</source>
         <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
     </message>
+    <message>
+        <source>Nominal sizes and fit of the rows</source>
+        <translation>Wymiary nominalne i dopasowanie wierszy</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

@@ -9877,7 +9877,7 @@
     </message>
     <message>
         <source>fillet</source>
-        <translation>zaokrąglenie wewnętrzne</translation>
+        <translation>zaokrąglenie</translation>
     </message>
     <message>
         <source>rounded edge</source>

@@ -15,6 +15,8 @@ namespace {
 using std::optional;
 using RowsOnAxis = std::vector<RowOnAxis>;
 
+constexpr double kJoined_mm = 0.05;  // rows no further apart join
+
 const Text mm = LT_TEXT("Engine", "mm");
 
 /// From the z of the recognition to that of the drawing.
@@ -32,6 +34,7 @@ RowOnAxis turnedRow(RowOnAxis row)
     SizeUncertainty& U = row.uncertainty;
     std::swap(U.z_start_um, U.z_end_um);
     std::swap(U.start_diameter_um, U.end_diameter_um);
+    std::swap(row.start_seen, row.end_seen);
     return row;
 }
 
@@ -40,7 +43,9 @@ bool before(const RowOnAxis& a, const RowOnAxis& b)
     return a.z_start_mm + a.z_end_mm < b.z_start_mm + b.z_end_mm;
 }
 
-RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing)
+/// `outer_seen`: whether the first and the last of all ends of the data are ends of the part. Where rows do not join
+/// there are no data.
+RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing, std::array<bool, 2> outer_seen)
 {
     RowsOnAxis result;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -52,10 +57,42 @@ RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing
                       row.end_diameter_mm,
                       row.arc_radius_mm,
                       row.uncertainty};
+        one.fully_visible = row.fully_visible;
         if (row.z_end_mm > row.z_start_mm) result.push_back(placing.turned ? turnedRow(one) : one);
     }
     std::stable_sort(result.begin(), result.end(), before);
+    if (result.empty()) return result;
+    for (std::size_t i = 0; i + 1 < result.size(); ++i)
+        if (result[i + 1].z_start_mm - result[i].z_end_mm > kJoined_mm)
+            result[i].end_seen = result[i + 1].start_seen = false;
+    if (placing.turned) std::swap(outer_seen[0], outer_seen[1]);
+    result.front().start_seen = outer_seen[0];
+    result.back().end_seen = outer_seen[1];
     return result;
+}
+
+/// Are the ends of the part seen, the free one first?
+std::array<bool, 2> endsSeen(const Recognition& measured)
+{
+    std::array<bool, 2> seen{true, true};
+    for (std::size_t i = 0; i < std::min(seen.size(), measured.ends.size()); ++i)
+        seen[i] = measured.ends[i].closed_by != "data";
+    return seen;
+}
+
+/// Rows of the bores: the deepest one of a blind bore ends where its data end.
+RowsOnAxis placedBores(const Recognition& measured, const Placing& placing)
+{
+    std::vector<RecognizedRow> rows;
+    for (const auto& bore : measured.bores) rows.insert(rows.end(), bore.begin(), bore.end());
+    double length_mm = measured.length_mm.value_or(0), first_mm = length_mm, last_mm = 0;
+    for (const RecognizedRow& row : measured.segments) length_mm = std::max(length_mm, row.z_end_mm);
+    for (const RecognizedRow& row : rows) {
+        first_mm = std::min(first_mm, row.z_start_mm);
+        last_mm = std::max(last_mm, row.z_end_mm);
+    }
+    const std::array<bool, 2> ends = endsSeen(measured);
+    return placed(rows, placing, {ends[0] && first_mm < kJoined_mm, ends[1] && last_mm > length_mm - kJoined_mm});
 }
 
 /// The rows of the drawing that have sizes. `sense` -1: from a mouth at the chuck's end.
@@ -74,15 +111,21 @@ RowsOnAxis drawnRows(const std::vector<Segment>& rows, double z_mm, double sense
     return result;
 }
 
-/// Where the measured rows may lie: as stated, or with either end on either end.
+/// Where the measured rows may lie: as stated, and with ends on ends, for the place along the axis may not be
+/// determined.
 std::vector<Placing> placings(const Shaft& nominal, const Recognition& measured,
                               const optional<Eigen::Isometry3d>& nominal_T_part)
 {
-    if (nominal_T_part) return {{nominal_T_part->linear()(2, 2) < 0, nominal_T_part->translation().z()}};
     const double drawn = nominal.length_mm();
     double length = measured.length_mm.value_or(0);
     for (const RecognizedRow& row : measured.segments) length = std::max(length, row.z_end_mm);
-    return {{false, 0}, {false, drawn - length}, {true, length}, {true, drawn}};
+    const std::vector<Placing> straight{{false, 0}, {false, drawn - length}};
+    const std::vector<Placing> turned{{true, length}, {true, drawn}};
+    std::vector<Placing> all;
+    if (nominal_T_part) all.push_back({nominal_T_part->linear()(2, 2) < 0, nominal_T_part->translation().z()});
+    if (!nominal_T_part || !all.front().turned) all.insert(all.end(), straight.begin(), straight.end());
+    if (!nominal_T_part || all.front().turned) all.insert(all.end(), turned.begin(), turned.end());
+    return all;
 }
 
 /// What was measured of a cylinder along a run of rows, or at one of its ends.
@@ -120,6 +163,7 @@ Size lengthOf(const RowsOnAxis& rows, RowRun run)
 {
     if (run.count == 0) return {};
     const RowOnAxis &first = rows[run.first], &last = rows[run.first + run.count - 1];
+    if (!first.start_seen || !last.end_seen) return {};
     optional<double> U_um = first.uncertainty.length_um;
     if (run.count > 1 || !U_um) {
         const auto &start = first.uncertainty.z_start_um, &end = last.uncertainty.z_end_um;
@@ -143,7 +187,7 @@ Size radiusOf(const RowsOnAxis& rows, RowRun run, double nominal_mm)
 {
     if (run.count != 1) return {};
     const optional<double>& radius = rows[run.first].arc_radius_mm;
-    if (!radius || *radius * nominal_mm < 0) return {};
+    if (!radius || !rows[run.first].fully_visible || *radius * nominal_mm < 0) return {};
     return {std::abs(*radius), {}, {}, in_mm(rows[run.first].uncertainty.arc_radius_um)};
 }
 
@@ -194,6 +238,7 @@ public:
         bore_ = bore;
         const double start = drawn.start_diameter_mm, end = drawn.end_diameter_mm;
         const bool chamfer = role == "chamfer";
+        standard_ = role == "undercut";
         const optional<SizeTolerance> tolerance = own ? optional(*own) : std::nullopt;
         const auto limits = [&](double size_mm) {
             if (const auto stated = ownLimits(tolerance, size_mm)) return *stated;
@@ -227,11 +272,11 @@ public:
 private:
     LimitDeviations general(double size_mm) const
     {
-        return general_ ? plusMinus(generalTolerance_mm(size_mm, *general_)) : LimitDeviations{};
+        return general_ && !standard_ ? plusMinus(generalTolerance_mm(size_mm, *general_)) : LimitDeviations{};
     }
     LimitDeviations edge(double size_mm) const
     {
-        return general_ ? plusMinus(generalEdgeTolerance_mm(size_mm, *general_)) : LimitDeviations{};
+        return general_ && !standard_ ? plusMinus(generalEdgeTolerance_mm(size_mm, *general_)) : LimitDeviations{};
     }
 
     void put(const char* quantity, double nominal_mm, const Size& size, const LimitDeviations& limits)
@@ -246,14 +291,14 @@ private:
         one.measured_mm = size.value_mm;
         one.smallest_mm = size.smallest_mm;
         one.largest_mm = size.largest_mm;
-        one.uncertainty_mm = size.U_mm;
+        if (size.U_mm && *size.U_mm < nominal_mm) one.uncertainty_mm = size.U_mm;  // beyond that it says nothing
         if (size.value_mm) one.deviation_mm = *size.value_mm - nominal_mm;
         const bool limited = one.lower_mm || one.upper_mm;
         if (limited && !size.value_mm) one.verdict = Verdict::Undecided;
         if (limited)
             for (const auto& local : {size.value_mm, size.smallest_mm, size.largest_mm})
                 if (local) {
-                    const Verdict here = judged(*local - nominal_mm, size.U_mm, one, rule_);
+                    const Verdict here = judged(*local - nominal_mm, one.uncertainty_mm, one, rule_);
                     one.verdict = one.verdict ? worse(*one.verdict, here) : here;
                 }
         rows_.push_back(std::move(one));
@@ -264,6 +309,7 @@ private:
     std::int64_t row_ = 0;
     optional<std::int64_t> bore_;
     bool turned_ = false;
+    bool standard_ = false;  ///< the row of an undercut, whose limits are those of its standard
     std::vector<ComparedRow> rows_;
 };
 
@@ -277,22 +323,20 @@ std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& me
     RowMatch match;
     bool any = false;
     for (const Placing& tried : placings(nominal, measured, nominal_T_part)) {
-        RowMatch found = matchRows(drawn, placed(measured.segments, tried));
+        RowMatch found = matchRows(drawn, placed(measured.segments, tried, endsSeen(measured)));
         if (any && !(found.cost_mm < match.cost_mm)) continue;
         any = true;
         match = std::move(found);
         placing = tried;
     }
     Comparison comparison(nominal, decision);
-    const RowsOnAxis outside = placed(measured.segments, placing);
+    const RowsOnAxis outside = placed(measured.segments, placing, endsSeen(measured));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const ShaftSegment& row = nominal.segments[drawn[i].index];
         comparison.add(drawn[i], row.tolerance ? &*row.tolerance : nullptr, row.role, false, outside, match.runs[i],
                        {});
     }
-    std::vector<RecognizedRow> inner;
-    for (const auto& rows : measured.bores) inner.insert(inner.end(), rows.begin(), rows.end());
-    const RowsOnAxis inside = placed(inner, placing);
+    const RowsOnAxis inside = placedBores(measured, placing);
     for (std::size_t number = 0; number < nominal.bores.size(); ++number) {
         const ShaftBore& bore = nominal.bores[number];
         const bool free = bore.from == ShaftEnd::Free;

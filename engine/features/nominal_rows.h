@@ -3,7 +3,9 @@
 // Rows are matched in their order, by the z of their ends and their diameters; several measured rows, into which wear
 // has cut a cylinder, may stand for one of the drawing. Limits: the class (ISO 286-1) or the deviations of the row for
 // its diameters, else the general tolerance (ISO 2768-1: table 1 for sizes, table 2 for broken edges: legs of chamfers
-// and outer radii). Decision: core/conformity.h; of a diameter every local size must be within (ISO 14405-1).
+// and outer radii); rows of undercuts, which have standards of their own, are left out of it. What the scan does not
+// show, a length that ends where the data do, a radius that runs out of sight, is not measured. Decision:
+// core/conformity.h; of a diameter every local size must be within (ISO 14405-1).
 #pragma once
 
 #include <Eigen/Geometry>

@@ -14,8 +14,10 @@ struct RowOnAxis {
     std::size_t index = 0;  ///< where it came from
     double z_start_mm = 0, z_end_mm = 0;
     double start_diameter_mm = 0, end_diameter_mm = 0;
-    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
-    SizeUncertainty uncertainty;          ///< of a measured row
+    std::optional<double> arc_radius_mm;      ///< signed as ShaftSegment::arc_radius_mm
+    SizeUncertainty uncertainty;              ///< of a measured row
+    bool start_seen = true, end_seen = true;  ///< of a measured row: false where the data end before it does
+    bool fully_visible = true;                ///< of a measured arc
 };
 
 /// Measured rows [first, first + count) that one of the drawing is; count 0: none was found.

@@ -15,7 +15,16 @@ using Eigen::Vector2d;
 constexpr double kPi = std::numbers::pi;
 constexpr double kOnAxis_mm = 1e-9;  // a radius no larger than this is none
 constexpr int kLeastSides = 12;
+constexpr int kLeastChords = 3;  // of an arc: with two the point between them would lie beyond the sagitta
 constexpr double kCoarser = 1.5;
+
+/// Radius for the inner points of an arc's chords, so that they enclose its area; the ends stay where they are.
+double innerRadius_mm(double radius_mm, double step, int chords)
+{
+    const double a = (chords - 2) * std::sin(step) / 2, b = radius_mm * std::sin(step);
+    const double c = -radius_mm * radius_mm * chords * step / 2;
+    return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
+}
 
 /// How many equal chords of an arc of this angle stay within the sagitta.
 int chordsOf(double angle, double radius_mm, double sagitta_mm)
@@ -34,10 +43,11 @@ std::vector<Vector2d> polygonOf(const Contour& contour, double sagitta_mm)
         const Vector2d centre = piece.centre_mm();
         const auto [start, end] = piece.arcAngles();
         const double radius = std::abs(piece.arc_radius_mm);
-        const int chords = chordsOf(end - start, radius, sagitta_mm);
+        const int chords = std::max(kLeastChords, chordsOf(end - start, radius, sagitta_mm));
+        const double inner = innerRadius_mm(radius, std::abs(end - start) / chords, chords);
         for (int i = 1; i < chords; ++i) {
             const double angle = start + (end - start) * i / chords;
-            points.push_back(centre + radius * Vector2d(std::cos(angle), std::sin(angle)));
+            points.push_back(centre + inner * Vector2d(std::cos(angle), std::sin(angle)));
         }
     }
     return points;

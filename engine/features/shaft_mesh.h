@@ -3,8 +3,8 @@
 //
 // Every circle becomes a polygon of the same number of sides and the same area: its corners lie two thirds of the
 // chord's sagitta outside the circle, the middles of its sides one third inside. Cross sections are exact so, and what
-// lies between straight lines of the meridian has its exact volume. Arcs of the meridian become chords between points
-// of the arc: they alone change the volume, by less than the sagitta times their surface.
+// lies between straight lines of the meridian has its exact volume. Arcs of the meridian become chords that enclose the
+// same area with the arc's ends: the volume is off by less than the first order of the sagitta (its power 3/2).
 #pragma once
 
 #include <cstddef>

@@ -59,13 +59,9 @@ TEST(ShaftMesh, ArcsAndUndercuts)
         const Shaft shaft = shaftOf(table);
         checkShaft(shaft);
         const double exact = volume_mm3(shaft);
-        double last_error = 0;
         for (const double sagitta_mm : {2e-2, 2e-3, 2e-4}) {
             const ShaftMesh made = shaftMesh(shaft, sagitta_mm);
-            const double error = std::abs(volumeOf(made.scan) - exact);
-            EXPECT_LT(error, 1e-3 * sagitta_mm * exact);
-            EXPECT_TRUE(last_error == 0 || error < 0.3 * last_error);
-            last_error = error;
+            EXPECT_LT(std::abs(volumeOf(made.scan) - exact), 200 * std::pow(sagitta_mm, 1.5)) << sagitta_mm;
             expectClosed(made.scan);
         }
     }
@@ -89,11 +85,11 @@ TEST(ShaftMesh, BallEnd)
 {
     const Shaft shaft = shaftOf(Table{{10, 0, 20, 10.0}} + cylinder(20, 30));
     const ShaftMesh made = shaftMesh(shaft);
-    EXPECT_NEAR(volumeOf(made.scan), std::numbers::pi * (2.0 / 3 * 1000 + 3000), 0.3);
+    EXPECT_NEAR(volumeOf(made.scan), std::numbers::pi * (2.0 / 3 * 1000 + 3000), 1e-3);
     expectClosed(made.scan);
     for (const Eigen::Vector3d& point : made.scan.points_mm) {
         if (point.z() > 10) continue;
-        EXPECT_NEAR((point - Eigen::Vector3d(0, 0, 10)).norm(), 10, 2e-4);
+        EXPECT_NEAR((point - Eigen::Vector3d(0, 0, 10)).norm(), 10, 4e-4);
     }
 }
 

@@ -26,7 +26,7 @@ struct ComparedRow {
     std::optional<std::int64_t> bore;  ///< number of the bore, from 1; none: the outside
     /// "diameter" of a cylinder, "start_diameter" and "end_diameter" of a cone, "length", "arc_radius"
     std::string quantity;
-    double nominal_mm = 0;
+    double nominal_mm = 0;                 ///< as drawn; a radius without its sign
     std::optional<double> measured_mm;     ///< of a cylinder the mean along it; none: not found on the part
     std::optional<double> smallest_mm;     ///< of a cylinder, at the ends of what was measured of it
     std::optional<double> largest_mm;      ///< the largest of these

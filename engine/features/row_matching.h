@@ -11,18 +11,22 @@ namespace lathelier::features {
 
 /// A row of either side, in the z of the drawing, toward larger z.
 struct RowOnAxis {
-    std::size_t index = 0;  ///< where it came from
-    double z_start_mm = 0, z_end_mm = 0;
-    double start_diameter_mm = 0, end_diameter_mm = 0;
-    std::optional<double> arc_radius_mm;      ///< signed as ShaftSegment::arc_radius_mm
-    SizeUncertainty uncertainty;              ///< of a measured row
-    bool start_seen = true, end_seen = true;  ///< of a measured row: false where the data end before it does
-    bool fully_visible = true;                ///< of a measured arc
+    std::size_t index = 0;                ///< where it came from
+    double z_start_mm = 0;                ///< along the drawing
+    double z_end_mm = 0;                  ///< no less than z_start_mm
+    double start_diameter_mm = 0;         ///< at z_start_mm
+    double end_diameter_mm = 0;           ///< at z_end_mm
+    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
+    SizeUncertainty uncertainty;          ///< of a measured row
+    bool start_seen = true;               ///< of a measured row: false where the data begin after its start
+    bool end_seen = true;                 ///< of a measured row: false where the data end before it does
+    bool fully_visible = true;            ///< of a measured arc
 };
 
-/// Measured rows [first, first + count) that one of the drawing is; count 0: none was found.
+/// The measured rows that one of the drawing is.
 struct RowRun {
-    std::size_t first = 0, count = 0;
+    std::size_t first = 0;  ///< index of the first of them
+    std::size_t count = 0;  ///< 0: none was found
 };
 
 struct RowMatch {

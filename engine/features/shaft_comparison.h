@@ -14,7 +14,7 @@ namespace lathelier::features {
 struct ShaftComparison {
     /// The reference is the shaft: its frame is z along the axis from the free end. `verdict` there is the surface's.
     registration::CompareResult surface;
-    std::vector<ComparedRow> rows;
+    std::vector<ComparedRow> rows;   ///< as compareRows() has them
     std::optional<Verdict> verdict;  ///< the worse of the surface and the rows; none: nothing has a limit
 };
 

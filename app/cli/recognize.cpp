@@ -52,9 +52,13 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
         },
         [](const auto& found) { return features::recognitionReport(found, stepsForReport(found), {}); },
         [](const auto& found) { return report::toPlainText(features::recognitionSummary(found)); });
-    writeShaftOutputs(
-        request, {result->shaft, result->complete, missingOf(*result), parameters.length_of_chucked_mm.value_or(0)},
-        progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);
+    ShaftToWrite asked{result->shaft, result->complete, missingOf(*result),
+                       parameters.length_of_chucked_mm.value_or(0)};
+    asked.measured = true;
+    for (const features::RecognizedRow& row : result->segments) asked.uncertainties.push_back(row.uncertainty);
+    const std::vector<InputFile> read = inputs.list();
+    if (!read.empty()) asked.scan = read.front();
+    writeShaftOutputs(request, asked, progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);
 }
 
 }  // namespace

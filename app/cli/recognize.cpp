@@ -4,9 +4,12 @@
 #include "app/cli/scans.h"
 #include "app/cli/shaft_outputs.h"
 #include "app/cli/verbs.h"
+#include "engine/cad/steps_view.h"
 #include "engine/features/recognition.h"
+#include "engine/features/recognition_report.h"
 #include "engine/features/recognized_rows.h"
 #include "engine/features/snap.h"
+#include "engine/report/plain_text.h"
 
 namespace lathelier::cli {
 namespace {
@@ -17,6 +20,17 @@ Text missingOf(const features::Recognition& result)
     if (!result.gaps.empty()) return LT_TEXT("Engine", "there is a gap in the data");
     if (!result.length_mm) return LT_TEXT("Engine", "an end is not seen; state the length to confirm it");
     return {};
+}
+
+/// The published table: of that method where it was asked for, else of the rows.
+std::vector<features::PaperStep> stepsForReport(const features::Recognition& result)
+{
+    if (!result.paper_steps.empty()) return result.paper_steps;
+    std::vector<features::PaperStep> steps;
+    for (const cad::Step& step : cad::stepsOf(result.shaft))
+        steps.push_back({step.x_mm, step.y_mm, step.radius_mm, step.z_start_mm, step.z_end_mm, step.chamfer_start_mm,
+                         step.chamfer_end_mm, 0});
+    return steps;
 }
 
 void runRecognize(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
@@ -36,10 +50,15 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
                 json["steps"] = stepsJson(found.shaft);
             return json;
         },
-        [](const auto&) { return report::Document{}; }, [](const auto& found) { return shaftSummary(found.shaft); });
-    writeShaftOutputs(
-        request, {result->shaft, result->complete, missingOf(*result), parameters.length_of_chucked_mm.value_or(0)},
-        progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);
+        [](const auto& found) { return features::recognitionReport(found, stepsForReport(found), {}); },
+        [](const auto& found) { return report::toPlainText(features::recognitionSummary(found)); });
+    ShaftToWrite asked{result->shaft, result->complete, missingOf(*result),
+                       parameters.length_of_chucked_mm.value_or(0)};
+    asked.measured = true;
+    for (const features::RecognizedRow& row : result->segments) asked.uncertainties.push_back(row.uncertainty);
+    const std::vector<InputFile> read = inputs.list();
+    if (!read.empty()) asked.scan = read.front();
+    writeShaftOutputs(request, asked, progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);
 }
 
 }  // namespace

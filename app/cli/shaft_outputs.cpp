@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "engine/cad/cad_notes.h"
+#include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
 #include "engine/cad/freecad_macro.h"
 #include "engine/cad/shaft_csv.h"
@@ -13,8 +15,10 @@
 #include "engine/cad/step_writer.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_rules.h"
+#include "engine/drawing/drawing_svg.h"
+#include "engine/drawing/shaft_drawing.h"
+#include "engine/features/stock_part.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 
@@ -28,29 +32,27 @@ constexpr const char* dxfOption = "--dxf";
 constexpr const char* freecadOption = "--freecad";
 constexpr const char* solidworksOption = "--solidworks";
 constexpr const char* csvOption = "--csv";
+constexpr const char* drawingOption = "--drawing";
 constexpr const char* schemaKey = "step_schema";
 constexpr const char* contourKey = "dxf_contour";
 
-/// The shaft without the last `chucked_mm`.
-Shaft withoutChucked(const Shaft& shaft, double chucked_mm)
+/// The date of today as ISO 8601 has it.
+std::string today()
 {
-    Shaft cut = beamView(shaft);
-    double left = chucked_mm;
-    while (left > 0 && !cut.segments.empty()) {
-        ShaftSegment& last = cut.segments.back();
-        if (last.length_mm <= left) {
-            left -= last.length_mm;
-            cut.segments.pop_back();
-            continue;
-        }
-        const ContourPiece piece{{0, last.start_diameter_mm / 2},
-                                 {last.length_mm, last.end_diameter_mm / 2},
-                                 last.arc_radius_mm.value_or(0)};
-        last.end_diameter_mm = 2 * piece.radiusAt_mm(last.length_mm - left);
-        last.length_mm -= left;
-        left = 0;
-    }
-    return cut;
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    return fmt::format("{:04}-{:02}-{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
+}
+
+drawing::Drawing drawingOf(const ShaftToWrite& asked)
+{
+    drawing::DrawingOptions options;
+    options.scan = asked.scan;
+    options.measured = asked.measured;
+    options.uncertainties = asked.uncertainties;
+    options.date = today();
+    return drawing::drawShaft(asked.shaft, options);
 }
 
 }  // namespace
@@ -63,7 +65,8 @@ std::vector<OutputOption> shaftOutputs()
             {dxfOption, "Write FILE.dxf (R12)."},
             {freecadOption, "Write a macro for FreeCAD, FILE.FCMacro."},
             {solidworksOption, "Write a macro for SolidWorks, FILE.bas."},
-            {csvOption, "Write all rows as FILE.csv."}};
+            {csvOption, "Write all rows as FILE.csv."},
+            {drawingOption, "Write the workshop drawing as FILE.svg."}};
 }
 
 std::vector<Option> cadOptions()
@@ -127,7 +130,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
     answer.notes.insert(answer.notes.end(), remarks.begin(), remarks.end());
     progress.check();
     if (const std::string* path = wanted(stockOption))
-        io::writeFile(*path, io::stockText(withoutChucked(asked.shaft, asked.chucked_mm)));
+        io::writeFile(*path, io::stockText(features::outOfChuck(asked.shaft, asked.chucked_mm)));
     if (const std::string* path = wanted(csvOption)) io::writeFile(*path, cad::shaftCsv(asked.shaft));
     const bool cad = std::any_of(request.outputs.begin(), request.outputs.end(), [](const auto& output) {
         return output.first == stepOption || output.first == freecadOption || output.first == solidworksOption;
@@ -142,7 +145,11 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         if (schema && *schema == Value(std::string("AP242"))) options.schema = cad::StepSchema::AP242;
         io::writeFile(*path, cad::stepText(asked.shaft, options, progress));
     }
-    if (const std::string* path = wanted(dxfOption)) io::writeFile(*path, cad::contourDxf(asked.shaft));
+    const Value* const contour_only = find(request.parameters, contourKey);
+    const bool contour = contour_only && *contour_only == Value(true);
+    if (const std::string* path = wanted(dxfOption))
+        io::writeFile(*path, contour ? cad::contourDxf(asked.shaft) : cad::dxfText(cad::dxfOf(drawingOf(asked))));
+    if (const std::string* path = wanted(drawingOption)) io::writeFile(*path, drawing::toSvg(drawingOf(asked)));
     if (const std::string* path = wanted(freecadOption)) io::writeFile(*path, cad::freecadMacro(asked.shaft));
     if (const std::string* path = wanted(solidworksOption)) io::writeFile(*path, cad::solidworksMacro(asked.shaft));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/verb.h"
+#include "engine/core/input_file.h"
 #include "engine/core/shaft.h"
 
 namespace lathelier::cli {

@@ -74,11 +74,13 @@ std::string nameOf(const Element& e)
     return start == end ? start : start + "-" + end;
 }
 
-/// Peak to valley of the polynomial of degree 4 through what is left, so that noise adds little to it.
+/// Peak to valley of the polynomial of degree 4 through what is left, so that noise adds little to it; of a short row,
+/// whose walls tell no form from noise, 0.
 double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from -1 to 1, deviation, weight
 {
     constexpr int degree = 4;
-    if (left.size() < 3 * (degree + 1)) return 0;
+    constexpr std::size_t least = 60;
+    if (left.size() < least) return 0;
     Eigen::Matrix<double, degree + 1, degree + 1> normal = Eigen::Matrix<double, degree + 1, degree + 1>::Zero();
     Eigen::Matrix<double, degree + 1, 1> right = Eigen::Matrix<double, degree + 1, 1>::Zero();
     const auto rowAt = [](double x) {

@@ -11,6 +11,10 @@ inline constexpr NoteCode gapInData{
     "gap", Severity::Warning,
     LT_TEXT("Engine", "There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.")};
 
+inline constexpr NoteCode boreNotSeen{
+    "bore_not_seen", Severity::Warning,
+    LT_TEXT("Engine", "The bore is not seen from z {z_start_mm} to {z_end_mm} mm: its rows beside end there.")};
+
 inline constexpr NoteCode endNotSeen{
     "end_not_seen", Severity::Warning,
     LT_TEXT("Engine", "The {end} of the part is not seen: the data end at z {z_mm} mm. The length is not known.")};

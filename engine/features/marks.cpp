@@ -32,7 +32,23 @@ struct Region {
     std::size_t cells = 0;
 };
 
-std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, double first_mm, double last_mm)
+/// Radius of the bore at z, or of its run that is nearest; 0 without one.
+double boreAt(const Outline* bore, double z_mm)
+{
+    double nearest = 1e300, radius = 0;
+    if (bore)
+        for (const Run& run : bore->model.runs) {
+            const double at = std::clamp(z_mm, run.nodes_mm.front(), run.nodes_mm.back());
+            if (std::abs(z_mm - at) < nearest) {
+                nearest = std::abs(z_mm - at);
+                radius = radiusAt_mm(run, at);
+            }
+        }
+    return radius;
+}
+
+std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, const Outline* bore, double first_mm,
+                              double last_mm)
 {
     const auto rows = static_cast<std::size_t>(std::clamp((last_mm - first_mm) / kCell_mm + 1, 1.0, 1e5));
     std::vector<std::array<std::uint32_t, 2>> cells(rows * kSectors, {0, 0});
@@ -48,9 +64,11 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, do
         const Run* const run = runAt(model, z);
         // Edges are blurred; what lies there is no mark.
         if (!run || z < run->nodes_mm.front() + 0.4 || z > run->nodes_mm.back() - 0.4) continue;
+        const double outer = radiusAt_mm(*run, z);
+        if (bore && static_cast<double>(cloud.r_mm[i]) < (outer + boreAt(bore, z)) / 2) continue;
         const std::size_t cell = cellOf(i);
         ++cells[cell][0];
-        if (std::abs(static_cast<double>(cloud.r_mm[i]) - radiusAt_mm(*run, z)) > 5 * model.sigma_mm + 0.1) {
+        if (std::abs(static_cast<double>(cloud.r_mm[i]) - outer) > 5 * model.sigma_mm + 0.1) {
             ++cells[cell][1];
             off.push_back(static_cast<std::uint32_t>(i));
         }
@@ -309,12 +327,13 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     return mark;
 }
 
-std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Progress& progress)
+std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
+                                 const Progress& progress)
 {
     const Model& model = outline.model;
     const double first = model.planes.front().z_mm, last = model.planes.back().z_mm;
     std::vector<ShaftMark> marks;
-    for (const Region& region : regionsOf(cloud, model, first, last)) {
+    for (const Region& region : regionsOf(cloud, model, bore, first, last)) {
         progress.check();
         marks.push_back(markOf(cloud, model, region));
     }

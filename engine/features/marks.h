@@ -12,8 +12,10 @@
 
 namespace lathelier::features {
 
-/// Marks of the outside in order of z, in the frame of the fit (z not yet from the free end).
-std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Progress& progress = {});
+/// Marks of the outside in order of z, in the frame of the fit (z not yet from the free end). `bore`: points nearer to
+/// it are none; nullptr without one.
+std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
+                                 const Progress& progress = {});
 
 /// The thread or knurl of one rough zone; kind empty where the spectrum has no peak.
 ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm,

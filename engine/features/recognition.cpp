@@ -93,7 +93,29 @@ void addBores(const Outline& inner, double zero_mm, double length_mm, const Revo
               const AddedUncertainty& added, Recognition& result)
 {
     constexpr double near_mm = 1;
-    const std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    // One cylinder that goes on behind a stretch without points is one row.
+    for (std::size_t i = 0; i + 1 < rows.size();) {
+        RecognizedRow &a = rows[i], &b = rows[i + 1];
+        const bool same = a.kind == RowKind::Cylinder && b.kind == RowKind::Cylinder &&
+                          std::abs(a.end_diameter_mm - b.start_diameter_mm) < 0.05;
+        if (!same || b.z_start_mm - a.z_end_mm < 0.05) {
+            ++i;
+            continue;
+        }
+        const double wa = static_cast<double>(a.points + 1), wb = static_cast<double>(b.points + 1);
+        a.start_diameter_mm = a.end_diameter_mm = (a.start_diameter_mm * wa + b.start_diameter_mm * wb) / (wa + wb);
+        a.z_end_mm = b.z_end_mm;
+        a.uncertainty.z_end_um = b.uncertainty.z_end_um;
+        a.points += b.points;
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) {
+            result.notes.push_back(
+                {notes::boreNotSeen, {{"z_start_mm", rows[i].z_end_mm}, {"z_end_mm", rows[i + 1].z_start_mm}}});
+            result.complete = false;
+        }
     std::vector<RecognizedRow> from_free, from_chuck;
     std::size_t gap = rows.size();
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
@@ -229,7 +251,11 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         result.complete = false;
     }
     describeEnds(*outside, result);
-    result.marks = findMarks(cloud, *outside, fitting);
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1));
+    if (inner) addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
     for (ShaftMark& mark : result.marks) {
         *mark.z_start_mm -= zero;
         *mark.z_end_mm -= zero;
@@ -268,10 +294,6 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (const RecognizedRow& row : result.segments) covered += row.z_end_mm - row.z_start_mm;
     const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
     result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
-    input.bore = true;
-    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
-        addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     std::stable_sort(result.meridian.begin(), result.meridian.end(),
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
     describeRows(result);

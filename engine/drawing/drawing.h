@@ -1,0 +1,127 @@
+// A technical drawing as data: lines, arcs, texts and arrow heads on a sheet, ready for any writer (SVG, DXF, PDF).
+//
+// Coordinates are millimetres on paper from the lower left corner of the sheet, y upward. Angles are degrees,
+// anticlockwise. Sheets after ISO 5457 (frame 20 mm from the left edge, 10 mm from the others), scales after ISO 5455,
+// line widths and types after ISO 128-2 (0.5 mm visible edges, 0.25 mm all others, long dash dot for axes), arrow
+// heads and lettering after ISO 129-1 and ISO 3098-1 (a height is that of capitals). The same input gives the same
+// entities in the same order.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lathelier::drawing {
+
+enum class Sheet : std::uint8_t { A4Landscape, A4Portrait, A3Landscape };
+
+/// An axis-parallel rectangle, mm on paper.
+struct Box {
+    double left_mm = 0, bottom_mm = 0, right_mm = 0, top_mm = 0;
+
+    double width_mm() const { return right_mm - left_mm; }
+    double height_mm() const { return top_mm - bottom_mm; }
+    bool overlaps(const Box& other) const;
+    bool contains(const Box& other) const;
+    /// Grown on all sides.
+    Box grown(double by_mm) const;
+    friend bool operator==(const Box&, const Box&) = default;
+};
+
+Box sheetBox(Sheet sheet);      ///< the trimmed sheet
+Box frameBox(Sheet sheet);      ///< the drawing space inside the frame
+const char* name(Sheet sheet);  ///< "A4", "A3"
+
+/// paper : real, as "2:1" or "1:5".
+struct Scale {
+    int paper = 1;
+    int real = 1;
+
+    double factor() const { return static_cast<double>(paper) / real; }
+    std::string text() const;
+    friend bool operator==(const Scale&, const Scale&) = default;
+};
+
+/// The scales of ISO 5455 from 10:1 to 1:1000, the largest first.
+const std::vector<Scale>& scales();
+
+enum class Layer : std::uint8_t { Contour, Axis, Hatch, Dimensions, Text, Frame };
+enum class LineType : std::uint8_t { Continuous, DashDot };
+
+inline constexpr double thick_mm = 0.5;  ///< width of visible edges
+inline constexpr double thin_mm = 0.25;  ///< width of all other lines
+
+struct Line {
+    Eigen::Vector2d from_mm = Eigen::Vector2d::Zero(), to_mm = Eigen::Vector2d::Zero();
+    Layer layer = Layer::Contour;
+    double width_mm = thick_mm;
+    LineType type = LineType::Continuous;
+    friend bool operator==(const Line&, const Line&) = default;
+};
+
+/// Anticlockwise from start to end; 0 to 360 is the whole circle.
+struct Arc {
+    Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
+    double radius_mm = 0;
+    double start_deg = 0, end_deg = 360;
+    Layer layer = Layer::Contour;
+    double width_mm = thick_mm;
+    friend bool operator==(const Arc&, const Arc&) = default;
+};
+
+enum class Anchor : std::uint8_t { Start, Middle, End };
+
+/// One line of text on its base line.
+struct Label {
+    Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();  ///< of the anchor, on the base line
+    double height_mm = 3.5;                           ///< of capitals
+    double angle_deg = 0;                             ///< 0, or 90: read from the right
+    std::string text = {};                            ///< UTF-8
+    Anchor anchor = Anchor::Start;
+    bool italic = false;  ///< as measured
+    Layer layer = Layer::Text;
+    friend bool operator==(const Label&, const Label&) = default;
+};
+
+/// A filled arrow head.
+struct Arrow {
+    Eigen::Vector2d tip_mm = Eigen::Vector2d::Zero();
+    Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, toward the tip
+    double length_mm = 2.5;                                ///< a third of it wide
+    Layer layer = Layer::Dimensions;
+    friend bool operator==(const Arrow&, const Arrow&) = default;
+};
+
+struct Drawing {
+    Sheet sheet = Sheet::A4Landscape;
+    Scale scale;        ///< of the main view
+    std::string title;  ///< what a screen reader says
+    std::vector<Line> lines;
+    std::vector<Arc> arcs;
+    std::vector<Label> labels;
+    std::vector<Arrow> arrows;
+    bool complete = true;  ///< false: dimensions had to be left out for want of room
+    friend bool operator==(const Drawing&, const Drawing&) = default;
+};
+
+/// Width of `text` set in DejaVu Sans with capitals of `height_mm`; exact for ASCII and the signs of drawings.
+double textWidth_mm(std::string_view text, double height_mm);
+
+/// What a label covers: from below the base line (descenders) to above the capitals (accents).
+Box boxOf(const Label& label);
+
+/// What all entities cover, line widths left out; an empty drawing gives an empty box at 0.
+Box boxOf(const Drawing& drawing);
+
+/// All entities moved.
+void move(Drawing& drawing, const Eigen::Vector2d& by_mm);
+
+/// Entities of `other` added after those of `drawing`.
+void append(Drawing& drawing, const Drawing& other);
+
+/// Font size over the height of capitals in DejaVu Sans.
+inline constexpr double fontSizeOverHeight = 1 / 0.729;
+
+}  // namespace lathelier::drawing

@@ -1,0 +1,20 @@
+// The view of a shaft with its dimensions at one scale, its origin on the axis at the free end.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/drawing/drawing.h"
+#include "engine/drawing/features.h"
+
+namespace lathelier::drawing {
+
+/// How lengths from one end are shown (ISO 129-1).
+enum class LengthStyle : std::uint8_t {
+    Parallel,  ///< each on a lane of its own
+    Running,   ///< superimposed on one line, for want of height
+};
+
+/// `shaft` with its bores stated (withStatedBores), `features` of it; lettering `height_mm` high.
+Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths);
+
+}  // namespace lathelier::drawing

@@ -1,0 +1,128 @@
+#include "engine/drawing/rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/shaft_contour.h"
+
+namespace lathelier::drawing {
+namespace {
+
+constexpr double kSame_mm = 1e-6;
+
+RowKind kindOf(const ContourRow& row, const std::string& role)
+{
+    const double length = row.length_mm(), large = std::max(row.start_diameter_mm, row.end_diameter_mm);
+    const bool cylinder = row.arc_radius_mm == 0 && std::abs(row.start_diameter_mm - row.end_diameter_mm) < kSame_mm;
+    if (role == "groove") return RowKind::Groove;
+    if (role == "undercut") return RowKind::Undercut;
+    if (length < kSame_mm) return RowKind::Face;
+    if (cylinder) return RowKind::Cylinder;
+    if (row.arc_radius_mm != 0) {
+        if (role == "saddle") return RowKind::Curve;
+        if (role == "fillet" || role == "edge_round") return RowKind::Radius;
+        return length <= 0.15 * large ? RowKind::Radius : RowKind::Curve;
+    }
+    if (role == "chamfer") return RowKind::Chamfer;
+    const bool short_and_steep = row.angle_deg() >= 10 && length <= 0.1 * large;
+    return role.empty() && short_and_steep ? RowKind::Chamfer : RowKind::Taper;
+}
+
+template <class Segment>
+ContourRow rowOf(const Segment& segment, double z_mm, double sense, std::size_t index)
+{
+    ContourRow row;
+    row.start_z_mm = z_mm;
+    row.end_z_mm = z_mm + sense * segment.length_mm;
+    row.start_diameter_mm = segment.start_diameter_mm;
+    row.end_diameter_mm = segment.end_diameter_mm;
+    row.arc_radius_mm = segment.arc_radius_mm.value_or(0);
+    row.index = index;
+    row.kind = kindOf(row, segment.role);
+    return row;
+}
+
+}  // namespace
+
+double ContourRow::length_mm() const
+{
+    return std::abs(end_z_mm - start_z_mm);
+}
+
+Eigen::Vector2d ContourRow::middle_mm() const
+{
+    const double sense = end_z_mm < start_z_mm ? -1 : 1;
+    const ContourPiece piece{
+        {start_z_mm, start_diameter_mm / 2}, {end_z_mm, end_diameter_mm / 2}, sense * arc_radius_mm};
+    if (!piece.isArc()) return (piece.from_mm + piece.to_mm) / 2;
+    const auto [start, end] = piece.arcAngles();
+    const double middle = (start + end) / 2;
+    return piece.centre_mm() + std::abs(arc_radius_mm) * Eigen::Vector2d(std::cos(middle), std::sin(middle));
+}
+
+double ContourRow::angle_deg() const
+{
+    return std::atan2(std::abs(end_diameter_mm - start_diameter_mm) / 2, length_mm()) * 180 / std::numbers::pi;
+}
+
+bool ContourRow::isMinor() const
+{
+    return kind == RowKind::Chamfer || kind == RowKind::Radius || kind == RowKind::Groove || kind == RowKind::Undercut;
+}
+
+Shaft withStatedBores(const Shaft& shaft)
+{
+    Shaft result = shaft;
+    if (!shaft.bores.empty()) return result;
+    for (std::ptrdiff_t number = 0; number < 2; ++number) {
+        std::vector<ContourPiece> pieces;
+        for (const ContourPiece& piece : closedContour(shaft))
+            if (piece.bore == number && piece.row != ContourPiece::none) pieces.push_back(piece);
+        if (pieces.empty()) continue;
+        const auto low = [](const ContourPiece& piece) { return std::min(piece.from_mm.x(), piece.to_mm.x()); };
+        std::sort(pieces.begin(), pieces.end(),
+                  [&](const ContourPiece& a, const ContourPiece& b) { return low(a) < low(b); });
+        ShaftBore bore{low(pieces.front()) < kSame_mm ? ShaftEnd::Free : ShaftEnd::Chuck, {}};
+        if (bore.from == ShaftEnd::Chuck) std::reverse(pieces.begin(), pieces.end());
+        for (const ContourPiece& piece : pieces) {
+            const double length = std::abs(piece.to_mm.x() - piece.from_mm.x()), diameter = 2 * piece.from_mm.y();
+            if (!bore.segments.empty() && std::abs(bore.segments.back().end_diameter_mm - diameter) < kSame_mm)
+                bore.segments.back().length_mm += length;
+            else
+                bore.segments.push_back({length, diameter, diameter, {}, {}});
+        }
+        result.bores.push_back(bore);
+    }
+    for (ShaftSegment& segment : result.segments) segment.bore_diameter_mm = 0;
+    return result;
+}
+
+std::vector<ContourRow> outerRows(const Shaft& shaft)
+{
+    std::vector<ContourRow> rows;
+    double z_mm = 0;
+    for (std::size_t i = 0; i < shaft.segments.size(); ++i) {
+        const ShaftSegment& segment = shaft.segments[i];
+        rows.push_back(rowOf(segment, z_mm, 1, i));
+        rows.back().tolerance = segment.tolerance;
+        rows.back().is_nominal = segment.measured.has_value();
+        z_mm = rows.back().end_z_mm;
+    }
+    return rows;
+}
+
+std::vector<ContourRow> boreRows(const Shaft& shaft, std::size_t bore)
+{
+    std::vector<ContourRow> rows;
+    const ShaftBore& stated = shaft.bores.at(bore);
+    const double sense = stated.from == ShaftEnd::Free ? 1 : -1;
+    double z_mm = stated.from == ShaftEnd::Free ? 0 : shaft.length_mm();
+    for (std::size_t i = 0; i < stated.segments.size(); ++i) {
+        rows.push_back(rowOf(stated.segments[i], z_mm, sense, i));
+        z_mm = rows.back().end_z_mm;
+    }
+    return rows;
+}
+
+}  // namespace lathelier::drawing

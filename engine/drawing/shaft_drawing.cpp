@@ -1,0 +1,112 @@
+#include "engine/drawing/shaft_drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/core/shaft_contour.h"
+#include "engine/drawing/features.h"
+#include "engine/drawing/layout.h"
+#include "engine/drawing/rows.h"
+#include "engine/drawing/title_block.h"
+
+namespace lathelier::drawing {
+namespace {
+
+constexpr double kMargin_mm = 4;     // between the frame and what is drawn
+constexpr double kReadable_mm = 60;  // the part's larger size on paper, wanted
+constexpr double kGenerous_mm = 90;  // the same, for which the smaller sheet is taken
+constexpr double kHalf = 0.5;        // the smallest scale for which the smaller sheet is taken
+
+/// One way to try.
+struct Attempt {
+    Sheet sheet = Sheet::A4Landscape;
+    double height_mm = 3.5;
+    double least_size_mm = 0;  ///< of the part on paper
+    double least_factor = 0;
+    LengthStyle lengths = LengthStyle::Parallel;
+};
+
+std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
+{
+    std::vector<Attempt> attempts;
+    if (!sheet)
+        for (const Sheet small : {Sheet::A4Landscape, Sheet::A4Portrait})
+            attempts.push_back({small, 3.5, kGenerous_mm, kHalf});
+    const Sheet last = sheet.value_or(Sheet::A3Landscape);
+    for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
+        for (const double height : {3.5, 2.5}) attempts.push_back({last, height, kReadable_mm, 0, lengths});
+    for (const double least : {kReadable_mm / 2, 0.0})
+        for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
+            attempts.push_back({last, 2.5, least, 0, lengths});
+    return attempts;
+}
+
+class Composer {
+public:
+    Composer(const Shaft& shaft, const DrawingOptions& options)
+        : options_(options), shaft_(withStatedBores(shaft)), block_mm_(titleBlockHeight_mm(shaft, options))
+    {
+        double largest = shaft.length_mm();
+        for (const ShaftSegment& row : shaft.segments)
+            largest = std::max({largest, row.start_diameter_mm, row.end_diameter_mm});
+        const std::vector<Attempt> attempts = attemptsFor(options.sheet);
+        drawing_.sheet = attempts.back().sheet;
+        drawing_.title = options.name.empty() ? shaft.name : options.name;
+        if (!shaft.segments.empty()) {
+            const Features features = featuresOf(shaft_, options);
+            bool done = false;
+            for (std::size_t i = 0; i < attempts.size() && !done; ++i) done = take(attempts[i], features, largest);
+            if (!done) {
+                drawing_.complete = false;
+                Features bare;
+                bare.lengths.push_back(features.lengths.back());
+                take(attempts.back(), bare, largest);
+            }
+        }
+        append(drawing_, titleBlock(shaft_, options, drawing_.sheet, drawing_.scale));
+    }
+
+    Drawing take() { return std::move(drawing_); }
+
+private:
+    bool take(const Attempt& attempt, const Features& features, double largest_mm)
+    {
+        Box room = frameBox(attempt.sheet).grown(-kMargin_mm);
+        room.bottom_mm += block_mm_;
+        for (const Scale& scale : scales()) {
+            const double factor = scale.factor();
+            if (largest_mm * factor > room.width_mm()) continue;
+            if (largest_mm * factor < attempt.least_size_mm || factor < attempt.least_factor) return false;
+            Drawing content = layOut(shaft_, features, factor, attempt.height_mm, attempt.lengths);
+            const Box box = boxOf(content);
+            if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;
+            move(content, {(room.left_mm + room.right_mm - box.left_mm - box.right_mm) / 2,
+                           (room.bottom_mm + room.top_mm - box.bottom_mm - box.top_mm) / 2});
+            drawing_.sheet = attempt.sheet;
+            drawing_.scale = scale;
+            append(drawing_, content);
+            return true;
+        }
+        return false;
+    }
+
+    const DrawingOptions& options_;
+    Shaft shaft_;
+    double block_mm_;
+    Drawing drawing_;
+};
+
+}  // namespace
+
+Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options)
+{
+    return Composer(shaft, options).take();
+}
+
+std::optional<double> mass_kg(const Shaft& shaft)
+{
+    if (!shaft.material) return std::nullopt;
+    return volume_mm3(shaft) * shaft.material->density_kg_m3 * 1e-9;
+}
+
+}  // namespace lathelier::drawing

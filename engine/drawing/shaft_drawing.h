@@ -1,0 +1,55 @@
+// The workshop drawing of a turned shaft.
+//
+// Solid shafts are shown in full view; bored ones in half section with the upper half cut and hatched (ISO 128-3). A
+// keyway gets a section A-A. Dimensions after ISO 129-1:
+// - every cylinder ⌀, on a line inside the view where the text fits, else above the view; adjoining cylinders of one
+//   diameter that only a groove or an undercut parts are one; bores beside the view where a face opens on them;
+// - lengths from the free end on parallel lanes below, the overall length last; depths of bores above from their mouth;
+// - chamfers "1×45°" (leg along z × angle to the axis), radii "R2", grooves "width×⌀bottom", tapers "▷1:10" or the
+//   whole angle of steep ones, each with its large ⌀ (where no cylinder continues it) and its length in brackets as an
+//   auxiliary dimension, undercuts "DIN 509 - E 0.6×0.2", threads "M16×2 - length" with the root as a thin line
+//   (ISO 6410-1), knurls: by leaders that never cross each other.
+// Numbers have up to three decimals. Nominal sizes are upright with their
+// tolerance; measured ones (DrawingOptions::measured, and the row holds no ShaftSegment::measured, which would make it
+// a nominal one) are italic with ± U where U is known. U of a length joins those of its two ends.
+//
+// Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of
+// lengths need too much height, they become running dimensions on one line; what still does not fit is
+// drawn with its overall length only (Drawing::complete is false). Undercuts of form F hidden behind a shoulder are not
+// drawn in the full view.
+//
+// Precondition: a shaft that keeps checkShaft(). Errors: none; a shaft without rows gives an empty sheet.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/input_file.h"
+#include "engine/core/shaft.h"
+#include "engine/core/text.h"
+#include "engine/drawing/drawing.h"
+
+namespace lathelier::drawing {
+
+struct DrawingOptions {
+    std::optional<Sheet> sheet = {};  ///< none: A4 landscape, or A3 where A4 would need less than 1:2 or smaller type
+    std::string name = {};            ///< empty: Shaft::name
+    std::string material = {};        ///< empty: the name of Shaft::material
+    std::optional<InputFile> scan = {};   ///< that the shaft was recovered from; none: no file, no remark on scans
+    std::string date = {};                ///< as it is to be printed
+    std::string method = {};              ///< of the recognition, as it is to be printed
+    std::string sheet_number = "1/1";     ///< of the title block
+    std::string decimal_separator = ".";  ///< "," where the reader expects it
+    bool measured = false;                ///< rows without ShaftSegment::measured are measured values
+    std::vector<SizeUncertainty> uncertainties = {};  ///< by row (k = 2); shorter: the others are unknown
+    std::function<std::string(Text)> translate = {};  ///< empty: English
+};
+
+Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options);
+
+/// Mass without marks, kg; none where the material is not stated.
+std::optional<double> mass_kg(const Shaft& shaft);
+
+}  // namespace lathelier::drawing

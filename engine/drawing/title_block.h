@@ -1,0 +1,15 @@
+// Frame and title block of a sheet (after ISO 5457 and ISO 7200: 180 mm wide, lower right corner).
+#pragma once
+
+#include "engine/drawing/drawing.h"
+#include "engine/drawing/shaft_drawing.h"
+
+namespace lathelier::drawing {
+
+/// Height of the block with these contents, mm.
+double titleBlockHeight_mm(const Shaft& shaft, const DrawingOptions& options);
+
+/// Frame and block in the coordinates of the sheet. Contents too long for their cell are set smaller, then shortened.
+Drawing titleBlock(const Shaft& shaft, const DrawingOptions& options, Sheet sheet, const Scale& scale);
+
+}  // namespace lathelier::drawing

@@ -1,0 +1,266 @@
+#include "engine/drawing/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lathelier::drawing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kCorner = 0.02;  // sine of the angle between two pieces that meet in an edge
+constexpr double kSame_mm = 1e-6;
+
+Vector2d mirrored(const Vector2d& point)
+{
+    return {point.x(), -point.y()};
+}
+
+Vector2d tangent(const ContourPiece& piece, bool at_end)
+{
+    if (!piece.isArc()) return (piece.to_mm - piece.from_mm).normalized();
+    const Vector2d out = ((at_end ? piece.to_mm : piece.from_mm) - piece.centre_mm()).normalized();
+    const Vector2d anticlockwise(-out.y(), out.x());
+    return piece.arc_radius_mm > 0 ? Vector2d(-anticlockwise) : anticlockwise;
+}
+
+bool isCorner(const ContourPiece& a, const ContourPiece& b)
+{
+    const Vector2d u = tangent(a, true), v = tangent(b, false);
+    return std::abs(u.x() * v.y() - u.y() * v.x()) > kCorner || u.dot(v) < 0;
+}
+
+/// A point of the piece, on its arc.
+Vector2d middleOf(const ContourPiece& piece)
+{
+    if (!piece.isArc()) return (piece.from_mm + piece.to_mm) / 2;
+    const auto [start, end] = piece.arcAngles();
+    const double angle = (start + end) / 2;
+    return piece.centre_mm() + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
+}
+
+/// Is this place of the outside behind material of a larger radius?
+bool isHidden(const Contour& outside, const Vector2d& point)
+{
+    return std::any_of(outside.begin(), outside.end(), [&](const ContourPiece& piece) {
+        const double low = std::min(piece.from_mm.x(), piece.to_mm.x()),
+                     high = std::max(piece.from_mm.x(), piece.to_mm.x());
+        return point.x() > low + kSame_mm && point.x() < high - kSame_mm &&
+               piece.radiusAt_mm(point.x()) > point.y() + 1e-3;
+    });
+}
+
+class View {
+public:
+    View(const Shaft& shaft, double factor) : shaft_(shaft), factor_(factor), outside_(outerContour(shaft))
+    {
+        if (outside_.empty()) return;
+        if (shaft.bores.empty()) {
+            addOutside(true);
+        } else {
+            const Contour closed = closedContour(shaft);
+            for (const ContourPiece& piece : closed)
+                if (piece.from_mm.y() > kSame_mm || piece.to_mm.y() > kSame_mm) addPiece(piece, false);
+            addBoreEdges(closed);
+            for (const Line& line : hatch({polygonOf(closed, factor)}, 2.5)) view_.lines.push_back(line);
+        }
+        addOutside(false);
+        for (const ShaftMark& mark : shaft.marks) addMark(mark);
+    }
+
+    Drawing take() { return std::move(view_); }
+
+private:
+    void addLine(const Vector2d& from, const Vector2d& to, double width_mm = thick_mm)
+    {
+        if ((to - from).norm() * factor_ < 1e-3) return;
+        const Layer layer = width_mm == thick_mm ? Layer::Contour : Layer::Dimensions;
+        const Line line{factor_ * from, factor_ * to, layer, width_mm};
+        if (std::find(view_.lines.begin(), view_.lines.end(), line) == view_.lines.end()) view_.lines.push_back(line);
+    }
+
+    void addPiece(const ContourPiece& piece, bool mirror)
+    {
+        if (!piece.isArc()) {
+            addLine(mirror ? mirrored(piece.from_mm) : piece.from_mm, mirror ? mirrored(piece.to_mm) : piece.to_mm);
+            return;
+        }
+        auto [start, end] = piece.arcAngles();
+        if (start > end) std::swap(start, end);
+        if (mirror) {
+            std::swap(start, end);
+            start = -start;
+            end = -end;
+        }
+        const Vector2d centre = mirror ? mirrored(piece.centre_mm()) : piece.centre_mm();
+        view_.arcs.push_back({factor_ * centre, factor_ * std::abs(piece.arc_radius_mm), start * 180 / kPi,
+                              end * 180 / kPi, Layer::Contour, thick_mm});
+    }
+
+    /// The upper or the lower half of the outside; its edges run from the axis.
+    void addOutside(bool upper)
+    {
+        const double sign = upper ? 1 : -1;
+        const auto edge = [&](const Vector2d& at) { addLine({at.x(), 0}, {at.x(), sign * at.y()}); };
+        edge(outside_.front().from_mm);
+        edge(outside_.back().to_mm);
+        for (std::size_t i = 0; i < outside_.size(); ++i) {
+            const ContourPiece& piece = outside_[i];
+            if (!isHidden(outside_, middleOf(piece))) addPiece(piece, !upper);
+            if (i + 1 == outside_.size() || !isCorner(piece, outside_[i + 1])) continue;
+            if (!isHidden(outside_, piece.to_mm)) edge(piece.to_mm);
+        }
+    }
+
+    /// Edges of the bores, seen behind the section.
+    void addBoreEdges(const Contour& closed)
+    {
+        for (std::size_t i = 0; i < closed.size(); ++i) {
+            const ContourPiece &piece = closed[i], &next = closed[(i + 1) % closed.size()];
+            const bool inside = piece.bore != ContourPiece::none || next.bore != ContourPiece::none;
+            if (inside && isCorner(piece, next)) addLine({piece.to_mm.x(), 0}, piece.to_mm);
+        }
+    }
+
+    double radiusAt(double z_mm) const
+    {
+        double radius = 0;
+        for (const ContourPiece& piece : outside_)
+            if (z_mm >= std::min(piece.from_mm.x(), piece.to_mm.x()) - kSame_mm &&
+                z_mm <= std::max(piece.from_mm.x(), piece.to_mm.x()) + kSame_mm && piece.from_mm.x() != piece.to_mm.x())
+                radius = std::max(radius, piece.radiusAt_mm(z_mm));
+        return radius;
+    }
+
+    void addMark(const ShaftMark& mark)
+    {
+        if (!mark.z_start_mm || !mark.z_end_mm) return;
+        const double from = *mark.z_start_mm, to = *mark.z_end_mm;
+        if (mark.kind == "thread" && mark.major_mm && (mark.minor_mm || mark.pitch_mm)) {
+            const double root = mark.minor_mm ? *mark.minor_mm / 2 : (*mark.major_mm - rootDepth * *mark.pitch_mm) / 2;
+            double begin = from;  // the root begins inside a chamfer
+            for (const ContourPiece& piece : outside_)
+                if (piece.from_mm.x() <= begin && piece.to_mm.x() > begin && piece.from_mm.y() < root &&
+                    piece.to_mm.y() > root)
+                    begin = piece.from_mm.x() + (piece.to_mm.x() - piece.from_mm.x()) * (root - piece.from_mm.y()) /
+                                                    (piece.to_mm.y() - piece.from_mm.y());
+            for (const double sign : {1.0, -1.0}) addLine({begin, sign * root}, {to, sign * root}, thin_mm);
+        } else if (mark.kind == "keyway" && mark.width_mm) {
+            const double low = -*mark.width_mm / 2,
+                         high = shaft_.bores.empty() ? -low : 0;  // the upper half is cut away
+            addLine({from, low}, {to, low});
+            if (high > 0) addLine({from, high}, {to, high});
+            addLine({from, low}, {from, high});
+            addLine({to, low}, {to, high});
+        } else if (mark.kind == "knurl") {
+            addKnurl(from, to);
+        }
+    }
+
+    /// A corner of crossed thin lines, as ISO 6413 shows a part of one.
+    void addKnurl(double from, double to)
+    {
+        const double low = -radiusAt((from + to) / 2) * factor_, left = from * factor_;
+        const double width = std::min((to - from) * factor_ / 3, 9.0), height = std::min(-low / 2, 7.0);
+        const double right = left + width;
+        for (Line line : hatch({{{left, low}, {right, low}, {right, low + height}, {left, low + height}}}, 1.5)) {
+            line.layer = Layer::Dimensions;
+            view_.lines.push_back(line);
+            for (Vector2d* point : {&line.from_mm, &line.to_mm}) point->x() = left + right - point->x();
+            view_.lines.push_back(line);
+        }
+    }
+
+    const Shaft& shaft_;
+    double factor_;
+    Contour outside_;
+    Drawing view_;
+};
+
+}  // namespace
+
+Drawing viewOf(const Shaft& shaft, double factor)
+{
+    return View(shaft, factor).take();
+}
+
+Polygon polygonOf(const Contour& contour, double factor)
+{
+    Polygon points;
+    for (const ContourPiece& piece : contour) {
+        points.emplace_back(factor * piece.from_mm);
+        if (!piece.isArc()) continue;
+        const auto [start, end] = piece.arcAngles();
+        const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end - start) / (2 * kPi / 180))));
+        for (int i = 1; i < steps; ++i) {
+            const double angle = start + (end - start) * i / steps;
+            points.emplace_back(factor * (piece.centre_mm() +
+                                          std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle))));
+        }
+    }
+    return points;
+}
+
+std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm)
+{
+    const Vector2d along = Vector2d(1, 1).normalized(), across(-along.y(), along.x());
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Polygon& polygon : polygons)
+        for (const Vector2d& point : polygon) {
+            low = std::min(low, point.dot(across));
+            high = std::max(high, point.dot(across));
+        }
+    std::vector<Line> lines;
+    if (!(low < high)) return lines;
+    for (double at = (std::floor(low / spacing_mm) + 0.5) * spacing_mm; at < high; at += spacing_mm) {
+        std::vector<double> cuts;
+        for (const Polygon& polygon : polygons)
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+                const double u = a.dot(across) - at, v = b.dot(across) - at;
+                if ((u < 0) != (v < 0)) cuts.push_back((a + (b - a) * (u / (u - v))).dot(along));
+            }
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
+            if (cuts[i + 1] - cuts[i] > 0.05)
+                lines.push_back(
+                    {cuts[i] * along + at * across, cuts[i + 1] * along + at * across, Layer::Hatch, thin_mm});
+    }
+    return lines;
+}
+
+Drawing keywaySection(const KeywayView& keyway, double factor)
+{
+    Drawing section;
+    const double radius = factor * keyway.diameter_mm / 2, half = factor * keyway.width_mm / 2;
+    const double floor = factor * keyway.floor_mm, side = std::sqrt(radius * radius - half * half);
+    const double slot = std::asin(half / radius);
+    section.arcs.push_back(
+        {Vector2d::Zero(), radius, 90 + slot * 180 / kPi, 450 - slot * 180 / kPi, Layer::Contour, thick_mm});
+    Polygon polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+        section.lines.push_back({polygon[i], polygon[i + 1], Layer::Contour, thick_mm});
+    constexpr int kSteps = 180;
+    const double begin = kPi / 2 + slot, turn = 2 * kPi - 2 * slot;
+    for (int i = 1; i < kSteps; ++i) {
+        const double angle = begin + turn * i / kSteps;
+        polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    Polygon hole;
+    const double bore = factor * keyway.bore_diameter_mm / 2;
+    if (bore > 0) {
+        section.arcs.push_back({Vector2d::Zero(), bore, 0, 360, Layer::Contour, thick_mm});
+        for (int i = 0; i < kSteps; ++i)
+            hole.emplace_back(bore * std::cos(2 * kPi * i / kSteps), bore * std::sin(2 * kPi * i / kSteps));
+    }
+    for (const Line& line : hatch({polygon, hole}, 2.5)) section.lines.push_back(line);
+    const double over = radius + 3;
+    for (const Vector2d& axis : {Vector2d(over, 0), Vector2d(0, over)})
+        section.lines.push_back({-axis, axis, Layer::Axis, thin_mm, LineType::DashDot});
+    return section;
+}
+
+}  // namespace lathelier::drawing

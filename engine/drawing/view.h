@@ -1,0 +1,24 @@
+// The view of a shaft: edges, axis, hatching, thread roots and keyways, in mm on paper from the axis at the free end.
+#pragma once
+
+#include "engine/core/shaft_contour.h"
+#include "engine/drawing/drawing.h"
+#include "engine/drawing/features.h"
+
+namespace lathelier::drawing {
+
+/// Edges of the view without its axis; the upper half is cut where the shaft has bores. `shaft` with its bores stated.
+Drawing viewOf(const Shaft& shaft, double factor);
+
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/// Parallel lines at 45° inside closed polygons (even-odd), `spacing_mm` apart.
+std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm);
+
+/// The corners of closed pieces, arcs as steps of at most 2°, multiplied by `factor`.
+Polygon polygonOf(const Contour& contour, double factor);
+
+/// A cross section through a keyway, opening upward, its centre at 0, hatched, with its axes.
+Drawing keywaySection(const KeywayView& keyway, double factor);
+
+}  // namespace lathelier::drawing

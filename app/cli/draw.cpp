@@ -1,49 +1,16 @@
 // draw SHAFT.json|PART.step|TABLE.csv: checks a shaft and writes it as drawing and CAD.
 #include <nlohmann/json.hpp>
 
+#include "app/cli/any_shaft.h"
 #include "app/cli/shaft_outputs.h"
 #include "app/cli/verbs.h"
-#include "engine/cad/cad_notes.h"
-#include "engine/cad/shaft_csv.h"
-#include "engine/cad/step_reader.h"
 #include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_rules.h"
-#include "engine/io/json/json_fields.h"
-#include "engine/io/shaft/shaft_file.h"
-#include "engine/io/text/encoding.h"
 
 namespace lathelier::cli {
 namespace {
 
 constexpr const char* checkKey = "check";
-
-/// A shaft in any of the forms that draw takes, told apart by its content; bores as they are stated.
-Shaft readAnyShaft(std::string_view bytes, Notes& notes, Json& facts, const Progress& progress)
-{
-    const std::string_view head = bytes.substr(0, 4096);
-    if (cad::looksLikeStep(head)) {
-        cad::StepPart part = cad::readStep(bytes, notes, progress);
-        facts["format"] = "STEP";
-        facts["axis"] = {{"point_mm", {part.free_end_mm.x(), part.free_end_mm.y(), part.free_end_mm.z()}},
-                         {"direction", {part.axis.x(), part.axis.y(), part.axis.z()}}};
-        facts["solid_volume_mm3"] = part.volume_mm3;
-        facts["other_faces"] = Json::array();
-        for (const cad::OtherFace& face : part.other_faces)
-            facts["other_faces"].push_back({{"kind", face.kind.english},
-                                            {"area_mm2", face.area_mm2},
-                                            {"z_start_mm", face.z_start_mm},
-                                            {"z_end_mm", face.z_end_mm}});
-        return part.shaft;
-    }
-    const io::DecodedText text = io::decodeText(bytes, io::Encoding::Auto, progress);
-    const std::size_t first = text.view().find_first_not_of(" \t\r\n");
-    if (first != std::string_view::npos && text.view()[first] == '{') {
-        facts["format"] = "shaft_json";
-        return io::readShaft(std::string(text.view()), notes);
-    }
-    facts["format"] = "csv";
-    return cad::readShaftCsv(bytes, notes, progress);
-}
 
 Json rowsOf(const Shaft& shaft)
 {

@@ -54,6 +54,14 @@ inline constexpr NoteCode paperMethod{
     "paper_method", Severity::Info,
     LT_TEXT("Engine", "The published method was used; its sections know no cones, arcs and undercuts.")};
 
+inline constexpr NoteCode sizesNotRecognized{
+    "sizes_not_recognized", Severity::Warning,
+    LT_TEXT("Engine", "The sizes of the copy were not recognised ({reason}): the rows have no measured values.")};
+
+inline constexpr NoteCode meshCoarser{
+    "mesh_coarser", Severity::Info,
+    LT_TEXT("Engine", "The drawing was compared as a mesh of limited size: its facets lie within {sagitta_mm} mm.")};
+
 }  // namespace notes
 
 }  // namespace lathelier

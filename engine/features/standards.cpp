@@ -70,14 +70,38 @@ constexpr std::array<StandardTaper, 17> kTapers{{
     {"Morse 6", 1 / 19.180, 63.348},
 }};
 
-// ISO 2768-1:1989, tables 1 and 3, class m.
+// ISO 2768-1:1989, tables 1 and 2, classes f, m, c, v; 0: none.
+struct Classes {
+    double to_mm;
+    std::array<double, 4> tolerance_mm;
+};
+constexpr std::array<Classes, 8> kLinear_mm{{{3, {0.05, 0.1, 0.2, 0}},
+                                             {6, {0.05, 0.1, 0.3, 0.5}},
+                                             {30, {0.1, 0.2, 0.5, 1}},
+                                             {120, {0.15, 0.3, 0.8, 1.5}},
+                                             {400, {0.2, 0.5, 1.2, 2.5}},
+                                             {1000, {0.3, 0.8, 2, 4}},
+                                             {2000, {0.5, 1.2, 3, 6}},
+                                             {4000, {0, 2, 4, 8}}}};
+constexpr std::array<Classes, 3> kEdges_mm{{{3, {0.2, 0.2, 0.4, 0.4}}, {6, {0.5, 0.5, 1, 1}}, {kAny, {1, 1, 2, 2}}}};
+constexpr std::string_view kGeneralTolerance = "ISO 2768-", kGeneralClasses = "fmcv", kGeometricClasses = "HKL";
+
+// Table 3, class m.
 struct Step {
     double to_mm, tolerance;
 };
-constexpr std::array<Step, 8> kLinear_mm{
-    {{3, 0.1}, {6, 0.1}, {30, 0.2}, {120, 0.3}, {400, 0.5}, {1000, 0.8}, {2000, 1.2}, {4000, 2}}};
 constexpr std::array<Step, 5> kAngular_arcmin{{{10, 60}, {50, 30}, {120, 20}, {400, 10}, {kAny, 5}}};
 constexpr double kLeast_mm = 0.5;
+
+std::optional<double> toleranceIn(std::span<const Classes> table, double size_mm, GeneralClass general)
+{
+    if (!(size_mm >= kLeast_mm)) return {};
+    for (const Classes& range : table) {
+        const double tolerance_mm = range.tolerance_mm[static_cast<std::size_t>(general)];
+        if (size_mm <= range.to_mm) return tolerance_mm > 0 ? std::optional(tolerance_mm) : std::nullopt;
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -133,12 +157,24 @@ std::span<const StandardTaper> standardTapers()
     return kTapers;
 }
 
-std::optional<double> generalTolerance_mm(double length_mm)
+std::optional<GeneralClass> parseGeneralTolerance(std::string_view text)
 {
-    if (!(length_mm >= kLeast_mm)) return {};
-    for (const Step& step : kLinear_mm)
-        if (length_mm <= step.to_mm) return step.tolerance;
-    return {};
+    if (text.substr(0, kGeneralTolerance.size()) != kGeneralTolerance) return {};
+    text.remove_prefix(kGeneralTolerance.size());
+    if (text.size() == 2 && kGeometricClasses.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
+    const std::size_t found = text.size() == 1 ? kGeneralClasses.find(text.front()) : std::string_view::npos;
+    if (found == std::string_view::npos) return {};
+    return static_cast<GeneralClass>(found);
+}
+
+std::optional<double> generalTolerance_mm(double length_mm, GeneralClass general)
+{
+    return toleranceIn(kLinear_mm, length_mm, general);
+}
+
+std::optional<double> generalEdgeTolerance_mm(double size_mm, GeneralClass general)
+{
+    return toleranceIn(kEdges_mm, size_mm, general);
 }
 
 double generalAngleTolerance_deg(double shorter_side_mm)

@@ -56,10 +56,16 @@ struct StandardTaper {
 };
 std::span<const StandardTaper> standardTapers();  ///< ISO 1119 (DIN 254), ISO 7388 (7:24), DIN 228-1
 
-/// General tolerances of ISO 2768-1:1989, class m, ± about the size; none: below 0.5 mm (stated beside the size) or
-/// over 4 m.
-std::optional<double> generalTolerance_mm(double length_mm);
-/// The same for angles, by the shorter side.
+/// Tolerance classes of ISO 2768-1:1989: f, m, c, v.
+enum class GeneralClass { Fine, Medium, Coarse, VeryCoarse };
+/// "ISO 2768-m", also with a class of part 2 behind it ("ISO 2768-mK"); none: no such class.
+std::optional<GeneralClass> parseGeneralTolerance(std::string_view text);
+/// General tolerances of ISO 2768-1:1989, table 1, ± about the size; none: below 0.5 mm (stated beside the size) or
+/// beyond the table: over 2 m for f, over 4 m, up to 3 mm for v.
+std::optional<double> generalTolerance_mm(double length_mm, GeneralClass general = GeneralClass::Medium);
+/// The same of table 2, for broken edges: outer radii and heights of chamfers; none: below 0.5 mm.
+std::optional<double> generalEdgeTolerance_mm(double size_mm, GeneralClass general = GeneralClass::Medium);
+/// The same for angles, class m, by the shorter side.
 double generalAngleTolerance_deg(double shorter_side_mm);
 
 }  // namespace lathelier::features

@@ -4736,24 +4736,12 @@
         <translation>Odwrotne sprzęganie receptancji prążek po prążku: początek liniowy z ruchu połączenia, potem ważone najmniejsze kwadraty na zmierzonych charakterystykach.</translation>
     </message>
     <message>
-        <source>the depth of the bore</source>
-        <translation>głębokość otworu</translation>
-    </message>
-    <message>
-        <source>no more than the length</source>
-        <translation>nie więcej niż długość</translation>
-    </message>
-    <message>
         <source>“lathelier-shaft”</source>
         <translation>„lathelier-shaft”</translation>
     </message>
     <message>
         <source>version 1</source>
         <translation>wersja 1</translation>
-    </message>
-    <message>
-        <source>“free” or “chuck”</source>
-        <translation>„free” albo „chuck”</translation>
     </message>
     <message>
         <source>outer and bore radius at the start, outer and bore radius at the end, length</source>
@@ -9423,6 +9411,1042 @@
         <source>Elastic constants from the library that the workspace Chatter uses. The cutting coefficients stay those of the set-up.</source>
         <translation>Stałe sprężystości z biblioteki, której używa obszar Drgania. Współczynniki skrawania zostają z ustawienia.</translation>
     </message>
+    <message>
+        <source>Expanded uncertainty, k = 2.</source>
+        <translation>Niepewność rozszerzona, k = 2.</translation>
+    </message>
+    <message>
+        <source>Of this kind of mark.</source>
+        <translation>Dla tego rodzaju śladu.</translation>
+    </message>
+    <message>
+        <source>Tolerance class</source>
+        <translation>Klasa tolerancji</translation>
+    </message>
+    <message>
+        <source>Of ISO 286-1, such as h6.</source>
+        <translation>Według ISO 286-1, na przykład h6.</translation>
+    </message>
+    <message>
+        <source>Deviation of the diameter.</source>
+        <translation>Odchyłka średnicy.</translation>
+    </message>
+    <message>
+        <source>U of its start</source>
+        <translation>U początku</translation>
+    </message>
+    <message>
+        <source>U of its end</source>
+        <translation>U końca</translation>
+    </message>
+    <message>
+        <source>U of its length</source>
+        <translation>U długości</translation>
+    </message>
+    <message>
+        <source>U of the start ⌀</source>
+        <translation>U ⌀ początku</translation>
+    </message>
+    <message>
+        <source>U of the end ⌀</source>
+        <translation>U ⌀ końca</translation>
+    </message>
+    <message>
+        <source>U of the radius</source>
+        <translation>U promienia</translation>
+    </message>
+    <message>
+        <source>U of the angle</source>
+        <translation>U kąta</translation>
+    </message>
+    <message>
+        <source>Measured length</source>
+        <translation>Zmierzona długość</translation>
+    </message>
+    <message>
+        <source>Measured start ⌀</source>
+        <translation>Zmierzona ⌀ początku</translation>
+    </message>
+    <message>
+        <source>Measured end ⌀</source>
+        <translation>Zmierzona ⌀ końca</translation>
+    </message>
+    <message>
+        <source>Measured radius</source>
+        <translation>Zmierzony promień</translation>
+    </message>
+    <message>
+        <source>Of the diameter.</source>
+        <translation>Średnicy.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Zmierzone</translation>
+    </message>
+    <message>
+        <source>What a scan said of this row.</source>
+        <translation>Co skan powiedział o tym wierszu.</translation>
+    </message>
+    <message>
+        <source>At its end toward the mouth.</source>
+        <translation>Na końcu od strony wylotu.</translation>
+    </message>
+    <message>
+        <source>At its inner end.</source>
+        <translation>Na końcu wewnętrznym.</translation>
+    </message>
+    <message>
+        <source>free end</source>
+        <translation>wolny koniec</translation>
+    </message>
+    <message>
+        <source>chuck end</source>
+        <translation>koniec w uchwycie</translation>
+    </message>
+    <message>
+        <source>The end that its mouth is at.</source>
+        <translation>Koniec, przy którym jest wylot.</translation>
+    </message>
+    <message>
+        <source>From the mouth inward.</source>
+        <translation>Od wylotu w głąb.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Thread, knurl, keyway, flat…</source>
+        <translation>Gwint, radełkowanie, rowek wpustowy, ścięcie…</translation>
+    </message>
+    <message>
+        <source>Start z</source>
+        <translation>z początku</translation>
+    </message>
+    <message>
+        <source>End z</source>
+        <translation>z końca</translation>
+    </message>
+    <message>
+        <source>Floor from the axis</source>
+        <translation>Dno od osi</translation>
+    </message>
+    <message>
+        <source>Distance from the axis</source>
+        <translation>Odległość od osi</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Podziałka</translation>
+    </message>
+    <message>
+        <source>Crest ⌀</source>
+        <translation>⌀ wierzchołków</translation>
+    </message>
+    <message>
+        <source>Root ⌀</source>
+        <translation>⌀ dna</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Zwoje</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Kierunek</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zęby</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>Kąt pochylenia</translation>
+    </message>
+    <message>
+        <source>Designation</source>
+        <translation>Oznaczenie</translation>
+    </message>
+    <message>
+        <source>By its standard.</source>
+        <translation>Według normy.</translation>
+    </message>
+    <message>
+        <source>Bores</source>
+        <translation>Otwory</translation>
+    </message>
+    <message>
+        <source>One from each end at most.</source>
+        <translation>Najwyżej jeden z każdego końca.</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Ślady</translation>
+    </message>
+    <message>
+        <source>What is not a body of revolution.</source>
+        <translation>Co nie jest bryłą obrotową.</translation>
+    </message>
+    <message>
+        <source>General tolerance</source>
+        <translation>Tolerancja ogólna</translation>
+    </message>
+    <message>
+        <source>Such as ISO 2768-m.</source>
+        <translation>Na przykład ISO 2768-m.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the {contour}: {quantity} is {found}; expected {expected}.</source>
+        <translation>Wiersz {row}, {contour}: {quantity} = {found}; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the {contour} crosses row {other_row} of the {other_contour} at z {z_mm} mm, ⌀ {diameter_mm} mm; a contour must not cross itself or a bore.</source>
+        <translation>Wiersz {row}, {contour}, przecina wiersz {other_row}, {other_contour}, przy z {z_mm} mm, ⌀ {diameter_mm} mm; zarys nie może przecinać siebie ani otworu.</translation>
+    </message>
+    <message>
+        <source>The bores meet: they are {free_mm} mm and {chuck_mm} mm deep, the part {length_mm} mm long; a through bore is one bore as long as the part.</source>
+        <translation>Otwory się spotykają: mają głębokość {free_mm} mm i {chuck_mm} mm, a część długość {length_mm} mm; otwór przelotowy to jeden otwór tak długi jak część.</translation>
+    </message>
+    <message>
+        <source>The shaft is not complete: {reason}. No drawing or CAD file is made of it.</source>
+        <translation>Wał nie jest kompletny: {reason}. Nie powstaje z niego rysunek ani plik CAD.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the {contour} is {length_mm} mm long, less than 0.05 mm.</source>
+        <translation>Wiersz {row}, {contour}, ma długość {length_mm} mm, mniej niż 0,05 mm.</translation>
+    </message>
+    <message>
+        <source>Rows {row} and {other_row} of the {contour} are one line.</source>
+        <translation>Wiersze {row} i {other_row}, {contour}, leżą na jednej linii.</translation>
+    </message>
+    <message>
+        <source>The wall between outside and bore is {wall_mm} mm at z {z_mm} mm.</source>
+        <translation>Ścianka między powierzchnią zewnętrzną a otworem ma {wall_mm} mm przy z {z_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The mark {kind} from z {z_start_mm} to {z_end_mm} mm lies on no single row of the shaft.</source>
+        <translation>Ślad {kind} od z {z_start_mm} do {z_end_mm} mm nie leży na jednym wierszu wału.</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>powierzchnia zewnętrzna</translation>
+    </message>
+    <message>
+        <source>bore from the free end</source>
+        <translation>otwór od wolnego końca</translation>
+    </message>
+    <message>
+        <source>bore from the chuck end</source>
+        <translation>otwór od strony uchwytu</translation>
+    </message>
+    <message>
+        <source>the length in mm</source>
+        <translation>długość w mm</translation>
+    </message>
+    <message>
+        <source>the start diameter in mm</source>
+        <translation>średnica początku w mm</translation>
+    </message>
+    <message>
+        <source>the end diameter in mm</source>
+        <translation>średnica końca w mm</translation>
+    </message>
+    <message>
+        <source>the arc radius in mm</source>
+        <translation>promień łuku w mm</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>liczba skończona</translation>
+    </message>
+    <message>
+        <source>the number of rows</source>
+        <translation>liczba wierszy</translation>
+    </message>
+    <message>
+        <source>one or more</source>
+        <translation>jeden lub więcej</translation>
+    </message>
+    <message>
+        <source>more than 0 inside the part</source>
+        <translation>więcej niż 0 wewnątrz części</translation>
+    </message>
+    <message>
+        <source>0 or more, but for the face of an undercut after a hollow arc</source>
+        <translation>0 lub więcej, z wyjątkiem czoła podcięcia za łukiem wklęsłym</translation>
+    </message>
+    <message>
+        <source>a finite number that is not 0</source>
+        <translation>liczba skończona różna od 0</translation>
+    </message>
+    <message>
+        <source>at least half the distance between the ends of the row</source>
+        <translation>co najmniej połowa odległości między końcami wiersza</translation>
+    </message>
+    <message>
+        <source>the length of the part in mm</source>
+        <translation>długość części w mm</translation>
+    </message>
+    <message>
+        <source>the bore diameter in mm</source>
+        <translation>średnica otworu w mm</translation>
+    </message>
+    <message>
+        <source>0 or more, below the diameters of its row</source>
+        <translation>0 lub więcej, mniej niż średnice wiersza</translation>
+    </message>
+    <message>
+        <source>There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.</source>
+        <translation>Od z {z_start_mm} do {z_end_mm} mm nie ma danych: sąsiednie wiersze tam się kończą.</translation>
+    </message>
+    <message>
+        <source>The {end} of the part is not seen: the data end at z {z_mm} mm. The length is not known.</source>
+        <translation>Nie widać końca części ({end}): dane kończą się przy z {z_mm} mm. Długość nie jest znana.</translation>
+    </message>
+    <message>
+        <source>The length of {length_mm} mm was stated; the data alone do not show the {end}.</source>
+        <translation>Długość {length_mm} mm została podana; same dane nie pokazują końca ({end}).</translation>
+    </message>
+    <message>
+        <source>Row {row} (z {z_start_mm} to {z_end_mm} mm) lies {offset_mm} mm off the common axis.</source>
+        <translation>Wiersz {row} (z od {z_start_mm} do {z_end_mm} mm) leży {offset_mm} mm od wspólnej osi.</translation>
+    </message>
+    <message>
+        <source>Only {coverage_deg}° of the circle are seen: ovality of the part is taken for size; the uncertainties are wider by {added_um} µm.</source>
+        <translation>Widać tylko {coverage_deg}° okręgu: owalność części liczy się jako wymiar; niepewności są większe o {added_um} µm.</translation>
+    </message>
+    <message>
+        <source>The uncertainties hold the noise of the scan only; the scanner&apos;s own accuracy was not stated.</source>
+        <translation>Niepewności obejmują tylko szum skanu; nie podano dokładności samego skanera.</translation>
+    </message>
+    <message>
+        <source>From z {z_start_mm} to {z_end_mm} mm the surface is rough (a thread, a knurl): one row over its crests.</source>
+        <translation>Od z {z_start_mm} do {z_end_mm} mm powierzchnia jest nierówna (gwint, radełkowanie): jeden wiersz po wierzchołkach.</translation>
+    </message>
+    <message>
+        <source>Junctions within the form tolerance that were taken away: {count}.</source>
+        <translation>Przejścia w granicach tolerancji kształtu, które usunięto: {count}.</translation>
+    </message>
+    <message>
+        <source>The published method was used; its sections know no cones, arcs and undercuts.</source>
+        <translation>Użyto metody opublikowanej; jej przekroje nie znają stożków, łuków ani podcięć.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Oś</translation>
+    </message>
+    <message>
+        <source>whole meridian, robust</source>
+        <translation>cały zarys, odporna</translation>
+    </message>
+    <message>
+        <source>The meridian fitted as a whole, or the sections of the published method.</source>
+        <translation>Zarys osiowy dopasowany w całości albo przekroje metody opublikowanej.</translation>
+    </message>
+    <message>
+        <source>suggest</source>
+        <translation>proponuj</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>apply</source>
+        <translation>zastosuj</translation>
+    </message>
+    <message>
+        <source>Nominal sizes</source>
+        <translation>Wymiary nominalne</translation>
+    </message>
+    <message>
+        <source>Applied ones stand beside what was measured.</source>
+        <translation>Zastosowane stoją obok zmierzonych.</translation>
+    </message>
+    <message>
+        <source>Form tolerance</source>
+        <translation>Tolerancja kształtu</translation>
+    </message>
+    <message>
+        <source>On the radius: what one element describes within it is one row; 0: nothing is merged.</source>
+        <translation>Na promieniu: co jeden element opisuje w jej granicach, jest jednym wierszem; 0: nic się nie łączy.</translation>
+    </message>
+    <message>
+        <source>Of the maker; it is added to every uncertainty. Without it they hold noise only.</source>
+        <translation>Według producenta; dodawana do każdej niepewności. Bez niej obejmują one tylko szum.</translation>
+    </message>
+    <message>
+        <source>first of the data</source>
+        <translation>początek danych</translation>
+    </message>
+    <message>
+        <source>last of the data</source>
+        <translation>koniec danych</translation>
+    </message>
+    <message>
+        <source>Free end</source>
+        <translation>Wolny koniec</translation>
+    </message>
+    <message>
+        <source>Where z is 0, along the larger coordinate&apos;s sense.</source>
+        <translation>Gdzie z = 0, w kierunku rosnącej większej współrzędnej.</translation>
+    </message>
+    <message>
+        <source>Confirms the length where an end lies outside the scan.</source>
+        <translation>Potwierdza długość, gdy koniec leży poza skanem.</translation>
+    </message>
+    <message>
+        <source>Length in the chuck</source>
+        <translation>Długość w uchwycie</translation>
+    </message>
+    <message>
+        <source>Kept in the shaft, left out of the stock file.</source>
+        <translation>Zostaje w wale, nie trafia do pliku półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>Section width</source>
+        <translation>Szerokość przekroju</translation>
+    </message>
+    <message>
+        <source>Of the published method.</source>
+        <translation>Dla metody opublikowanej.</translation>
+    </message>
+    <message>
+        <source>Sections cover</source>
+        <translation>Przekroje pokrywają</translation>
+    </message>
+    <message>
+        <source>Radial tolerance</source>
+        <translation>Tolerancja promieniowa</translation>
+    </message>
+    <message>
+        <source>the one before</source>
+        <translation>poprzednim</translation>
+    </message>
+    <message>
+        <source>the first of its step</source>
+        <translation>pierwszym w stopniu</translation>
+    </message>
+    <message>
+        <source>Sections are compared with</source>
+        <translation>Przekroje porównuje się z</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>dane</translation>
+    </message>
+    <message>
+        <source>mean of five bins</source>
+        <translation>średnia z pięciu przedziałów</translation>
+    </message>
+    <message>
+        <source>bore</source>
+        <translation>otwór</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>brak danych</translation>
+    </message>
+    <message>
+        <source>Data minus rows</source>
+        <translation>Dane minus wiersze</translation>
+    </message>
+    <message>
+        <source>Residual of the radius</source>
+        <translation>Reszta promienia</translation>
+    </message>
+    <message>
+        <source>±2 σ of a bin</source>
+        <translation>±2 σ przedziału</translation>
+    </message>
+    <message>
+        <source>form tolerance</source>
+        <translation>tolerancja kształtu</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>stożek</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>łuk</translation>
+    </message>
+    <message>
+        <source>chamfer</source>
+        <translation>faza</translation>
+    </message>
+    <message>
+        <source>fillet</source>
+        <translation>zaokrąglenie</translation>
+    </message>
+    <message>
+        <source>rounded edge</source>
+        <translation>zaokrąglona krawędź</translation>
+    </message>
+    <message>
+        <source>broken edge</source>
+        <translation>stępiona krawędź</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>odsadzenie</translation>
+    </message>
+    <message>
+        <source>groove</source>
+        <translation>rowek</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>podcięcie</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>gwint</translation>
+    </message>
+    <message>
+        <source>knurl</source>
+        <translation>radełkowanie</translation>
+    </message>
+    <message>
+        <source>saddle</source>
+        <translation>siodło</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>kula</translation>
+    </message>
+    <message>
+        <source>keyway</source>
+        <translation>rowek wpustowy</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>ścięcie</translation>
+    </message>
+    <message>
+        <source>cross hole</source>
+        <translation>otwór poprzeczny</translation>
+    </message>
+    <message>
+        <source>free form</source>
+        <translation>kształt swobodny</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>czoło</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>zaokrąglenie</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>krawędź</translation>
+    </message>
+    <message>
+        <source>end of the data</source>
+        <translation>koniec danych</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z od</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z do</translation>
+    </message>
+    <message>
+        <source>Half angle</source>
+        <translation>Kąt połówkowy</translation>
+    </message>
+    <message>
+        <source>Seen of the circle</source>
+        <translation>Widoczna część okręgu</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Cecha</translation>
+    </message>
+    <message>
+        <source>± (k = 2)</source>
+        <translation>± (k = 2)</translation>
+    </message>
+    <message>
+        <source>Closed by</source>
+        <translation>Zamknięty przez</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Załamanie</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Wiersz</translation>
+    </message>
+    <message>
+        <source>Chamfer, start</source>
+        <translation>Faza, początek</translation>
+    </message>
+    <message>
+        <source>Chamfer, end</source>
+        <translation>Faza, koniec</translation>
+    </message>
+    <message>
+        <source>Its expanded uncertainty (k = 2)</source>
+        <translation>Jej niepewność rozszerzona (k = 2)</translation>
+    </message>
+    <message>
+        <source>Largest diameter</source>
+        <translation>Największa średnica</translation>
+    </message>
+    <message>
+        <source>Share of the length that rows cover</source>
+        <translation>Część długości pokryta wierszami</translation>
+    </message>
+    <message>
+        <source>Residual of the meridian (RMS)</source>
+        <translation>Reszta zarysu osiowego (RMS)</translation>
+    </message>
+    <message>
+        <source>χ² per bin</source>
+        <translation>χ² na przedział</translation>
+    </message>
+    <message>
+        <source>Width that edges are blurred by</source>
+        <translation>Szerokość rozmycia krawędzi</translation>
+    </message>
+    <message>
+        <source>Noise of single points</source>
+        <translation>Szum pojedynczych punktów</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Objętość</translation>
+    </message>
+    <message>
+        <source>Marks that are no body of revolution</source>
+        <translation>Ślady, które nie są bryłą obrotową</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Ślad</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Wymiary</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Cechy</translation>
+    </message>
+    <message>
+        <source>No data · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Brak danych · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Row {row}: form {form_um:1} µm · z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>Wiersz {row}: kształt {form_um:1} µm · z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>Nominal sizes suggested: {count}. Accept all</source>
+        <translation>Proponowane wymiary nominalne: {count}. Przyjmij wszystkie</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>kompletny</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>niekompletny</translation>
+    </message>
+    <message>
+        <source>Largest diameter {diameter_mm:3} mm ± {uncertainty_um:1} µm · {rows} rows</source>
+        <translation>Największa średnica {diameter_mm:3} mm ± {uncertainty_um:1} µm · wierszy: {rows}</translation>
+    </message>
+    <message>
+        <source>An end is not seen · largest diameter {diameter_mm:3} mm ± {uncertainty_um:1} µm · {rows} rows</source>
+        <translation>Nie widać końca · największa średnica {diameter_mm:3} mm ± {uncertainty_um:1} µm · wierszy: {rows}</translation>
+    </message>
+    <message>
+        <source>Rows from the free end, ± k = 2</source>
+        <translation>Wiersze od wolnego końca, ± k = 2</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Nominał</translation>
+    </message>
+    <message>
+        <source>R or half angle</source>
+        <translation>R lub kąt połówkowy</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Kształt</translation>
+    </message>
+    <message>
+        <source>Steps as published, chamfers folded in</source>
+        <translation>Stopnie jak w publikacji, z fazami</translation>
+    </message>
+    <message>
+        <source>Stretches without data</source>
+        <translation>Odcinki bez danych</translation>
+    </message>
+    <message>
+        <source>Recognised part</source>
+        <translation>Rozpoznana część</translation>
+    </message>
+    <message>
+        <source>Ends, steps and fit</source>
+        <translation>Końce, stopnie i dopasowanie</translation>
+    </message>
+    <message>
+        <source>Free end and chuck end</source>
+        <translation>Wolny koniec i koniec w uchwycie</translation>
+    </message>
+    <message>
+        <source>How well the rows describe the data</source>
+        <translation>Jak dobrze wiersze opisują dane</translation>
+    </message>
+    <message>
+        <source>Junctions within the form tolerance</source>
+        <translation>Przejścia w granicach tolerancji kształtu</translation>
+    </message>
+    <message>
+        <source>The points are gathered into bins of the meridian; lines and arcs with exact junctions are fitted to all bins at once. Uncertainties are expanded (k = 2). Measured values, not a specification.</source>
+        <translation>Punkty zbiera się w przedziały zarysu osiowego; proste i łuki z dokładnymi przejściami dopasowuje się do wszystkich przedziałów naraz. Niepewności są rozszerzone (k = 2). To wartości zmierzone, nie wymagania.</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Skan</translation>
+    </message>
+    <message>
+        <source>Points or mesh of a turned part, in any pose</source>
+        <translation>Punkty lub siatka części toczonej, w dowolnym położeniu</translation>
+    </message>
+    <message>
+        <source>Drop the scan of a turned part here.</source>
+        <translation>Upuść tu skan części toczonej.</translation>
+    </message>
+    <message>
+        <source>Recognise</source>
+        <translation>Rozpoznawanie</translation>
+    </message>
+    <message>
+        <source>Copy a part</source>
+        <translation>Kopia części</translation>
+    </message>
+    <message>
+        <source>Recognising the rows</source>
+        <translation>Rozpoznawanie wierszy</translation>
+    </message>
+    <message>
+        <source>tapered stretch</source>
+        <translation>odcinek zbieżny</translation>
+    </message>
+    <message>
+        <source>No valid solid can be made of this shaft: {reason}.</source>
+        <translation>Z tego wału nie da się zbudować poprawnej bryły: {reason}.</translation>
+    </message>
+    <message>
+        <source>The solid made of this shaft has {found_mm3} mm³ instead of {expected_mm3} mm³; it is not written.</source>
+        <translation>Bryła z tego wału ma {found_mm3} mm³ zamiast {expected_mm3} mm³; nie zostaje zapisana.</translation>
+    </message>
+    <message>
+        <source>The STEP file holds no solid; wireframes and loose surfaces do not bound a part.</source>
+        <translation>Plik STEP nie zawiera bryły; siatki krawędzi i luźne powierzchnie nie ograniczają części.</translation>
+    </message>
+    <message>
+        <source>The STEP file holds several parts: {count} solids. One turned part is expected.</source>
+        <translation>Plik STEP zawiera kilka części, liczba brył: {count}. Oczekiwano jednej części toczonej.</translation>
+    </message>
+    <message>
+        <source>The STEP file has {found} {items}; at most {maximum} are read.</source>
+        <translation>Plik STEP ma {found} ({items}); odczytuje się najwyżej {maximum}.</translation>
+    </message>
+    <message>
+        <source>Marks that no body of revolution shows, left out of the CAD file: {count} ({kinds}); its volume is that of the plain body.</source>
+        <translation>Ślady, których bryła obrotowa nie ma, pominięte w pliku CAD: {count} ({kinds}); jego objętość jest objętością samej bryły.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the contour is an arc whose centre lies beyond the axis: a surface of revolution in STEP, no torus.</source>
+        <translation>Wiersz {row} zarysu jest łukiem o środku za osią: w STEP powierzchnia obrotowa, nie torus.</translation>
+    </message>
+    <message>
+        <source>Faces that are not of revolution about the axis: {count}, {area_mm2} mm² of {total_mm2} mm²; the volume of the part is {volume_percent} % of the turned body&apos;s.</source>
+        <translation>Ściany, które nie są obrotowe względem osi: {count}, {area_mm2} mm² z {total_mm2} mm²; objętość części to {volume_percent} % objętości bryły toczonej.</translation>
+    </message>
+    <message>
+        <source>the end of a comment, “*/”</source>
+        <translation>koniec komentarza „*/”</translation>
+    </message>
+    <message>
+        <source>the number of a record from 1 to 1000000000</source>
+        <translation>numer rekordu od 1 do 1000000000</translation>
+    </message>
+    <message>
+        <source>the end of a text, a single quote</source>
+        <translation>koniec tekstu, apostrof</translation>
+    </message>
+    <message>
+        <source>another beginning</source>
+        <translation>inny początek</translation>
+    </message>
+    <message>
+        <source>a STEP file, which begins with “ISO-10303-21;”</source>
+        <translation>plik STEP, który zaczyna się od „ISO-10303-21;”</translation>
+    </message>
+    <message>
+        <source>a semicolon</source>
+        <translation>średnik</translation>
+    </message>
+    <message>
+        <source>HEADER</source>
+        <translation>HEADER</translation>
+    </message>
+    <message>
+        <source>an entry of the header or ENDSEC</source>
+        <translation>wpis nagłówka albo ENDSEC</translation>
+    </message>
+    <message>
+        <source>DATA</source>
+        <translation>DATA</translation>
+    </message>
+    <message>
+        <source>a record, “#…”, or ENDSEC</source>
+        <translation>rekord „#…” albo ENDSEC</translation>
+    </message>
+    <message>
+        <source>END-ISO-10303-21 after one section of data</source>
+        <translation>END-ISO-10303-21 po jednej sekcji danych</translation>
+    </message>
+    <message>
+        <source>each number of a record once</source>
+        <translation>każdy numer rekordu jeden raz</translation>
+    </message>
+    <message>
+        <source>“=” after the number of a record</source>
+        <translation>„=” po numerze rekordu</translation>
+    </message>
+    <message>
+        <source>at most 32 kinds in one record</source>
+        <translation>najwyżej 32 rodzaje w jednym rekordzie</translation>
+    </message>
+    <message>
+        <source>the kind of a record</source>
+        <translation>rodzaj rekordu</translation>
+    </message>
+    <message>
+        <source>“(”</source>
+        <translation>„(”</translation>
+    </message>
+    <message>
+        <source>lists no deeper than 16</source>
+        <translation>listy zagnieżdżone najwyżej 16 razy</translation>
+    </message>
+    <message>
+        <source>a comma or “)”</source>
+        <translation>przecinek albo „)”</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>wartość</translation>
+    </message>
+    <message>
+        <source>a smaller whole number</source>
+        <translation>mniejsza liczba całkowita</translation>
+    </message>
+    <message>
+        <source>a smaller number</source>
+        <translation>mniejsza liczba</translation>
+    </message>
+    <message>
+        <source>the number of a record that is there</source>
+        <translation>numer istniejącego rekordu</translation>
+    </message>
+    <message>
+        <source>no ring of records that refer to each other</source>
+        <translation>brak pierścienia rekordów, które wskazują na siebie</translation>
+    </message>
+    <message>
+        <source>records no more than 200 deep</source>
+        <translation>rekordy zagnieżdżone najwyżej 200 razy</translation>
+    </message>
+    <message>
+        <source>a number in each row</source>
+        <translation>liczba w każdym wierszu</translation>
+    </message>
+    <message>
+        <source>at most 100000 rows</source>
+        <translation>najwyżej 100000 wierszy</translation>
+    </message>
+    <message>
+        <source>outside, bore_free or bore_chuck</source>
+        <translation>outside, bore_free albo bore_chuck</translation>
+    </message>
+    <message>
+        <source>the end of the step before</source>
+        <translation>koniec poprzedniego stopnia</translation>
+    </message>
+    <message>
+        <source>a step longer than its chamfers</source>
+        <translation>stopień dłuższy niż jego fazy</translation>
+    </message>
+    <message>
+        <source>the columns length_mm, start_diameter_mm and end_diameter_mm, or radius_mm, z_start_mm and z_end_mm</source>
+        <translation>kolumny length_mm, start_diameter_mm i end_diameter_mm albo radius_mm, z_start_mm i z_end_mm</translation>
+    </message>
+    <message>
+        <source>a record that does not fit</source>
+        <translation>rekord, który nie pasuje</translation>
+    </message>
+    <message>
+        <source>a record as its schema describes it</source>
+        <translation>rekord zgodny ze swoim schematem</translation>
+    </message>
+    <message>
+        <source>all its faces are planes</source>
+        <translation>wszystkie jego ściany są płaszczyznami</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>płaszczyzna</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>torus</translation>
+    </message>
+    <message>
+        <source>surface of revolution</source>
+        <translation>powierzchnia obrotowa</translation>
+    </message>
+    <message>
+        <source>free-form surface</source>
+        <translation>powierzchnia swobodna</translation>
+    </message>
+    <message>
+        <source>a piece of its contour makes no edge</source>
+        <translation>odcinek zarysu nie tworzy krawędzi</translation>
+    </message>
+    <message>
+        <source>an arc of its contour makes no edge</source>
+        <translation>łuk zarysu nie tworzy krawędzi</translation>
+    </message>
+    <message>
+        <source>its contour is not closed</source>
+        <translation>zarys nie jest zamknięty</translation>
+    </message>
+    <message>
+        <source>its contour bounds no area</source>
+        <translation>zarys nie ogranicza pola</translation>
+    </message>
+    <message>
+        <source>its contour cannot be revolved</source>
+        <translation>zarysu nie da się obrócić</translation>
+    </message>
+    <message>
+        <source>the revolved contour is no solid</source>
+        <translation>obrócony zarys nie jest bryłą</translation>
+    </message>
+    <message>
+        <source>the revolved contour is more than one solid</source>
+        <translation>obrócony zarys to więcej niż jedna bryła</translation>
+    </message>
+    <message>
+        <source>the revolved contour is not valid</source>
+        <translation>obrócony zarys jest niepoprawny</translation>
+    </message>
+    <message>
+        <source>the solid cannot be written as STEP</source>
+        <translation>bryły nie da się zapisać jako STEP</translation>
+    </message>
+    <message>
+        <source>Marks that are no body of revolution, named beside the rows: {count}.</source>
+        <translation>Ślady, które nie są bryłą obrotową, podane obok wierszy: {count}.</translation>
+    </message>
+    <message>
+        <source>z is drawn larger than the radius</source>
+        <translation>z narysowano w większej skali niż promień</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Różnica</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Siatka</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>Szansa</translation>
+    </message>
+    <message>
+        <source>Taper of the radius</source>
+        <translation>Zbieżność promienia</translation>
+    </message>
+    <message>
+        <source>Chamfer at its start</source>
+        <translation>Faza na początku</translation>
+    </message>
+    <message>
+        <source>Chamfer at its end</source>
+        <translation>Faza na końcu</translation>
+    </message>
+    <message>
+        <source>an end is not seen; state the length to confirm it</source>
+        <translation>nie widać końca; podaj długość, aby ją potwierdzić</translation>
+    </message>
+    <message>
+        <source>there is a gap in the data</source>
+        <translation>w danych jest luka</translation>
+    </message>
+    <message>
+        <source>Check only</source>
+        <translation>Tylko sprawdzenie</translation>
+    </message>
+    <message>
+        <source>Check the shaft and write nothing.</source>
+        <translation>Sprawdza wał i niczego nie zapisuje.</translation>
+    </message>
+    <message>
+        <source>Recognising</source>
+        <translation>Rozpoznawanie</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Zapisywanie</translation>
+    </message>
+    <message>
+        <source>Schema of STEP</source>
+        <translation>Schemat STEP</translation>
+    </message>
+    <message>
+        <source>Application protocol that the STEP file names.</source>
+        <translation>Protokół aplikacyjny podany w pliku STEP.</translation>
+    </message>
+    <message>
+        <source>AP214</source>
+        <translation>AP214</translation>
+    </message>
+    <message>
+        <source>AP242</source>
+        <translation>AP242</translation>
+    </message>
+    <message>
+        <source>Contour as DXF</source>
+        <translation>Zarys jako DXF</translation>
+    </message>
+    <message>
+        <source>The closed half contour for CAM in place of the drawing.</source>
+        <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
+    </message>
+    <message>
+        <source>Nominal sizes and fit of the rows</source>
+        <translation>Wymiary nominalne i dopasowanie wierszy</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -11426,6 +12450,147 @@ odchyłka %3</translation>
     <message>
         <source>Path of the tool</source>
         <translation>Tor narzędzia</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::recognise_panel::RecognisePanel</name>
+    <message>
+        <source>Take back the size of row %1</source>
+        <translation>Cofnij wymiar wiersza %1</translation>
+    </message>
+    <message>
+        <source>Accept the size of row %1</source>
+        <translation>Przyjmij wymiar wiersza %1</translation>
+    </message>
+    <message>
+        <source>Accept all nominal sizes</source>
+        <translation>Przyjmij wszystkie wymiary nominalne</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation>Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Meridian and residuals (CSV)…</source>
+        <translation>Zarys osiowy i reszty (CSV)…</translation>
+    </message>
+    <message>
+        <source>Meridian (SVG)…</source>
+        <translation>Zarys osiowy (SVG)…</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation>Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Residuals (SVG)…</source>
+        <translation>Reszty (SVG)…</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::recognise_panel::RecogniseViews</name>
+    <message>
+        <source>row %1: %2, z %3-%4</source>
+        <translation>wiersz %1: %2, z %3-%4</translation>
+    </message>
+    <message>
+        <source>All rows are in this table.</source>
+        <translation>Wszystkie wiersze są w tej tabeli.</translation>
+    </message>
+    <message>
+        <source>Not in this table: %1</source>
+        <translation>Nie ma w tej tabeli: %1</translation>
+    </message>
+    <message>
+        <source>on no row</source>
+        <translation>na żadnym wierszu</translation>
+    </message>
+    <message>
+        <source>row %1: ⌀ %2</source>
+        <translation>wiersz %1: ⌀ %2</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation>Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Wiersze</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Część</translation>
+    </message>
+    <message>
+        <source>Table as published</source>
+        <translation>Tabela jak w publikacji</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>Synthetic data</source>
+        <translation>Dane syntetyczne</translation>
+    </message>
+    <message>
+        <source>These points were computed, not measured.</source>
+        <translation>Te punkty obliczono, nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Use this shaft</source>
+        <translation>Użyj tego wału</translation>
+    </message>
+    <message>
+        <source>Keep it in the project, where other panels take it as an input</source>
+        <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::recognise_panel::RowsView</name>
+    <message>
+        <source>Put %1 in place of the measured size. That any size is as near to such a number: %2 %</source>
+        <translation>Wstaw %1 w miejsce wymiaru zmierzonego. Szansa, że dowolny wymiar leży tak blisko takiej liczby: %2 %</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Wiersze</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Przyjmij</translation>
+    </message>
+    <message>
+        <source>Put the suggested size of this row in place of the measured one</source>
+        <translation>Wstaw proponowany wymiar tego wiersza w miejsce zmierzonego</translation>
+    </message>
+    <message>
+        <source>Accept all</source>
+        <translation>Przyjmij wszystkie</translation>
+    </message>
+    <message>
+        <source>Put all suggested sizes in place of the measured ones, which stay beside them</source>
+        <translation>Wstaw wszystkie proponowane wymiary w miejsce zmierzonych, które zostają obok</translation>
     </message>
 </context>
 <context>

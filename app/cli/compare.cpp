@@ -1,11 +1,14 @@
-// compare REFERENCE COPY: how far the copy is from the original, where, and how sure that is.
+// compare REFERENCE COPY: how far the copy is from the original or from the drawing, where, and how sure that is.
 #include "engine/registration/compare.h"
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/any_shaft.h"
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/core_codes.h"
+#include "engine/core/shaft_rules.h"
+#include "engine/features/shaft_comparison.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -52,6 +55,58 @@ registration::CompareParameters parametersOf(const Request& request, io::InputFi
     return parameters;
 }
 
+/// Calls `compare`; the engine names the role of the scan at fault, here is its file.
+template <class Compare>
+auto compared(const Request& request, Compare compare)
+{
+    try {
+        return compare();
+    } catch (Error& error) {
+        const Value* const role = find(error.values(), "role");
+        const auto* const name = role ? std::get_if<std::string>(role) : nullptr;
+        if (name) error.with("path", request.operands.at(*name == "copy" ? 1 : 0));
+        throw;
+    }
+}
+
+/// The shaft of a drawing; errors carry its path.
+Shaft drawnShaft(std::string_view bytes, const std::string& path, const Progress& progress, Answer& answer)
+{
+    try {
+        Json facts;
+        Shaft shaft = readAnyShaft(bytes, answer.notes, facts, progress);
+        const Notes remarks = checkShaft(shaft);
+        answer.notes.insert(answer.notes.end(), remarks.begin(), remarks.end());
+        return shaft;
+    } catch (Error& error) {
+        throw error.with("path", path);
+    }
+}
+
+/// Sizes and surface against a drawing. Gives the comparison of the surface.
+std::shared_ptr<const registration::CompareResult> answerShaft(features::ShaftComparison found, Answer& answer)
+{
+    const auto result = std::make_shared<features::ShaftComparison>(std::move(found));
+    Notes& notes = result->surface.notes;
+    answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
+    notes = answer.notes;
+    answer.json = [result] { return toJson(*result); };
+    answer.report = [result] { return shaftReport(*result, {}); };
+    answer.pass = passed(result->verdict);
+    answer.summary = report::toPlainText(surfaceSummary(*result)) + "\n" + report::toPlainText(sizesSection(*result));
+    return {result, &result->surface};
+}
+
+std::shared_ptr<const registration::CompareResult> answerScan(registration::CompareResult found, Answer& answer)
+{
+    const auto result = std::make_shared<registration::CompareResult>(std::move(found));
+    answerWith(
+        answer, result, [](const auto& all) { return toJson(all); },
+        [](const auto& all) { return compareReport(all, {}); },
+        [](const auto& all) { return report::toPlainText(compareSummary(all)); });
+    return result;
+}
+
 void runCompare(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const auto deviations = request.outputs.find(deviationsOption);
@@ -62,25 +117,31 @@ void runCompare(const Request& request, io::InputFiles& inputs, const Progress& 
                                                  {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});
     const registration::CompareParameters parameters = parametersOf(request, inputs, progress.part(0, 0.01), answer);
     const Text reading = LT_TEXT("Engine", "Reading");
-    const io::ScanFile reference =
-        readScan(request.operands.at(0), request, inputs, progress.part(0, 0.15, reading), answer);
+    const std::string& path = request.operands.at(0);
+    const Progress first = progress.part(0, 0.15, reading);
+    const std::string_view bytes = inputs.open(path, first);
+    const bool is_drawn = isDrawnShaft(bytes);
+    Shaft shaft;
+    io::ScanFile reference;
+    if (is_drawn) {
+        shaft = drawnShaft(bytes, path, first, answer);
+        inputs.drop();
+    } else {
+        reference = readScan(path, bytes, request, inputs, first, answer);
+    }
     const io::ScanFile copy =
         readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
-    const auto result = std::make_shared<registration::CompareResult>();
-    try {
-        *result = compare(reference.scan, copy.scan, parameters,
-                          progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing")),
-                          request.in_full ? registration::CompareDetail::Full : registration::CompareDetail::Summary);
-    } catch (Error& error) {  // the engine names the role of the scan at fault; here is its file
-        const Value* const role = find(error.values(), "role");
-        const auto* const name = role ? std::get_if<std::string>(role) : nullptr;
-        if (name) error.with("path", request.operands.at(*name == "copy" ? 1 : 0));
-        throw;
-    }
-    answerWith(
-        answer, result, [](const auto& found) { return toJson(found); },
-        [](const auto& found) { return compareReport(found, {}); },
-        [](const auto& found) { return report::toPlainText(compareSummary(found)); });
+    const Progress comparing = progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing"));
+    const auto detail = request.in_full ? registration::CompareDetail::Full : registration::CompareDetail::Summary;
+    const auto result =
+        is_drawn
+            ? answerShaft(
+                  compared(request,
+                           [&] { return features::compareWithShaft(shaft, copy.scan, parameters, comparing, detail); }),
+                  answer)
+            : answerScan(
+                  compared(request, [&] { return compare(reference.scan, copy.scan, parameters, comparing, detail); }),
+                  answer);
     if (wanted)
         writeDeviations(deviations->second, copy.scan, *result,
                         progress.part(0.9, 1, LT_TEXT("Engine", "Writing deviations")));
@@ -91,8 +152,11 @@ void runCompare(const Request& request, io::InputFiles& inputs, const Progress& 
 Verb compareVerb()
 {
     return {"compare",
-            "Compare a copy with its original: alignment, signed surface deviation, verdict.",
-            {{"REFERENCE", "The original: a point cloud or mesh."}, {"COPY", "The copy: a point cloud or mesh."}},
+            "Compare a copy with its original or its drawing: alignment, signed surface deviation, sizes, verdict.",
+            {{"REFERENCE",
+              "The original: a point cloud or mesh; or its drawing: a STEP file or SHAFT.json (mm). A "
+              "drawing adds the sizes row by row."},
+             {"COPY", "The copy: a point cloud or mesh."}},
             compareOptions(),
             {&io::scanFiles()},
             {{deviationsOption, "Write every point of the copy with its deviation (FILE.ply or FILE.csv)."}},

@@ -10,4 +10,8 @@ namespace lathelier::cli {
 io::ScanFile readScan(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
                       Answer& answer);
 
+/// The same of a file that `inputs` has open, as `bytes`, which are no longer valid afterwards.
+io::ScanFile readScan(const std::string& path, std::string_view bytes, const Request& request, io::InputFiles& inputs,
+                      const Progress& progress, Answer& answer);
+
 }  // namespace lathelier::cli

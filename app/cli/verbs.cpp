@@ -1,6 +1,7 @@
 // The table of verbs: a new capability is one line here and one file beside it.
 #include "app/cli/verbs.h"
 
+#include "engine/cad/step_kind.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 
@@ -11,10 +12,14 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),   compareVerb(),    roundnessVerb(), cylindricityVerb(), trajectoryVerb(),
                                 frfVerb(),      spindleVerb(),    lobesVerb(),     speedVerb(),        simulateVerb(),
-                                toolpathVerb(), deflectionVerb(), verifyVerb()};
+                                toolpathVerb(), deflectionVerb(), recognizeVerb(), drawVerb(),         verifyVerb()};
         // inspect knows the files of all others
-        io::FileKinds kinds{&io::qdasFiles(), &io::frfFiles(), &io::shaftFiles(), &receptance::spindleFiles(),
-                            &receptance::measurementFiles()};
+        io::FileKinds kinds{&io::qdasFiles(),
+                            &io::frfFiles(),
+                            &io::shaftFiles(),
+                            &receptance::spindleFiles(),
+                            &receptance::measurementFiles(),
+                            &cad::stepFiles()};
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;

@@ -18,6 +18,8 @@ Verb speedVerb();
 Verb simulateVerb();
 Verb toolpathVerb();
 Verb deflectionVerb();
+Verb recognizeVerb();
+Verb drawVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -9,6 +9,7 @@
 #include "widgets/longitudinal/longitudinal_panel.h"
 #include "widgets/pass/pass_panel.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/recognise/recognise_panel.h"
 #include "widgets/roundness/roundness_panel.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
@@ -34,6 +35,7 @@ const std::vector<PanelFacts>& panelTable()
                                                program_panel::programPanelFacts(),
                                                deflection_panel::deflectionPanelFacts(),
                                                correction_panel::correctionPanelFacts(),
+                                               recognise_panel::recognisePanelFacts(),
                                                training_panel::trainingPanelFacts()};
     return table;
 }

@@ -74,35 +74,60 @@ std::string nameOf(const Element& e)
     return start == end ? start : start + "-" + end;
 }
 
+/// Peak to valley of the polynomial of degree 4 through what is left, so that noise adds little to it; of a short row,
+/// whose walls tell no form from noise, 0.
+double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from -1 to 1, deviation, weight
+{
+    constexpr int degree = 4;
+    constexpr std::size_t least = 60;
+    if (left.size() < least) return 0;
+    Eigen::Matrix<double, degree + 1, degree + 1> normal = Eigen::Matrix<double, degree + 1, degree + 1>::Zero();
+    Eigen::Matrix<double, degree + 1, 1> right = Eigen::Matrix<double, degree + 1, 1>::Zero();
+    const auto rowAt = [](double x) {
+        Eigen::Matrix<double, degree + 1, 1> row;
+        row << 1, x, (3 * x * x - 1) / 2, (5 * x * x - 3) * x / 2, (35 * x * x * x * x - 30 * x * x + 3) / 8;
+        return row;
+    };
+    for (const auto& [x, off, weight] : left) {
+        const auto row = rowAt(x);
+        normal += weight * row * row.transpose();
+        right += weight * off * row;
+    }
+    const Eigen::Matrix<double, degree + 1, 1> fit = normal.ldlt().solve(right);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int k = 0; k <= 100; ++k) {
+        const double value = fit.dot(rowAt(-1 + 0.02 * k));
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return 1e3 * (high - low);
+}
+
 /// What the walls of one element leave.
 void addForm(const Outline& outline, const Run& run, std::size_t k, RecognizedRow& row)
 {
-    double n = 0, squares = 0, sz = 0, szz = 0, sr = 0, szr = 0, sum = 0;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    int five = 0;
+    const double from = run.nodes_mm[k], to = run.nodes_mm[k + 1], middle = (from + to) / 2,
+                 half = std::max(1e-9, (to - from) / 2);
+    double n = 0, squares = 0, weights = 0, sx = 0, sxx = 0, sy = 0, sxy = 0;
+    std::vector<std::array<double, 3>> left;
     for (const Wall& wall : run.walls) {
-        if (wall.z_mm < run.nodes_mm[k] || wall.z_mm > run.nodes_mm[k + 1] || !counts(outline.model, run, wall))
-            continue;
-        const double off = wall.r_mm - predicted_mm(outline.model, run, wall);
+        if (wall.z_mm < from || wall.z_mm > to || !counts(outline.model, run, wall)) continue;
+        const double off = wall.r_mm - predicted_mm(outline.model, run, wall), x = (wall.z_mm - middle) / half,
+                     w = wall.points;
+        left.push_back({x, off, w});
         n += 1;
         squares += off * off;
         row.points += static_cast<std::int64_t>(wall.points);
-        sz += wall.z_mm;
-        szz += wall.z_mm * wall.z_mm;
-        sr += off;
-        szr += wall.z_mm * off;
-        sum += off / 5;
-        if (++five < 5) continue;
-        low = std::min(low, sum);
-        high = std::max(high, sum);
-        sum = 0;
-        five = 0;
+        weights += w;
+        sx += w * x;
+        sxx += w * x * x;
+        sy += w * off;
+        sxy += w * x * off;
     }
     if (n > 0) row.residual_um = 1e3 * std::sqrt(squares / n);
-    if (high > low) row.form_pv_um = 1e3 * (high - low);
-    const double spread = szz - sz * sz / std::max(1.0, n);
-    if (n > 4 && spread > 0)
-        row.taper_um = 1e3 * (szr - sz * sr / n) / spread * (run.nodes_mm[k + 1] - run.nodes_mm[k]);
+    row.form_pv_um = formOf_um(left);
+    const double spread = sxx - sx * sx / std::max(1e-300, weights);
+    if (n > 4 && spread > 0) row.taper_um = 2e3 * (sxy - sx * sy / weights) / spread;
 }
 
 }  // namespace
@@ -152,6 +177,10 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             row.uncertainty.length_um = length(s[6]);
             row.uncertainty.start_diameter_um = diameter(s[2]);
             row.uncertainty.end_diameter_um = diameter(e.cylinder ? s[2] : s[3]);
+            if (e.rough) {  // its crests are known to about the noise
+                row.uncertainty.start_diameter_um = row.uncertainty.end_diameter_um = 2e3 * outline.model.sigma_mm;
+                row.role = "rough";
+            }
             if (e.arc) row.uncertainty.arc_radius_um = length(s[4]);
             if (!e.arc && !e.cylinder) row.uncertainty.angle_deg = 2 * s[5];
             rows.push_back(row);

@@ -11,6 +11,10 @@ inline constexpr NoteCode gapInData{
     "gap", Severity::Warning,
     LT_TEXT("Engine", "There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.")};
 
+inline constexpr NoteCode boreNotSeen{
+    "bore_not_seen", Severity::Warning,
+    LT_TEXT("Engine", "The bore is not seen from z {z_start_mm} to {z_end_mm} mm: its rows beside end there.")};
+
 inline constexpr NoteCode endNotSeen{
     "end_not_seen", Severity::Warning,
     LT_TEXT("Engine", "The {end} of the part is not seen: the data end at z {z_mm} mm. The length is not known.")};
@@ -29,9 +33,9 @@ inline constexpr NoteCode coveragePartial{
             "Only {coverage_deg}° of the circle are seen: ovality of the part is taken for size; the uncertainties are "
             "wider by {added_um} µm.")};
 
-inline constexpr NoteCode marksLeftOut{
-    "marks_left_out", Severity::Info,
-    LT_TEXT("Engine", "Marks that are no body of revolution and are left out of the rows: {count}.")};
+inline constexpr NoteCode marksFound{
+    "marks_found", Severity::Info,
+    LT_TEXT("Engine", "Marks that are no body of revolution, named beside the rows: {count}.")};
 
 inline constexpr NoteCode uncertaintyNoiseOnly{
     "uncertainty_noise_only", Severity::Info,
@@ -49,6 +53,14 @@ inline constexpr NoteCode rowsMerged{
 inline constexpr NoteCode paperMethod{
     "paper_method", Severity::Info,
     LT_TEXT("Engine", "The published method was used; its sections know no cones, arcs and undercuts.")};
+
+inline constexpr NoteCode sizesNotRecognized{
+    "sizes_not_recognized", Severity::Warning,
+    LT_TEXT("Engine", "The sizes of the copy were not recognised ({reason}): the rows have no measured values.")};
+
+inline constexpr NoteCode meshCoarser{
+    "mesh_coarser", Severity::Info,
+    LT_TEXT("Engine", "The drawing was compared as a mesh of limited size: its facets lie within {sagitta_mm} mm.")};
 
 }  // namespace notes
 

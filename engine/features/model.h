@@ -24,6 +24,7 @@ struct Element {
     bool convex = false;                     ///< arc: material bulges, r = r_c + √…; else r = r_c - √…
     Tie start = Tie::Free, end = Tie::Free;  ///< of an arc
     bool rough = false;                      ///< a thread or knurl: a cylinder that no selection changes
+    double root_mm = 0;                      ///< of a rough one: radius that nearly all of its points lie above
 
     double radius_mm() const;
     double radiusAt_mm(double z_mm) const;

@@ -68,15 +68,110 @@ bool isStep(const Element& a, const Element& b, double z, double error_mm)
     return std::abs(bend) < 1e-9 || std::abs(jump / bend) > 0.4;
 }
 
+/// Largest deviation of means over five walls from a line over [from, to].
+double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
+{
+    double largest = 0, sum = 0;
+    int count = 0;
+    for (const Wall& wall : run.walls) {
+        if (wall.z_mm < from_mm + 0.1 || wall.z_mm > to_mm - 0.1) continue;
+        sum += wall.r_mm - level - slope * (wall.z_mm - at);
+        if (++count == 5) {
+            largest = std::max(largest, std::abs(sum / 5));
+            sum = count = 0;
+        }
+    }
+    return largest;
+}
+
+/// Is the jump between two pieces a step of the part, and not wear? A jump within the form tolerance is one only
+/// between pieces that are level as far as their walls tell.
+bool isGenuine(const Piece& a, const Piece& b, double jump_mm, double form_mm)
+{
+    if (std::abs(jump_mm) > form_mm) return true;
+    const auto level = [](const Piece& piece) { return !piece.arc && std::abs(piece.slope) < 4 * piece.slope_error; };
+    return level(a) && level(b);
+}
+
+double radiusOf(const Piece& piece, double z)
+{
+    if (!piece.arc) return piece.level_mm + piece.slope * (z - piece.at_mm);
+    const double off = z - piece.centre_z_mm;
+    return piece.centre_r_mm +
+           (piece.convex ? 1 : -1) * std::sqrt(std::max(0.0, piece.radius_mm * piece.radius_mm - off * off));
+}
+
+double slopeOf(const Piece& piece, double z)
+{
+    constexpr double h = 0.05;
+    return (radiusOf(piece, z + h) - radiusOf(piece, z - h)) / (2 * h);
+}
+
+/// Pieces of a worn seat as one: neighbours that a cylinder or a cone describes within the form tolerance, without
+/// bends and genuine steps between them.
+void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, double form_mm,
+               std::vector<MergedJunction>& merged)
+{
+    if (!(form_mm > 0)) return;
+    const auto joins = [&](std::size_t k) {
+        const double z = (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
+        const double jump = radiusOf(pieces[k + 1], z) - radiusOf(pieces[k], z);
+        const double bend = std::atan(slopeOf(pieces[k + 1], z)) - std::atan(slopeOf(pieces[k], z));
+        return MergedJunction{z, 1e3 * jump, bend * 180 / std::numbers::pi};
+    };
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+        for (std::size_t j = pieces.size() - 1; j > i; --j) {
+            bool possible = true;
+            for (std::size_t k = i; k < j && possible; ++k) {
+                const MergedJunction join = joins(k);
+                const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump at all
+                possible = std::abs(join.angle_deg) < kBend * 180 / std::numbers::pi &&
+                           (std::abs(join.step_um) < small ||
+                            !isGenuine(pieces[k], pieces[k + 1], 1e-3 * join.step_um, form_mm));
+            }
+            if (!possible) continue;
+            Run seat;
+            seat.walls.assign(walls.begin() + static_cast<std::ptrdiff_t>(pieces[i].begin),
+                              walls.begin() + static_cast<std::ptrdiff_t>(pieces[j].end));
+            double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
+            for (const Wall& wall : seat.walls) {
+                n += wall.points;
+                sz += wall.points * wall.z_mm;
+                sr += wall.points * wall.r_mm;
+                szz += wall.points * wall.z_mm * wall.z_mm;
+                szr += wall.points * wall.z_mm * wall.r_mm;
+            }
+            Piece one = pieces[i];
+            one.end = pieces[j].end;
+            one.arc = false;
+            one.at_mm = sz / n;
+            one.level_mm = sr / n;
+            one.slope = 0;
+            const double from = seat.walls.front().z_mm, to = seat.walls.back().z_mm;
+            bool fits = deviationFrom(seat, from, to, one.level_mm, 0, one.at_mm) <= form_mm;
+            if (!fits) {
+                one.slope = (szr - sz * sr / n) / std::max(1e-12, szz - sz * sz / n);
+                fits = deviationFrom(seat, from, to, one.level_mm, one.slope, one.at_mm) <= form_mm;
+            }
+            if (!fits) continue;
+            for (std::size_t k = i; k < j; ++k) merged.push_back(joins(k));
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                         pieces.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+            pieces[i] = one;
+            break;
+        }
+}
+
 /// Cuts walls of one chain into stretches at steps.
 void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, bool trim_start, bool trim_end,
-                  double form_mm, Border after, const Progress& progress)
+                  double form_mm, Border after, std::vector<MergedJunction>& merged, const Progress& progress)
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
     if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
         pieces.erase(pieces.begin());
     if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
+    mergeWear(pieces, walls, form_mm, merged);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
     Stretch stretch;
     stretch.from_mm = walls.front().z_mm;
@@ -107,6 +202,7 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 struct Circle {
     double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
     double crest_mm = 0;  ///< radius that the outermost eighth of the points has
+    double root_mm = 0;   ///< radius that one in fifty lies below
 };
 
 Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm)
@@ -145,6 +241,9 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     const auto crest = radii.begin() + static_cast<std::ptrdiff_t>(0.9375 * static_cast<double>(radii.size()));
     std::nth_element(radii.begin(), crest, radii.end());
     circle.crest_mm = *crest;
+    const auto root = radii.begin() + static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(radii.size()));
+    std::nth_element(radii.begin(), root, radii.end());
+    circle.root_mm = *root;
     return circle;
 }
 
@@ -190,7 +289,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
                 addStretches(stretches,
                              {walls.begin() + static_cast<std::ptrdiff_t>(at),
                               walls.begin() + static_cast<std::ptrdiff_t>(from)},
-                             trim_start && at == 0, true, input.form_mm, Border::Rough, progress);
+                             trim_start && at == 0, true, input.form_mm, Border::Rough, outline.merged, progress);
             Stretch rough;
             rough.from_mm = walls[from].z_mm;
             rough.to_mm = walls[to - 1].z_mm;
@@ -206,6 +305,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
             cylinder.cylinder = cylinder.rough = true;
             cylinder.at_mm = (rough.from_mm + rough.to_mm) / 2;
             cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest_mm > 0 ? circle.crest_mm : mean;
+            cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
             rough.elements = {cylinder};
             rough.after = to < walls.size() ? Border::Rough : after;
             outline.rough.push_back({rough.from_mm, rough.to_mm, eccentric ? circle.offset_mm : 0});
@@ -214,7 +314,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         }
         if (at + 2 < walls.size())
             addStretches(stretches, {walls.begin() + static_cast<std::ptrdiff_t>(at), walls.end()},
-                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, progress);
+                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, outline.merged, progress);
         else if (!stretches.empty())
             stretches.back().after = after;
     }
@@ -271,8 +371,11 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
             left = plane(stretches[s + 1].from_mm, 0.05, true, Border::Gap);
             outline.gaps.push_back({stretch.to_mm, stretches[s + 1].from_mm});
         } else {
-            const double z =
-                stretch.after == Border::Shoulder ? (stretch.to_mm + stretches[s + 1].from_mm) / 2 : stretch.to_mm;
+            const bool own_rough = stretch.elements.front().rough, next_rough = stretches[s + 1].elements.front().rough;
+            const double z = own_rough                           ? stretch.to_mm
+                             : next_rough                        ? stretches[s + 1].from_mm
+                             : stretch.after == Border::Shoulder ? (stretch.to_mm + stretches[s + 1].from_mm) / 2
+                                                                 : stretch.to_mm;
             run.right = left = plane(z, 0.1, false, stretch.after);
         }
         model.runs.push_back(std::move(run));
@@ -355,10 +458,12 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
             {1.0, 0.45 * (a.nodes_mm.back() - a.nodes_mm.front()), 0.45 * (b.nodes_mm.back() - b.nodes_mm.front())});
         const auto [a_low, a_high] = radiiNear(a, false, room);
         const auto [b_low, b_high] = radiiNear(b, true, room);
-        const double end = endRadius_mm(a), start = startRadius_mm(b);
+        const bool a_rough = a.elements.back().rough, b_rough = b.elements.front().rough;
+        const double end = a_rough ? a.elements.back().root_mm : endRadius_mm(a);
+        const double start = b_rough ? b.elements.front().root_mm : startRadius_mm(b);
         const bool rises = start > end;
         plane.lean = lean * std::abs(start - end);
-        if (borders[a.right] == Border::Rough) continue;
+        if (borders[a.right] == Border::Rough && std::abs(start - end) < 4 * model.sigma_mm) continue;
         ++sought;
         if (const auto face = seenFace(input.cloud, plane.z_mm, std::min(start, end), std::max(start, end),
                                        model.sigma_mm, density)) {
@@ -372,7 +477,7 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         edge.sign = rises ? 1 : -1;
         edge.before_mm = rises ? a_low : end;
         edge.after_mm = rises ? start : b_low;
-        edge.above_mm = rises ? b_high - start : a_high - end;
+        edge.above_mm = std::max(0.0, rises ? b_high - start : a_high - end);
         edge.from_mm = plane.z_mm - room;
         edge.to_mm = plane.z_mm + room;
         if (std::abs(edge.after_mm - edge.before_mm) < 4 * model.sigma_mm) continue;
@@ -429,22 +534,6 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         model.spot_mm = 0;
     }
     for (Run& run : model.runs) resolve(model, run);
-}
-
-/// Largest deviation of means over five walls from a line over [from, to].
-double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
-{
-    double largest = 0, sum = 0;
-    int count = 0;
-    for (const Wall& wall : run.walls) {
-        if (wall.z_mm < from_mm + 0.1 || wall.z_mm > to_mm - 0.1) continue;
-        sum += wall.r_mm - level - slope * (wall.z_mm - at);
-        if (++count == 5) {
-            largest = std::max(largest, std::abs(sum / 5));
-            sum = count = 0;
-        }
-    }
-    return largest;
 }
 
 }  // namespace
@@ -515,6 +604,32 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
     return merged;
 }
 
+namespace {
+
+/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them.
+void meetCones(Model& model, const std::vector<Border>& borders)
+{
+    constexpr double reach_mm = 3;
+    for (std::size_t r = 0; r + 1 < model.runs.size(); ++r) {
+        Run &a = model.runs[r], &b = model.runs[r + 1];
+        if (a.right != b.left || borders[a.right] != Border::Rough) continue;
+        const bool first_rough = a.elements.back().rough;
+        const Element& cone = first_rough ? b.elements.front() : a.elements.back();
+        const double crest = first_rough ? a.elements.back().level_mm : b.elements.front().level_mm;
+        if (cone.arc || std::abs(cone.slope) < 0.2) continue;
+        const double z = cone.at_mm + (crest - cone.level_mm) / cone.slope;
+        Plane& plane = model.planes[a.right];
+        const bool inside = z > a.nodes_mm[a.nodes_mm.size() - 2] && z < b.nodes_mm[1];
+        if (std::abs(z - plane.z_mm) > reach_mm || !inside) continue;
+        plane.z_mm = plane.seen_mm = z;
+        plane.sigma_mm = 0.02;
+        resolve(model, a);
+        resolve(model, b);
+    }
+}
+
+}  // namespace
+
 std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress)
 {
     Outline outline;
@@ -537,10 +652,11 @@ std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& 
     selectKinds(model, progress);
     selectKinds(model, progress);
     simplify(model, progress);
-    outline.merged = mergeWithinForm(model, input.form_mm);
+    for (const MergedJunction& junction : mergeWithinForm(model, input.form_mm)) outline.merged.push_back(junction);
     fitAll(model, 8, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, 25, progress);
+    meetCones(model, borders);
     progress.report(1);
     return outline;
 }

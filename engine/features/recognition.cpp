@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/shaft_contour.h"
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
+#include "engine/features/marks.h"
 #include "engine/features/outline.h"
+#include "engine/features/paper_method.h"
+#include "engine/features/roles.h"
+#include "engine/features/snap.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
@@ -88,7 +93,29 @@ void addBores(const Outline& inner, double zero_mm, double length_mm, const Revo
               const AddedUncertainty& added, Recognition& result)
 {
     constexpr double near_mm = 1;
-    const std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    // One cylinder that goes on behind a stretch without points is one row.
+    for (std::size_t i = 0; i + 1 < rows.size();) {
+        RecognizedRow &a = rows[i], &b = rows[i + 1];
+        const bool same = a.kind == RowKind::Cylinder && b.kind == RowKind::Cylinder &&
+                          std::abs(a.end_diameter_mm - b.start_diameter_mm) < 0.05;
+        if (!same || b.z_start_mm - a.z_end_mm < 0.05) {
+            ++i;
+            continue;
+        }
+        const double wa = static_cast<double>(a.points + 1), wb = static_cast<double>(b.points + 1);
+        a.start_diameter_mm = a.end_diameter_mm = (a.start_diameter_mm * wa + b.start_diameter_mm * wb) / (wa + wb);
+        a.z_end_mm = b.z_end_mm;
+        a.uncertainty.z_end_um = b.uncertainty.z_end_um;
+        a.points += b.points;
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) {
+            result.notes.push_back(
+                {notes::boreNotSeen, {{"z_start_mm", rows[i].z_end_mm}, {"z_end_mm", rows[i + 1].z_start_mm}}});
+            result.complete = false;
+        }
     std::vector<RecognizedRow> from_free, from_chuck;
     std::size_t gap = rows.size();
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
@@ -106,19 +133,8 @@ void addBores(const Outline& inner, double zero_mm, double length_mm, const Revo
     for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
         if (list->empty()) continue;
         result.bores.push_back(fromMouth(*list, mouth));
-        ShaftBore bore;
-        bore.from = mouth;
-        for (const RecognizedRow& row : result.bores.back())
-            bore.segments.push_back({row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm,
-                                     row.arc_radius_mm, row.role});
-        result.shaft.bores.push_back(bore);
     }
     addMeridian(inner, zero_mm, true, 0, result.meridian);
-}
-
-ShaftSegment segmentOf(const RecognizedRow& row)
-{
-    return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
 }
 
 void describeEnds(const Outline& outline, Recognition& result)
@@ -235,6 +251,26 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         result.complete = false;
     }
     describeEnds(*outside, result);
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1));
+    if (inner) addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm -= zero;
+        *mark.z_end_mm -= zero;
+    }
+    for (const ShaftMark& mark : result.marks)
+        for (RecognizedRow& row : result.segments) {
+            const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
+            if (row.role != "rough" || middle < row.z_start_mm || middle > row.z_end_mm) continue;
+            row.role = mark.kind;
+            if (mark.kind == "knurl") row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
+        }
+    for (RecognizedRow& row : result.segments)
+        if (row.role == "rough") row.role.clear();
+    if (!result.marks.empty())
+        result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
     for (const RoughZone& zone : outside->rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;
@@ -258,13 +294,19 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (const RecognizedRow& row : result.segments) covered += row.z_end_mm - row.z_start_mm;
     const double whole = result.ends.back().z_mm - result.ends.front().z_mm;
     result.coverage_percent = whole > 0 ? 100 * covered / whole : 0;
-    for (const RecognizedRow& row : result.segments) result.shaft.segments.push_back(segmentOf(row));
-    input.bore = true;
-    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    if (const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1)))
-        addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     std::stable_sort(result.meridian.begin(), result.meridian.end(),
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
+    describeRows(result);
+    result.shaft = parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
+    if (parameters.method == RecognitionMethod::Paper) {
+        const PaperResult published = paperSteps(points, result.axis_direction, parameters, fitting);
+        result.method_used = "paper";
+        result.paper_steps = published.steps;
+        const double cosine = std::min(1.0, std::abs(published.axis.dot(result.axis_direction)));
+        result.paper_axis_off_deg = std::acos(cosine) * 180 / std::numbers::pi;
+        result.notes.push_back({notes::paperMethod, {}});
+        result.shaft = shaftOf(published.steps);
+    }
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;

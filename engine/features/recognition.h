@@ -110,6 +110,15 @@ struct MeridianPoint {
     bool bore = false;
 };
 
+/// A step by the published method: centre in the scan's coordinates, z along the scan's axis from its first section.
+struct PaperStep {
+    double x_mm = 0, y_mm = 0;
+    double radius_mm = 0;
+    double z_start_mm = 0, z_end_mm = 0;  ///< to the outer ends of its chamfers
+    double chamfer_start_mm = 0, chamfer_end_mm = 0;
+    std::int64_t sections = 0;
+};
+
 struct Recognition {
     RecognitionParameters parameters;
     std::string method_used;                                        ///< "robust" | "paper"
@@ -134,6 +143,8 @@ struct Recognition {
     std::int64_t points_used = 0;
     bool complete = true;                 ///< no gap, both ends seen or confirmed: CAD may be made
     Shaft shaft;                          ///< measured; with Snap::Apply nominal beside `measured`
+    std::vector<PaperStep> paper_steps;   ///< by RecognitionMethod::Paper; the rows above stay those of the robust one
+    double paper_axis_off_deg = 0;        ///< its axis against the robust one
     std::vector<MeridianPoint> meridian;  ///< in order of z
     Notes notes;
 };

@@ -121,6 +121,12 @@ std::vector<Cluster> clustersOf(const MeridianCloud& cloud, const std::uint32_t*
     return clusters;
 }
 
+/// Share of the sectors that so many points see when they lie evenly about the circle.
+double expectedCoverage(double points)
+{
+    return 1 - std::exp(-points / kSectors);
+}
+
 double turnOf(const Sectors& sectors)
 {
     double x = 0, y = 0;
@@ -198,7 +204,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
         for (const Cluster& cluster : clusters)
             if (cluster.wall.points > 5) {
                 counts.push_back(static_cast<float>(cluster.wall.points));
-                covers.push_back(static_cast<float>(cluster.wall.coverage));
+                covers.push_back(static_cast<float>(cluster.wall.coverage / expectedCoverage(cluster.wall.points)));
             }
     Walls walls;
     walls.bin_mm = bin_mm;
@@ -229,7 +235,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
             });
         }
         for (const Cluster& cluster : clusters) {
-            if (cluster.wall.coverage < 0.35 * usual_cover) continue;
+            if (cluster.wall.coverage < 0.35 * usual_cover * expectedCoverage(cluster.wall.points)) continue;
             const double r = cluster.wall.r_mm, z = cluster.wall.z_mm;
             OpenChain* best = nullptr;
             double nearest = 1e300;
@@ -281,7 +287,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
                 const auto near = std::lower_bound(other.walls.begin(), other.walls.end(), wall.z_mm,
                                                    [](const Wall& w, double z) { return w.z_mm < z; });
                 if (near != other.walls.end() && near->r_mm > wall.r_mm + 1 &&
-                    std::abs(near->z_mm - wall.z_mm) < 3 * bin_mm) {
+                    std::abs(near->z_mm - wall.z_mm) < std::max(3 * bin_mm, 1.0)) {
                     ++inside;
                     break;
                 }

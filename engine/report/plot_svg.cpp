@@ -86,7 +86,10 @@ void drawCurve(Svg& svg, const PlotFrame& frame, const Curve& curve, const std::
     switch (curve.style) {
         case Curve::Style::Line: draw(linePath(frame, curve), colour, width, "none", 1); break;
         case Curve::Style::Dashed: draw(linePath(frame, curve), colour, width, "none", 1, curveDashes); break;
-        case Curve::Style::Points: draw(pointsPath(frame, curve, pointRadius), "none", 0, colour, 1); break;
+        case Curve::Style::Points:
+            draw(pointsPath(frame, curve, curve.thin ? pointRadius / 2 : pointRadius), "none", 0, colour,
+                 curve.thin ? 0.5 : 1);
+            break;
         case Curve::Style::Band: draw(bandPath(frame, curve), "none", 0, colour, bandOpacity); break;
         case Curve::Style::Bars: draw(barsPath(frame, curve), "#ffffff", 0.5, colour, barOpacity); break;
     }

@@ -14,6 +14,7 @@
 #include "engine/sample/deflection_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
+#include "engine/sample/worn_sample.h"
 
 namespace lathelier::sample {
 namespace {
@@ -37,8 +38,8 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(), &recordSample(), &cylinderSample(), &chatterSample(),
-                                                    &deflectionSample()};
+    static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),     &cylinderSample(),
+                                                    &chatterSample(), &deflectionSample(), &wornSample()};
     return all;
 }
 

@@ -1,32 +1,12 @@
 #include "engine/sample/scan_sample.h"
 
-#include <bit>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "engine/sample/sample.h"
+#include "engine/sample/scan_ply.h"
 
 namespace lathelier::sample {
 namespace {
-
-constexpr char kSynthetic[] = "synthetic: ray-cast scan made by Lathelier, not a measurement";
-
-/// Binary little-endian PLY with float coordinates.
-std::string plyOf(const Scan& scan)
-{
-    std::string text = "ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment " + std::string(kSynthetic) +
-                       "\nelement vertex " + std::to_string(scan.points_mm.size()) +
-                       "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
-    const std::size_t header = text.size();
-    text.resize(header + scan.points_mm.size() * 12);
-    char* place = text.data() + header;
-    for (const Eigen::Vector3d& p : scan.points_mm)
-        for (int k = 0; k < 3; ++k) {
-            const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(p[k]));
-            for (int byte = 0; byte < 4; ++byte) *place++ = static_cast<char>(bits >> (8 * byte) & 0xff);
-        }
-    return text;
-}
 
 Json rowsOf(const Eigen::Isometry3d& pose)
 {
@@ -67,11 +47,11 @@ SampleContent makeScans(std::uint64_t seed, const Progress& progress)
     copy.scan_T_part = pose(1, 1.2, 1, 0.007, -0.025, 0.436);
 
     SampleContent content;
+    content.texts.push_back(scanPly(
+        scanShaft(nominalShaft(), original, progress.part(0, 0.5, LT_TEXT("Engine", "Scanning the original")))));
     content.texts.push_back(
-        plyOf(scanShaft(nominalShaft(), original, progress.part(0, 0.5, LT_TEXT("Engine", "Scanning the original")))));
-    content.texts.push_back(
-        plyOf(scanShaft(copiedShaft(), copy, progress.part(0.5, 1, LT_TEXT("Engine", "Scanning the copy")))));
-    content.truth = std::make_shared<Json>(Json{{"about", kSynthetic},
+        scanPly(scanShaft(copiedShaft(), copy, progress.part(0.5, 1, LT_TEXT("Engine", "Scanning the copy")))));
+    content.truth = std::make_shared<Json>(Json{{"about", syntheticScan},
                                                 {"scanner",
                                                  {{"row_pitch_mm", copy.row_pitch_mm},
                                                   {"angle_step_deg", copy.angle_step_deg},

@@ -77,6 +77,8 @@ struct ChartView::Content {
     std::optional<double> marked;              ///< the marked place; none: no mark
     bool holds = false;                        ///< the pointer has the chosen handle
     bool hasMoved = false;                     ///< the chosen handle, since it was last let go
+    ChartView* leader = nullptr;               ///< whose x axis this chart shares; null: it has its own
+    bool sharing = false;                      ///< the range of x is being handed on between leader and follower
     bool levelling = false;  ///< scales are being made equal, so that the change of a range is not answered again
 
     bool hasPaths() const { return !data.curves.empty() && !data.curves.back().along.empty(); }

@@ -200,10 +200,10 @@ void ChartView::applyStyle()
                 drawn->setBrush(faint(colour, 90));
                 break;
             case report::Curve::Style::Points:
-                drawn->setPen(QPen(colour, width));
+                drawn->setPen(QPen(curve.thin ? faint(colour, 110) : colour, width));
                 if (auto* graph = qobject_cast<QCPGraph*>(drawn)) {
                     graph->setLineStyle(QCPGraph::lsNone);
-                    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 2.5 * width));
+                    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, (curve.thin ? 1.4 : 2.5) * width));
                 }
                 break;
         }
@@ -214,7 +214,10 @@ void ChartView::fitRanges()
 {
     if (content_->holds) return;  // the ground must not move under the pointer
     const Interval x = report::shownX(content_->data), y = report::shownY(content_->data);
-    plot().xAxis->setRange(x.from, x.to);
+    if (const ChartView* leader = content_->leader)
+        takeX(leader->visibleRange().left(), leader->visibleRange().right());
+    else
+        plot().xAxis->setRange(x.from, x.to);
     plot().yAxis->setRange(y.from, y.to);
 }
 

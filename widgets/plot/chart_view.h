@@ -40,7 +40,12 @@ public:
     void pointOut(PointedOut what);
     const PointedOut& pointedOut() const;
 
+    /// This chart stands under `leader` and shares its x axis: the same margins, the same range, whichever of them is
+    /// zoomed or panned. `leader` must live as long.
+    void followX(ChartView* leader);
+
     QString csv() const override;
+    void resetView() override;
 
 signals:
     void rangeChanged();  ///< another part of the plane is shown
@@ -66,6 +71,8 @@ private:
     struct Content;
     void build();
     void keepScalesEqual();
+    void takeX(double lower, double upper);
+    void showX(double lower, double upper);
     QString pathReadout(double x, double y) const;
     std::optional<std::size_t> handleAt(const QPointF& place) const;
     void choose(std::optional<std::size_t> handle);

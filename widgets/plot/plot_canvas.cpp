@@ -193,6 +193,11 @@ bool PlotCanvas::isViewChosen() const
     return parts_->viewChosen;
 }
 
+void PlotCanvas::chooseView()
+{
+    parts_->viewChosen = true;
+}
+
 void PlotCanvas::resetView()
 {
     parts_->viewChosen = false;

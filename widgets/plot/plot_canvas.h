@@ -56,6 +56,7 @@ protected:
     void redraw();  ///< soon, if it is visible
     void drawOverlay();
     bool isViewChosen() const;  ///< the user has zoomed or panned
+    void chooseView();          ///< as if the user had zoomed
 
     virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
     virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says

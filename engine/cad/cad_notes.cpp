@@ -1,0 +1,35 @@
+#include "engine/cad/cad_notes.h"
+
+#include <algorithm>
+
+#include "engine/cad/cad_codes.h"
+#include "engine/core/shaft_contour.h"
+
+namespace lathelier::cad {
+namespace {
+
+constexpr double onAxis_mm = 1e-9;
+
+}  // namespace
+
+Notes cadNotes(const Shaft& shaft)
+{
+    Notes notes;
+    if (!shaft.marks.empty()) {
+        std::vector<std::string> seen;
+        std::string kinds;
+        for (const ShaftMark& mark : shaft.marks) {
+            if (std::find(seen.begin(), seen.end(), mark.kind) != seen.end()) continue;
+            seen.push_back(mark.kind);
+            kinds += (kinds.empty() ? "" : ", ") + mark.kind;
+        }
+        notes.push_back(
+            {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", kinds}}});
+    }
+    for (const ContourPiece& piece : outerContour(shaft))
+        if (piece.isArc() && piece.centre_mm().y() < -onAxis_mm)
+            notes.push_back({notes::arcBeyondAxis, {{"row", static_cast<std::int64_t>(piece.row + 1)}}});
+    return notes;
+}
+
+}  // namespace lathelier::cad

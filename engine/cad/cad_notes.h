@@ -1,0 +1,12 @@
+// What every CAD file of a shaft leaves out or shows otherwise.
+#pragma once
+
+#include "engine/core/error.h"
+#include "engine/core/shaft.h"
+
+namespace lathelier::cad {
+
+/// Notes marksLeftOut and arcBeyondAxis, for whoever writes a CAD file of this shaft.
+Notes cadNotes(const Shaft& shaft);
+
+}  // namespace lathelier::cad

@@ -1,0 +1,34 @@
+// The meridian of a body of revolution from the faces of a solid: pieces about an axis, merged and chained.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "engine/cad/step_faces.h"
+#include "engine/core/shaft.h"
+#include "engine/core/shaft_contour.h"
+
+namespace lathelier::cad {
+
+struct Line3 {
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+
+    /// (z, r) of a point.
+    Eigen::Vector2d meridianOf(const Eigen::Vector3d& point) const;
+};
+
+/// The line that the most curved area has for its axis (to 1e-6 rad and 1e-4 mm), pointing to the side of its largest
+/// coordinate; spheres count only where nothing else is curved. None: no curved face has an axis.
+std::optional<Line3> commonAxis(const std::vector<StepFace>& faces);
+
+struct Meridian {
+    Contour closed;                        ///< clockwise in (z, r), without the axis; empty: no piece
+    std::vector<std::size_t> other_faces;  ///< those that are no part of it
+};
+
+/// Pieces of the coaxial faces, chained. Where faces are missing a straight line closes the gap.
+Meridian meridianOf(const std::vector<StepFace>& faces, const Line3& axis, const Progress& progress);
+
+}  // namespace lathelier::cad

@@ -1,0 +1,46 @@
+// A STEP file (ISO 10303-21) of a turned part as a shaft: the axis that most curved area shares, the meridian of the
+// faces about it, and what is not of revolution.
+//
+// Every coaxial face gives a piece of the meridian, directed with the material on its right; pieces of one line or
+// circle that touch are one (faces split by seams or sectors). The pieces are chained to the closed meridian, whose
+// outside becomes the rows and whose inside the bores. The table counts only when its volume is the solid's: V_solid /
+// V_table from 0.9 on, more faces than coaxial ones are remarks, and nothing reaches beyond the largest circle.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/progress.h"
+#include "engine/core/shaft.h"
+
+namespace lathelier::cad {
+
+/// A face that is no part of the meridian.
+struct OtherFace {
+    Text kind;  ///< "plane", "cylinder"…
+    double area_mm2 = 0;
+    double z_start_mm = 0, z_end_mm = 0;  ///< along the part, from its free end
+};
+
+struct StepPart {
+    Shaft shaft;  ///< its name is the product's; faces that are not of revolution are marks "free_form"
+    /// The frame of the shaft in the file: its free end's centre, and the direction toward the chuck.
+    Eigen::Vector3d free_end_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+    double volume_mm3 = 0;               ///< of the solid in the file
+    std::vector<OtherFace> other_faces;  ///< the largest first
+};
+
+/// Which end is the free one a file does not say: the axis points to the side of its largest coordinate. Notes:
+/// notOfRevolution, those of checkShaft(). Errors: fileEmpty, formatUnknown; malformed with `line` and `column`;
+/// stepTooLarge, noSolid, severalParts; notABodyOfRevolution with `reason` (faceted: planes only; no_single_axis;
+/// not_round) and up to four worst faces as `faces`. 20-30 ms for a part of 30 faces. Throws Cancelled.
+StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress = {});
+
+/// Does the head of a file say STEP?
+bool looksLikeStep(std::string_view head);
+
+}  // namespace lathelier::cad

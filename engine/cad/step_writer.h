@@ -1,0 +1,39 @@
+// STEP (ISO 10303-21) of a shaft: one solid, its closed meridian revolved about z.
+//
+// Lines become planes, cylinders and cones, arcs tori and spheres (an arc whose centre lies beyond the axis stays a
+// surface of revolution). The free end lies in z = 0, the axis is +z, lengths are mm. Marks are left out
+// (cad_notes.h).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/core/progress.h"
+#include "engine/core/shaft.h"
+
+namespace lathelier::cad {
+
+enum class StepSchema {
+    AP214,  ///< AUTOMOTIVE_DESIGN, ISO 10303-214
+    AP242   ///< AP242_MANAGED_MODEL_BASED_3D_ENGINEERING, ISO 10303-242
+};
+
+struct StepOptions {
+    StepSchema schema = StepSchema::AP214;
+    std::string name;                       ///< of the product; empty: the shaft's, else "shaft"
+    std::string description;                ///< of the product; empty: "material: …" where that is stated
+    std::string author;                     ///< may be empty
+    std::string organisation;               ///< may be empty
+    std::optional<std::string> time_stamp;  ///< ISO 8601; none: now, in UTC
+};
+
+/// The file. The solid is checked before: valid, and its volume that of volume_mm3() to 1e-9. With a given time stamp
+/// the same shaft gives the same bytes. Texts may be any UTF-8. Errors: those of checkShaft(); solidNotBuilt,
+/// solidVolumeWrong. Throws Cancelled. About 20 ms.
+std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress = {});
+
+/// A text as ISO 10303-21 writes it between quotes: quotes and backslashes doubled, other letters as \X2\…\X0\ and
+/// \X4\…\X0\. Bytes that are no UTF-8 become "?".
+std::string stepString(std::string_view utf8);
+
+}  // namespace lathelier::cad

@@ -1,0 +1,27 @@
+# Modelling and STEP of OpenCASCADE (Debian: libocct-data-exchange-dev) as target OpenCASCADE::Step. Its own package file
+# sets defines for whole folders and finds the visualization modules with X11: not used here.
+find_path(OpenCASCADEStep_INCLUDE_DIR STEPControl_Writer.hxx PATH_SUFFIXES opencascade)
+set(OpenCASCADEStep_LIBRARIES "")
+set(occt_missing "")
+# In the order of a static linker: users first.
+foreach(part TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKXSBase TKShHealing TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d
+             TKG2d TKMath TKernel)
+    find_library(OpenCASCADEStep_${part}_LIBRARY ${part})
+    mark_as_advanced(OpenCASCADEStep_${part}_LIBRARY)
+    if(OpenCASCADEStep_${part}_LIBRARY)
+        list(APPEND OpenCASCADEStep_LIBRARIES ${OpenCASCADEStep_${part}_LIBRARY})
+    else()
+        set(occt_missing ${part})
+    endif()
+endforeach()
+if(occt_missing)
+    set(OpenCASCADEStep_LIBRARIES "")
+endif()
+mark_as_advanced(OpenCASCADEStep_INCLUDE_DIR)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenCASCADEStep DEFAULT_MSG OpenCASCADEStep_LIBRARIES OpenCASCADEStep_INCLUDE_DIR)
+if(OpenCASCADEStep_FOUND AND NOT TARGET OpenCASCADE::Step)
+    add_library(OpenCASCADE::Step INTERFACE IMPORTED)
+    target_include_directories(OpenCASCADE::Step SYSTEM INTERFACE ${OpenCASCADEStep_INCLUDE_DIR})
+    target_link_libraries(OpenCASCADE::Step INTERFACE ${OpenCASCADEStep_LIBRARIES})
+endif()

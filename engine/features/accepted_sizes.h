@@ -1,0 +1,28 @@
+// Single nominal sizes that a person has accepted, put into the shaft beside what was measured. All of them at once are
+// Snap::Apply.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/features/recognition.h"
+
+namespace lathelier::features {
+
+struct AcceptedSize {
+    std::int64_t row = 0;  ///< of Recognition::segments, from 1
+    std::string quantity;  ///< Suggestion::quantity
+    friend bool operator==(const AcceptedSize&, const AcceptedSize&) = default;
+};
+
+/// "2:diameter_mm,5:radius_mm": as the parameters of a project keep them. What is not understood is left out.
+std::vector<AcceptedSize> acceptedSizes(std::string_view text);
+std::string textOf(const std::vector<AcceptedSize>& accepted);
+
+/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Of sizes that are
+/// no longer suggested nothing is taken; unless the robust method only suggests, the shaft as it is.
+Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted);
+
+}  // namespace lathelier::features

@@ -1,0 +1,385 @@
+#include "engine/features/nominal_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/features/iso286.h"
+#include "engine/features/row_matching.h"
+#include "engine/features/standards.h"
+
+namespace lathelier::features {
+namespace {
+
+using std::optional;
+using RowsOnAxis = std::vector<RowOnAxis>;
+
+constexpr double kJoined_mm = 0.05;  // rows no further apart join
+
+const Text mm = LT_TEXT("Engine", "mm");
+
+/// From the z of the recognition to that of the drawing.
+struct Placing {
+    bool turned = false;
+    double offset_mm = 0;
+    double at(double z_mm) const { return offset_mm + (turned ? -z_mm : z_mm); }
+};
+
+/// Rows turned end for end.
+RowOnAxis turnedRow(RowOnAxis row)
+{
+    std::swap(row.z_start_mm, row.z_end_mm);
+    std::swap(row.start_diameter_mm, row.end_diameter_mm);
+    SizeUncertainty& U = row.uncertainty;
+    std::swap(U.z_start_um, U.z_end_um);
+    std::swap(U.start_diameter_um, U.end_diameter_um);
+    std::swap(row.start_seen, row.end_seen);
+    return row;
+}
+
+bool before(const RowOnAxis& a, const RowOnAxis& b)
+{
+    return a.z_start_mm + a.z_end_mm < b.z_start_mm + b.z_end_mm;
+}
+
+/// `outer_seen`: whether the first and the last of all ends of the data are ends of the part. Where rows do not join
+/// there are no data.
+RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing, std::array<bool, 2> outer_seen)
+{
+    RowsOnAxis result;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const RecognizedRow& row = rows[i];
+        RowOnAxis one{i,
+                      placing.at(row.z_start_mm),
+                      placing.at(row.z_end_mm),
+                      row.start_diameter_mm,
+                      row.end_diameter_mm,
+                      row.arc_radius_mm,
+                      row.uncertainty};
+        one.fully_visible = row.fully_visible;
+        if (row.z_end_mm > row.z_start_mm) result.push_back(placing.turned ? turnedRow(one) : one);
+    }
+    std::stable_sort(result.begin(), result.end(), before);
+    if (result.empty()) return result;
+    for (std::size_t i = 0; i + 1 < result.size(); ++i)
+        if (result[i + 1].z_start_mm - result[i].z_end_mm > kJoined_mm)
+            result[i].end_seen = result[i + 1].start_seen = false;
+    if (placing.turned) std::swap(outer_seen[0], outer_seen[1]);
+    result.front().start_seen = outer_seen[0];
+    result.back().end_seen = outer_seen[1];
+    return result;
+}
+
+/// Are the ends of the part seen, the free one first?
+std::array<bool, 2> endsSeen(const Recognition& measured)
+{
+    std::array<bool, 2> seen{true, true};
+    for (std::size_t i = 0; i < std::min(seen.size(), measured.ends.size()); ++i)
+        seen[i] = measured.ends[i].closed_by != "data";
+    return seen;
+}
+
+/// Rows of the bores: the deepest one of a blind bore ends where its data end.
+RowsOnAxis placedBores(const Recognition& measured, const Placing& placing)
+{
+    std::vector<RecognizedRow> rows;
+    for (const auto& bore : measured.bores) rows.insert(rows.end(), bore.begin(), bore.end());
+    double length_mm = measured.length_mm.value_or(0), first_mm = length_mm, last_mm = 0;
+    for (const RecognizedRow& row : measured.segments) length_mm = std::max(length_mm, row.z_end_mm);
+    for (const RecognizedRow& row : rows) {
+        first_mm = std::min(first_mm, row.z_start_mm);
+        last_mm = std::max(last_mm, row.z_end_mm);
+    }
+    const std::array<bool, 2> ends = endsSeen(measured);
+    return placed(rows, placing, {ends[0] && first_mm < kJoined_mm, ends[1] && last_mm > length_mm - kJoined_mm});
+}
+
+/// The rows of the drawing that have sizes. `sense` -1: from a mouth at the chuck's end.
+template <class Segment>
+RowsOnAxis drawnRows(const std::vector<Segment>& rows, double z_mm, double sense)
+{
+    RowsOnAxis result;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Segment& row = rows[i];
+        const double end = z_mm + sense * row.length_mm;
+        const RowOnAxis one{i, z_mm, end, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm, {}};
+        z_mm = end;
+        if (row.length_mm > 0) result.push_back(sense < 0 ? turnedRow(one) : one);
+    }
+    std::stable_sort(result.begin(), result.end(), before);
+    return result;
+}
+
+/// Where the measured rows may lie: as stated, and with ends on ends, for the place along the axis may not be
+/// determined.
+std::vector<Placing> placings(const Shaft& nominal, const Recognition& measured,
+                              const optional<Eigen::Isometry3d>& nominal_T_part)
+{
+    const double drawn = nominal.length_mm();
+    double length = measured.length_mm.value_or(0);
+    for (const RecognizedRow& row : measured.segments) length = std::max(length, row.z_end_mm);
+    const std::vector<Placing> straight{{false, 0}, {false, drawn - length}};
+    const std::vector<Placing> turned{{true, length}, {true, drawn}};
+    std::vector<Placing> all;
+    if (nominal_T_part) all.push_back({nominal_T_part->linear()(2, 2) < 0, nominal_T_part->translation().z()});
+    if (!nominal_T_part || !all.front().turned) all.insert(all.end(), straight.begin(), straight.end());
+    if (!nominal_T_part || all.front().turned) all.insert(all.end(), turned.begin(), turned.end());
+    return all;
+}
+
+/// What was measured of a cylinder along a run of rows, or at one of its ends.
+struct Size {
+    optional<double> value_mm, smallest_mm, largest_mm, U_mm;
+};
+
+optional<double> in_mm(optional<double> um)
+{
+    return um ? optional(*um / 1000) : std::nullopt;
+}
+
+Size meanDiameter(const RowsOnAxis& rows, RowRun run)
+{
+    if (run.count == 0) return {};
+    double sum = 0, length = 0, U_um = 0;
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    bool known = true;
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+        const RowOnAxis& row = rows[i];
+        const double weight = row.z_end_mm - row.z_start_mm;
+        sum += weight * (row.start_diameter_mm + row.end_diameter_mm) / 2;
+        length += weight;
+        smallest = std::min({smallest, row.start_diameter_mm, row.end_diameter_mm});
+        largest = std::max({largest, row.start_diameter_mm, row.end_diameter_mm});
+        for (const auto& U : {row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um}) {
+            known = known && U;
+            U_um = std::max(U_um, U.value_or(0));
+        }
+    }
+    return {sum / length, smallest, largest, known ? optional(U_um / 1000) : std::nullopt};
+}
+
+Size lengthOf(const RowsOnAxis& rows, RowRun run)
+{
+    if (run.count == 0) return {};
+    const RowOnAxis &first = rows[run.first], &last = rows[run.first + run.count - 1];
+    if (!first.start_seen || !last.end_seen) return {};
+    optional<double> U_um = first.uncertainty.length_um;
+    if (run.count > 1 || !U_um) {
+        const auto &start = first.uncertainty.z_start_um, &end = last.uncertainty.z_end_um;
+        U_um = start && end ? optional(std::hypot(*start, *end)) : std::nullopt;
+    }
+    return {last.z_end_mm - first.z_start_mm, {}, {}, in_mm(U_um)};
+}
+
+Size endDiameter(const RowsOnAxis& rows, RowRun run, bool start)
+{
+    if (run.count == 0) return {};
+    const RowOnAxis& row = rows[start ? run.first : run.first + run.count - 1];
+    const SizeUncertainty& U = row.uncertainty;
+    return {start ? row.start_diameter_mm : row.end_diameter_mm,
+            {},
+            {},
+            in_mm(start ? U.start_diameter_um : U.end_diameter_um)};
+}
+
+Size radiusOf(const RowsOnAxis& rows, RowRun run, double nominal_mm)
+{
+    if (run.count != 1) return {};
+    const optional<double>& radius = rows[run.first].arc_radius_mm;
+    if (!radius || !rows[run.first].fully_visible || *radius * nominal_mm < 0) return {};
+    return {std::abs(*radius), {}, {}, in_mm(rows[run.first].uncertainty.arc_radius_um)};
+}
+
+struct LimitDeviations {
+    optional<double> lower_mm, upper_mm;
+};
+
+LimitDeviations plusMinus(optional<double> tolerance_mm)
+{
+    if (!tolerance_mm) return {};
+    return {-*tolerance_mm, *tolerance_mm};
+}
+
+/// Those of a row's own tolerance; none: it has none that is known.
+optional<LimitDeviations> ownLimits(const optional<SizeTolerance>& tolerance, double nominal_mm)
+{
+    if (!tolerance) return {};
+    if (!tolerance->iso_class.empty()) {
+        const auto limits = limitsOf(tolerance->iso_class, nominal_mm);
+        if (!limits) return {};
+        return LimitDeviations{limits->lower_um / 1000, limits->upper_um / 1000};
+    }
+    if (!tolerance->lower_um && !tolerance->upper_um) return {};
+    return LimitDeviations{in_mm(tolerance->lower_um), in_mm(tolerance->upper_um)};
+}
+
+/// The verdict of one local size.
+Verdict judged(double deviation_mm, const optional<double>& U_mm, const ComparedRow& row, DecisionRule rule)
+{
+    double excess = -std::numeric_limits<double>::infinity();
+    if (row.upper_mm) excess = std::max(excess, deviation_mm - *row.upper_mm);
+    if (row.lower_mm) excess = std::max(excess, *row.lower_mm - deviation_mm);
+    return judge(excess, U_mm.value_or(std::numeric_limits<double>::quiet_NaN()), 0, rule);
+}
+
+/// Makes the rows of one contour.
+class Comparison {
+public:
+    Comparison(const Shaft& nominal, DecisionRule rule)
+        : general_(parseGeneralTolerance(nominal.general_tolerance)), rule_(rule)
+    {
+    }
+
+    void add(const RowOnAxis& drawn, const SizeTolerance* own, const std::string& role, bool hole,
+             const RowsOnAxis& measured, RowRun run, optional<std::int64_t> bore)
+    {
+        row_ = static_cast<std::int64_t>(drawn.index) + 1;
+        bore_ = bore;
+        const double start = drawn.start_diameter_mm, end = drawn.end_diameter_mm;
+        const bool chamfer = role == "chamfer";
+        standard_ = role == "undercut";
+        const optional<SizeTolerance> tolerance = own ? optional(*own) : std::nullopt;
+        const auto limits = [&](double size_mm) {
+            if (const auto stated = ownLimits(tolerance, size_mm)) return *stated;
+            return chamfer ? LimitDeviations{} : general(size_mm);
+        };
+        // Ends in the order of the drawing's row, which a bore from the chuck's end turns round.
+        const bool cylinder = start == end && !drawn.arc_radius_mm;
+        if (cylinder) put("diameter", start, meanDiameter(measured, run), limits(start));
+        if (!cylinder && !drawn.arc_radius_mm)
+            for (const bool first : {true, false}) {
+                const bool at_start = first != turned_;
+                const double size = at_start ? start : end;
+                put(first ? "start_diameter" : "end_diameter", size, endDiameter(measured, run, at_start),
+                    limits(size));
+            }
+        const double length = drawn.z_end_mm - drawn.z_start_mm;
+        LimitDeviations along = drawn.arc_radius_mm ? LimitDeviations{} : general(length);
+        if (chamfer) along = edge(length);
+        put("length", length, lengthOf(measured, run), along);
+        if (!drawn.arc_radius_mm) return;
+        const double radius = std::abs(*drawn.arc_radius_mm);
+        const bool outer = (*drawn.arc_radius_mm > 0) != hole;
+        put("arc_radius", radius, radiusOf(measured, run, *drawn.arc_radius_mm),
+            outer ? edge(radius) : general(radius));
+    }
+
+    /// Rows that follow are those of a bore whose mouth is at the chuck's end.
+    void turn(bool turned) { turned_ = turned; }
+    std::vector<ComparedRow> take() { return std::move(rows_); }
+
+private:
+    LimitDeviations general(double size_mm) const
+    {
+        return general_ && !standard_ ? plusMinus(generalTolerance_mm(size_mm, *general_)) : LimitDeviations{};
+    }
+    LimitDeviations edge(double size_mm) const
+    {
+        return general_ && !standard_ ? plusMinus(generalEdgeTolerance_mm(size_mm, *general_)) : LimitDeviations{};
+    }
+
+    void put(const char* quantity, double nominal_mm, const Size& size, const LimitDeviations& limits)
+    {
+        ComparedRow one;
+        one.row = row_;
+        one.bore = bore_;
+        one.quantity = quantity;
+        one.nominal_mm = nominal_mm;
+        one.lower_mm = limits.lower_mm;
+        one.upper_mm = limits.upper_mm;
+        one.measured_mm = size.value_mm;
+        one.smallest_mm = size.smallest_mm;
+        one.largest_mm = size.largest_mm;
+        if (size.U_mm && *size.U_mm < nominal_mm) one.uncertainty_mm = size.U_mm;  // beyond that it says nothing
+        if (size.value_mm) one.deviation_mm = *size.value_mm - nominal_mm;
+        const bool limited = one.lower_mm || one.upper_mm;
+        if (limited && !size.value_mm) one.verdict = Verdict::Undecided;
+        if (limited)
+            for (const auto& local : {size.value_mm, size.smallest_mm, size.largest_mm})
+                if (local) {
+                    const Verdict here = judged(*local - nominal_mm, one.uncertainty_mm, one, rule_);
+                    one.verdict = one.verdict ? worse(*one.verdict, here) : here;
+                }
+        rows_.push_back(std::move(one));
+    }
+
+    optional<GeneralClass> general_;
+    DecisionRule rule_;
+    std::int64_t row_ = 0;
+    optional<std::int64_t> bore_;
+    bool turned_ = false;
+    bool standard_ = false;  ///< the row of an undercut, whose limits are those of its standard
+    std::vector<ComparedRow> rows_;
+};
+
+}  // namespace
+
+std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& measured, DecisionRule decision,
+                                     const std::optional<Eigen::Isometry3d>& nominal_T_part)
+{
+    const RowsOnAxis drawn = drawnRows(nominal.segments, 0, 1);
+    Placing placing;
+    RowMatch match;
+    bool any = false;
+    for (const Placing& tried : placings(nominal, measured, nominal_T_part)) {
+        RowMatch found = matchRows(drawn, placed(measured.segments, tried, endsSeen(measured)));
+        if (any && !(found.cost_mm < match.cost_mm)) continue;
+        any = true;
+        match = std::move(found);
+        placing = tried;
+    }
+    Comparison comparison(nominal, decision);
+    const RowsOnAxis outside = placed(measured.segments, placing, endsSeen(measured));
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const ShaftSegment& row = nominal.segments[drawn[i].index];
+        comparison.add(drawn[i], row.tolerance ? &*row.tolerance : nullptr, row.role, false, outside, match.runs[i],
+                       {});
+    }
+    const RowsOnAxis inside = placedBores(measured, placing);
+    for (std::size_t number = 0; number < nominal.bores.size(); ++number) {
+        const ShaftBore& bore = nominal.bores[number];
+        const bool free = bore.from == ShaftEnd::Free;
+        RowsOnAxis rows = drawnRows(bore.segments, free ? 0 : nominal.length_mm(), free ? 1 : -1);
+        std::vector<RowRun> runs = matchRows(rows, inside).runs;
+        if (!free) {
+            std::reverse(rows.begin(), rows.end());
+            std::reverse(runs.begin(), runs.end());
+        }
+        comparison.turn(!free);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            comparison.add(rows[i], nullptr, bore.segments[rows[i].index].role, true, inside, runs[i],
+                           static_cast<std::int64_t>(number) + 1);
+    }
+    return comparison.take();
+}
+
+std::optional<Verdict> worstVerdict(const std::vector<ComparedRow>& rows)
+{
+    std::optional<Verdict> worst;
+    for (const ComparedRow& row : rows)
+        if (row.verdict) worst = worst ? worse(*worst, *row.verdict) : *row.verdict;
+    return worst;
+}
+
+const std::vector<QuantityOf<ComparedRow>>& quantitiesOf(const ComparedRow*)
+{
+    using C = ComparedRow;
+    static const std::vector<QuantityOf<C>> all{
+        quantity<C>("row", &C::row, {LT_TEXT("Engine", "Row")}),
+        quantity<C>("bore", &C::bore, {LT_TEXT("Engine", "Bore")}),
+        quantity<C>("quantity", &C::quantity, {LT_TEXT("Engine", "Quantity")}),
+        quantity<C>("nominal_mm", &C::nominal_mm, {LT_TEXT("Engine", "Nominal"), mm, 3}),
+        quantity<C>("measured_mm", &C::measured_mm, {LT_TEXT("Engine", "Measured"), mm, 4}),
+        quantity<C>("smallest_mm", &C::smallest_mm, {LT_TEXT("Engine", "Smallest"), mm, 4}),
+        quantity<C>("largest_mm", &C::largest_mm, {LT_TEXT("Engine", "Largest"), mm, 4}),
+        quantity<C>("deviation_mm", &C::deviation_mm, {LT_TEXT("Engine", "Deviation"), mm, 4}),
+        quantity<C>("uncertainty_mm", &C::uncertainty_mm, {LT_TEXT("Engine", "U (k = 2)"), mm, 4}),
+        quantity<C>("lower_mm", &C::lower_mm, {LT_TEXT("Engine", "Lower limit"), mm, 3}),
+        quantity<C>("upper_mm", &C::upper_mm, {LT_TEXT("Engine", "Upper limit"), mm, 3}),
+        quantity<C>("verdict", verdictKey<C>),
+        quantity<C>("judged", verdictName<C>, {LT_TEXT("Engine", "Verdict"), {}, 0, false})};
+    return all;
+}
+
+}  // namespace lathelier::features

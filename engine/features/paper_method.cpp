@@ -1,0 +1,156 @@
+#include "engine/features/paper_method.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier::features {
+namespace {
+
+constexpr double kChamfer_mm = 0.15;
+constexpr std::size_t kLeastSections = 3;
+constexpr std::size_t kLeastPoints = 8;
+constexpr double kMostSections = 1e6;
+
+struct Section {
+    double z_mm, x_mm, y_mm, radius_mm;
+};
+
+/// x² + y² = Ax + By + C by least squares.
+std::optional<Section> circleOf(const std::vector<Eigen::Vector2d>& points, double z_mm)
+{
+    if (points.size() < kLeastPoints) return std::nullopt;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector2d& p : points) {
+        const Eigen::Vector3d row(p.x() - mean.x(), p.y() - mean.y(), 1);
+        normal += row * row.transpose();
+        right += row * (p - mean).squaredNorm();
+    }
+    const Eigen::Vector3d abc = normal.ldlt().solve(right);
+    const double square = (abc[0] * abc[0] + abc[1] * abc[1] + 4 * abc[2]) / 4;
+    if (!(square > 0)) return std::nullopt;
+    return Section{z_mm, mean.x() + abc[0] / 2, mean.y() + abc[1] / 2, std::sqrt(square)};
+}
+
+/// Least-squares line through the centres.
+Eigen::Vector3d lineThrough(const std::vector<Section>& sections)
+{
+    double n = 0, sz = 0, szz = 0;
+    Eigen::Vector2d s = Eigen::Vector2d::Zero(), szc = Eigen::Vector2d::Zero();
+    for (const Section& one : sections) {
+        n += 1;
+        sz += one.z_mm;
+        szz += one.z_mm * one.z_mm;
+        s += Eigen::Vector2d(one.x_mm, one.y_mm);
+        szc += one.z_mm * Eigen::Vector2d(one.x_mm, one.y_mm);
+    }
+    const double spread = szz - sz * sz / std::max(1.0, n);
+    if (!(spread > 0)) return Eigen::Vector3d::UnitZ();
+    const Eigen::Vector2d slope = (szc - sz * s / n) / spread;
+    return Eigen::Vector3d(slope.x(), slope.y(), 1).normalized();
+}
+
+}  // namespace
+
+PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction,
+                       const RecognitionParameters& parameters, const Progress& progress)
+{
+    PaperResult result;
+    Eigen::Index along = 0;
+    direction.cwiseAbs().maxCoeff(&along);
+    const Eigen::Index across = (along + 1) % 3, up = (along + 2) % 3;
+    const double sense = direction[along] < 0 ? -1 : 1;
+    double first = 1e300, last = -1e300;
+    for (const Eigen::Vector3d& p : points) {
+        first = std::min(first, sense * p[along]);
+        last = std::max(last, sense * p[along]);
+    }
+    const double width = parameters.band_width_mm, pitch = width * 100 / parameters.coverage_percent;
+    if (points.empty() || (last - first) / pitch > kMostSections) return result;
+    const auto count = static_cast<std::size_t>((last - first) / pitch) + 1;
+    std::vector<std::vector<Eigen::Vector2d>> bands(count);
+    for (const Eigen::Vector3d& p : points) {
+        const double place = (sense * p[along] - first) / pitch;
+        const auto band = std::min(count - 1, static_cast<std::size_t>(place));
+        if ((place - static_cast<double>(band)) * pitch < width) bands[band].emplace_back(p[across], p[up]);
+    }
+    std::vector<Section> sections;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % 64 == 0) progress.check();
+        if (const auto section = circleOf(bands[i], (static_cast<double>(i)) * pitch + width / 2))
+            sections.push_back(*section);
+    }
+    const Eigen::Vector3d axis = lineThrough(sections);
+    result.axis = Eigen::Vector3d::Zero();
+    result.axis[across] = axis.x();
+    result.axis[up] = axis.y();
+    result.axis[along] = sense * axis.z();
+    const double zero = sections.empty() ? 0 : sections.front().z_mm - width / 2;
+    for (std::size_t i = 0; i < sections.size();) {
+        std::size_t end = i + 1;
+        while (end < sections.size()) {
+            const double other =
+                parameters.compare_with == CompareWith::Previous ? sections[end - 1].radius_mm : sections[i].radius_mm;
+            if (std::abs(sections[end].radius_mm - other) > parameters.radial_tolerance_mm) break;
+            ++end;
+        }
+        if (end - i >= kLeastSections) {
+            PaperStep step;
+            for (std::size_t k = i; k < end; ++k) {
+                const double n = static_cast<double>(end - i);
+                step.x_mm += sections[k].x_mm / n;
+                step.y_mm += sections[k].y_mm / n;
+                step.radius_mm += sections[k].radius_mm / n;
+            }
+            step.sections = static_cast<std::int64_t>(end - i);
+            step.z_start_mm = sections[i].z_mm - width / 2 - zero;
+            step.z_end_mm = sections[end - 1].z_mm + width / 2 - zero;
+            result.steps.push_back(step);
+        }
+        i = end;
+    }
+    // What was dropped beside a step, and lies below its radius, is its chamfer.
+    for (std::size_t s = 0; s < result.steps.size(); ++s) {
+        PaperStep& step = result.steps[s];
+        const double before = s > 0 ? result.steps[s - 1].z_end_mm : -1,
+                     after = s + 1 < result.steps.size() ? result.steps[s + 1].z_start_mm : 1e300;
+        const double start = step.z_start_mm, end = step.z_end_mm;
+        for (const Section& section : sections) {
+            const double z = section.z_mm - zero;
+            if (step.radius_mm - section.radius_mm < kChamfer_mm) continue;
+            if (z > before && z < start) step.z_start_mm = std::min(step.z_start_mm, z - width / 2);
+            if (z > end && z < after) step.z_end_mm = std::max(step.z_end_mm, z + width / 2);
+        }
+        step.chamfer_start_mm = start - step.z_start_mm;
+        step.chamfer_end_mm = step.z_end_mm - end;
+        // Of a section or two no chamfer is told from a shoulder that lies within them.
+        if (step.chamfer_start_mm < 2.5 * pitch) step.chamfer_start_mm = 0;
+        if (step.chamfer_end_mm < 2.5 * pitch) step.chamfer_end_mm = 0;
+    }
+    return result;
+}
+
+Shaft shaftOf(const std::vector<PaperStep>& steps)
+{
+    Shaft shaft;
+    double z = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const PaperStep& step = steps[i];
+        const double end = i + 1 < steps.size() ? (step.z_end_mm + steps[i + 1].z_start_mm) / 2 : step.z_end_mm;
+        const auto add = [&](double length, double d0, double d1, const char* role) {
+            if (length > 1e-6) shaft.segments.push_back({length, d0, d1, 0, {}, role});
+        };
+        const double d = 2 * step.radius_mm, a = std::min(step.chamfer_start_mm, end - z),
+                     b = std::min(step.chamfer_end_mm, end - z - a);
+        add(a, std::max(0.0, d - 2 * a), d, "chamfer");
+        add(end - z - a - b, d, d, "");
+        add(b, d, std::max(0.0, d - 2 * b), "chamfer");
+        z = end;
+    }
+    return shaft;
+}
+
+}  // namespace lathelier::features

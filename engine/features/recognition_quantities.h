@@ -1,0 +1,24 @@
+// The single numbers of a recognition described for tables, and what its rows are called.
+#pragma once
+
+#include "engine/features/recognized_rows.h"
+
+namespace lathelier::features {
+
+/// Its single numbers, for tables; JSON is toJson() (recognized_rows.h).
+const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*);
+
+/// The largest diameter of the outside with its expanded uncertainty; none without rows.
+struct LargestDiameter {
+    double diameter_mm = 0;
+    std::optional<double> uncertainty_um;  ///< k = 2
+    std::size_t row = 0;                   ///< index into Recognition::segments
+};
+std::optional<LargestDiameter> largestDiameter(const Recognition& result);
+
+/// What kinds, roles and ends are called; a role that is none of the known ones is said as it is.
+Text kindName(RowKind kind);
+Value roleName(const std::string& role);
+Value endName(const std::string& closed_by);
+
+}  // namespace lathelier::features

@@ -1,0 +1,24 @@
+// The parts of a recognition, described once: what JSON, tables and CSV say of rows, features, ends, gaps.
+#pragma once
+
+#include "engine/core/quantities.h"
+#include "engine/features/recognition.h"
+
+namespace lathelier::features {
+
+const std::vector<QuantityOf<Suggestion>>& quantitiesOf(const Suggestion*);
+const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*);
+const std::vector<QuantityOf<RecognizedFeature>>& quantitiesOf(const RecognizedFeature*);
+const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*);
+const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*);
+const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*);
+const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*);
+
+/// "cylinder", "cone", "arc".
+const char* key(RowKind kind);
+
+/// The result as `recognize --json` has it, but for `steps`, which are those of the published method only when it was
+/// asked for.
+Json toJson(const Recognition& result);
+
+}  // namespace lathelier::features

@@ -1,0 +1,118 @@
+#include "engine/features/shaft_comparison.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <variant>
+
+#include "engine/features/features_codes.h"
+#include "engine/features/shaft_mesh.h"
+#include "engine/registration/compare_quantities.h"
+#include "engine/registration/compare_report.h"
+#include "engine/report/quantity_table.h"
+
+namespace lathelier::features {
+namespace {
+
+void addNew(const Notes& more, Notes& notes)
+{
+    Notes fresh;
+    for (const Note& note : more)
+        if (!contains(notes, note.code)) fresh.push_back(note);
+    notes.insert(notes.end(), fresh.begin(), fresh.end());
+}
+
+/// Without what was recognised every size with a limit is undecided.
+std::vector<ComparedRow> rowsOf(const Shaft& nominal, const Scan& copy, registration::CompareResult& surface,
+                                const Progress& progress)
+{
+    RecognitionParameters parameters;
+    parameters.snap = Snap::None;
+    parameters.scanner_accuracy_mm = surface.parameters.scanner_accuracy_mm;
+    Recognition measured;
+    try {
+        measured = recognize(copy, parameters, progress);
+    } catch (const Error& error) {
+        surface.notes.push_back({notes::sizesNotRecognized, {{"reason", std::string(error.code().key)}}});
+        return compareRows(nominal, {}, surface.parameters.decision);
+    }
+    addNew(measured.notes, surface.notes);
+    return compareRows(nominal, measured, surface.parameters.decision,
+                       surface.alignment.reference_T_copy * measured.part_T_scan.inverse());
+}
+
+Value nameOf(const std::optional<Verdict>& verdict)
+{
+    return verdict ? Value(name(*verdict)) : Value();
+}
+
+void setVerdict(const ShaftComparison& result, report::Section& summary)
+{
+    for (report::Block& block : summary.blocks)
+        if (auto* const answer = std::get_if<report::Answer>(&block)) answer->verdict = result.verdict;
+}
+
+}  // namespace
+
+ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
+                                 const registration::CompareParameters& parameters, const Progress& progress,
+                                 registration::CompareDetail detail)
+{
+    const ShaftMesh mesh = shaftMesh(nominal, kFinestSagitta_mm, progress.part(0, 0.05));
+    ShaftComparison result;
+    result.surface = compare(mesh.scan, copy, parameters,
+                             progress.part(0.05, 0.8, LT_TEXT("Engine", "Comparing the surface")), detail);
+    if (mesh.sagitta_mm > kFinestSagitta_mm)
+        result.surface.notes.push_back({notes::meshCoarser, {{"sagitta_mm", mesh.sagitta_mm}}});
+    result.rows =
+        rowsOf(nominal, copy, result.surface, progress.part(0.8, 1, LT_TEXT("Engine", "Comparing the sizes")));
+    result.verdict = worstVerdict(result.rows);
+    if (const auto& surface = result.surface.verdict)
+        result.verdict = result.verdict ? worse(*surface, *result.verdict) : *surface;
+    return result;
+}
+
+Json toJson(const ShaftComparison& result)
+{
+    Json json = registration::toJson(result.surface);
+    json["surface_verdict"] = json["verdict"];
+    json["verdict"] = result.verdict ? Json(std::string(key(*result.verdict))) : Json(nullptr);
+    json["rows"] = Json::array();
+    for (const ComparedRow& row : result.rows) json["rows"].push_back(nestedJson(describedValues(row)));
+    return json;
+}
+
+report::Section sizesSection(const ShaftComparison& result)
+{
+    report::QuantityTable verdicts{LT_TEXT("Engine", "Verdicts"), {}};
+    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), nameOf(result.surface.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), nameOf(worstVerdict(result.rows)), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), nameOf(result.verdict), {}});
+    std::vector<const char*> keys{"row", "quantity", "nominal_mm", "measured_mm", "deviation_mm", "uncertainty_mm"};
+    const auto& rows = result.rows;
+    if (std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) { return row.bore.has_value(); }))
+        keys.insert(keys.begin() + 1, "bore");
+    if (std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) { return row.verdict.has_value(); }))
+        keys.insert(keys.end(), {"lower_mm", "upper_mm", "judged"});
+    return {LT_TEXT("Engine", "Sizes against the drawing"),
+            {verdicts, report::listTable<ComparedRow>(LT_TEXT("Engine", "Sizes of the rows"),
+                                                      std::span<const ComparedRow>(rows), keys)}};
+}
+
+report::Section surfaceSummary(const ShaftComparison& result)
+{
+    report::Section summary = compareSummary(result.surface);
+    setVerdict(result, summary);
+    return summary;
+}
+
+report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs)
+{
+    report::Document document = compareReport(result.surface, inputs);
+    document.title = LT_TEXT("Engine", "Comparison of a part with its drawing");
+    if (!document.sections.empty()) setVerdict(result, document.sections.front());
+    document.sections.insert(document.sections.begin() + (document.sections.empty() ? 0 : 1), sizesSection(result));
+    return document;
+}
+
+}  // namespace lathelier::features

@@ -1,0 +1,40 @@
+// A scan against the drawing of a shaft: the signed deviation from its surface, and its sizes row by row.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/shaft.h"
+#include "engine/features/nominal_rows.h"
+#include "engine/registration/compare.h"
+#include "engine/report/document.h"
+
+namespace lathelier::features {
+
+struct ShaftComparison {
+    /// The reference is the shaft: its frame is z along the axis from the free end. `verdict` there is the surface's.
+    registration::CompareResult surface;
+    std::vector<ComparedRow> rows;   ///< as compareRows() has them
+    std::optional<Verdict> verdict;  ///< the worse of the surface and the rows; none: nothing has a limit
+};
+
+/// Compares the copy with the shaft's mesh (shaft_mesh.h), recognises it and sets its rows against the drawing's.
+/// Errors of compare(). Where the copy cannot be recognised, the rows say so with the note sizesNotRecognized. Notes:
+/// those of both; meshCoarser. Precondition: the shaft passes checkShaft(). Throws Cancelled.
+ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
+                                 const registration::CompareParameters& parameters, const Progress& progress = {},
+                                 registration::CompareDetail detail = registration::CompareDetail::Full);
+
+/// As the comparison of two scans, with `rows`, the verdict of both, and `surface_verdict`.
+Json toJson(const ShaftComparison& result);
+
+/// The verdict of surface and sizes, and the sizes as a table.
+report::Section sizesSection(const ShaftComparison& result);
+
+/// The summary of the comparison of two scans, whose answer has the verdict of both.
+report::Section surfaceSummary(const ShaftComparison& result);
+
+/// The report of the comparison of two scans with the sizes behind its first section.
+report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs);
+
+}  // namespace lathelier::features

@@ -1,0 +1,12 @@
+// The scan of a worn shaft that is to be made anew.
+#pragma once
+
+#include "engine/core/sample_part.h"
+
+namespace lathelier::sample {
+
+/// worn.ply: a stepped shaft with chamfers, a groove, a tapered seat and two worn bearing seats, opened by the panel
+/// recognise; its table and its wear are in truth.json.
+const SamplePart& wornSample();
+
+}  // namespace lathelier::sample

@@ -1,0 +1,43 @@
+// The panel "Recognise": what table of cylinders, cones and arcs does this scanned part have, and what were its sizes?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/recognise/recognise_picture.h"
+
+namespace lathelier::recognise_panel {
+
+class RecogniseViews;
+
+/// The panel's line of the panel table.
+PanelFacts recognisePanelFacts();
+
+class RecognisePanel : public Panel<RecognisePicture> {
+    Q_OBJECT
+
+public:
+    explicit RecognisePanel(Session& session, QWidget* parent = nullptr);
+
+    RecogniseViews& views() const { return *views_; }
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const RecognisePicture>& picture) override;
+    report::Answer answer(const RecognisePicture& picture) const override;
+    void showPlace(const report::Place& place) override;
+    Notes notes(const RecognisePicture& picture) const override;
+    report::Document document(const RecognisePicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
+    void retranslate() override;
+
+private:
+    void toggle(const std::vector<features::AcceptedSize>& sizes);
+    void acceptAll();
+    void keepShaft();
+
+    RecogniseViews* views_;
+    std::shared_ptr<LastRecognition> last_;
+};
+
+}  // namespace lathelier::recognise_panel

@@ -1,0 +1,105 @@
+#include "widgets/recognise/recognise_picture.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/cad/steps_view.h"
+#include "engine/io/io_codes.h"
+
+namespace lathelier::recognise_panel {
+namespace {
+
+constexpr std::size_t kOnNoRow = 3;
+
+/// Of a place along the axis; a shoulder belongs to the row after it.
+std::size_t kindAt(const features::Recognition& result, double z_mm)
+{
+    const auto& rows = result.segments;
+    const auto after =
+        std::upper_bound(rows.begin(), rows.end(), z_mm,
+                         [](double z, const features::RecognizedRow& row) { return z < row.z_start_mm; });
+    if (after == rows.begin()) return kOnNoRow;
+    const features::RecognizedRow& row = *(after - 1);
+    return z_mm <= row.z_end_mm ? static_cast<std::size_t>(row.kind) : kOnNoRow;
+}
+
+ScanByKind partedByKind(const Scan& scan, const features::Recognition& result)
+{
+    std::array<std::shared_ptr<Scan>, 4> parts;
+    for (auto& part : parts) part = std::make_shared<Scan>();
+    const auto kindOf = [&](const Eigen::Vector3d& point) { return kindAt(result, (result.part_T_scan * point).z()); };
+    if (scan.isMesh()) {
+        for (auto& part : parts) part->points_mm = scan.points_mm;
+        for (const auto& triangle : scan.triangles) {
+            Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+            for (const std::uint32_t corner : triangle) middle += scan.points_mm[corner] / 3;
+            parts[kindOf(middle)]->triangles.push_back(triangle);
+        }
+    } else {
+        for (const Eigen::Vector3d& point : scan.points_mm) parts[kindOf(point)]->points_mm.push_back(point);
+    }
+    ScanByKind result_parts;
+    std::copy(parts.begin(), parts.end(), result_parts.begin());
+    return result_parts;
+}
+
+/// As the published method found them, else the rows in the form of its table.
+void addSteps(RecognisePicture& picture)
+{
+    const features::Recognition& result = *picture.result;
+    picture.steps = result.paper_steps;
+    if (result.parameters.method == features::RecognitionMethod::Paper) return;
+    for (const cad::Step& step : cad::stepsOf(picture.shaft)) {
+        const Eigen::Vector3d middle =
+            result.axis_point_mm + (step.z_start_mm + step.z_end_mm) / 2 * result.axis_direction;
+        picture.steps.push_back({middle.x(), middle.y(), step.radius_mm, step.z_start_mm, step.z_end_mm,
+                                 step.chamfer_start_mm, step.chamfer_end_mm, 0});
+    }
+    picture.beside = cad::rowsBesideSteps(picture.shaft);
+}
+
+bool sameParameters(const features::RecognitionParameters& a, const features::RecognitionParameters& b)
+{
+    return toValues(a) == toValues(b);
+}
+
+}  // namespace
+
+RecognisePicture LastRecognition::find(const project::PanelState& state, ScanStore& scans, const Progress& progress)
+{
+    const auto parameters = fromValues<features::RecognitionParameters>(state.parameters);
+    const project::Source& source = state.inputs.at(scanRole);
+    RecognisePicture picture;
+    picture.points = scans.load(source, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
+    picture.synthetic = source.synthetic || contains(picture.points->file.notes, notes::syntheticData);
+    picture.inputs = {picture.points->inputs.front()};
+
+    RecognisePicture last;
+    {
+        const std::lock_guard lock(mutex_);
+        last = last_;
+    }
+    const Scan& scan = picture.points->file.scan;
+    if (last.result && last.points == picture.points && sameParameters(last.result->parameters, parameters)) {
+        picture.result = last.result;
+        picture.by_kind = last.by_kind;
+    } else {
+        picture.result = std::make_shared<const features::Recognition>(
+            features::recognize(scan, parameters, progress.part(0.3, 0.95, LT_TEXT("Engine", "Recognising the rows"))));
+        picture.by_kind = partedByKind(scan, *picture.result);
+    }
+    if (const Value* accepted = lathelier::find(state.parameters, acceptedKey))
+        if (const auto* text = std::get_if<std::string>(accepted)) picture.accepted = features::acceptedSizes(*text);
+    picture.shaft = withAccepted(*picture.result, picture.accepted);
+    if (picture.shaft.name.empty())
+        picture.shaft.name = std::filesystem::path(picture.inputs.front().path).stem().string();
+    addSteps(picture);
+    picture.notes = picture.result->notes;
+    const Notes& of_file = picture.points->file.notes;
+    picture.notes.insert(picture.notes.end(), of_file.begin(), of_file.end());
+    const std::lock_guard lock(mutex_);
+    last_ = picture;
+    return picture;
+}
+
+}  // namespace lathelier::recognise_panel

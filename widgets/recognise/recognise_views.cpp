@@ -1,0 +1,246 @@
+#include "widgets/recognise/recognise_views.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/features/recognition_plots.h"
+#include "engine/features/recognition_quantities.h"
+#include "engine/features/recognition_report.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
+#include "widgets/core/panel/view_frame.h"
+
+namespace lathelier::recognise_panel {
+namespace {
+
+constexpr double kFar_um = 1e6;  ///< beyond every residual that is shown
+
+}  // namespace
+
+RecogniseViews::RecogniseViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      charts_(new QSplitter(Qt::Vertical)),
+      meridian_(new plot::ChartView),
+      residuals_(new plot::ChartView),
+      rows_(new RowsView),
+      scene_(new scene::SceneView),
+      steps_(new CopyTable),
+      beside_(new QLabel),
+      numbers_(new CopyTable),
+      shaft_(new QToolButton),
+      synthetic_(new QLabel)
+{
+    meridian_->setObjectName("meridian");
+    residuals_->setObjectName("residuals");
+    scene_->setObjectName("scene");
+    steps_->setObjectName("steps");
+    beside_->setObjectName("beside");
+    numbers_->setObjectName("numbers");
+    residuals_->followX(meridian_);
+    residuals_->setProperty(ViewFrame::onlyLarge, true);  // small, the shape says more
+    charts_->setChildrenCollapsible(false);
+    charts_->addWidget(meridian_);
+    charts_->addWidget(residuals_);
+    charts_->setStretchFactor(0, 3);
+    charts_->setStretchFactor(1, 2);
+    auto* table = new QWidget;
+    auto* inside = new QVBoxLayout(table);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(steps_, 1);
+    beside_->setWordWrap(true);
+    beside_->setProperty(ViewFrame::onlyLarge, true);
+    inside->addWidget(beside_);
+    heroes_->add("meridian", charts_);
+    heroes_->add("rows", rows_);
+    heroes_->add("part", scene_);
+    heroes_->add("steps", table);
+    heroes_->add("tables", numbers_);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    synthetic_->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* bar = new FlowRow;
+    shaft_->setObjectName("useShaft");
+    bar->addWidget(shaft_);
+    bar->setTrailing(synthetic_);
+    layout->addLayout(bar);
+    layout->addWidget(heroes_, 1);
+
+    for (plot::ChartView* chart : {meridian_, residuals_}) {
+        connect(chart, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) { pickAt(z_mm); });
+        connect(chart, &plot::PlotCanvas::notWritten, this, &RecogniseViews::notWritten);
+    }
+    connect(scene_, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
+        const Scan& scan = *scene_->objects()[static_cast<std::size_t>(object)].scan;
+        pickAt((picture_->result->part_T_scan * scan.points_mm[static_cast<std::size_t>(point)]).z());
+    });
+    connect(shaft_, &QToolButton::clicked, this, &RecogniseViews::shaftWanted);
+    connect(scene_, &scene::SceneView::notWritten, this, &RecogniseViews::notWritten);
+    connect(rows_, &RowsView::rowPointedAt, this, [this](int row) {
+        row_ = row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
+        pointOut(row_);
+    });
+    connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
+        if (!picture_ || step < 0 || step >= static_cast<int>(picture_->steps.size())) return;
+        const features::PaperStep& at = picture_->steps[static_cast<std::size_t>(step)];
+        pickAt((at.z_start_mm + at.z_end_mm) / 2);
+    });
+    retranslate();
+}
+
+void RecogniseViews::setPicture(const std::shared_ptr<const RecognisePicture>& picture)
+{
+    const bool new_rows = !picture_ || picture_->result != picture->result;
+    picture_ = picture;
+    if (new_rows) {
+        row_.reset();
+        showScan();
+    }
+    show();
+    markRow(row_);
+}
+
+void RecogniseViews::show()
+{
+    if (!picture_) return;
+    const features::Recognition& result = *picture_->result;
+    meridian_->setData(meridianPlot(result, screenLanguage()));
+    residuals_->setData(residualPlot(result));
+    rows_->setPicture(picture_);
+    {
+        const QSignalBlocker quiet(steps_);
+        steps_->setTable(features::stepsTable(picture_->steps));
+    }
+    QStringList beside;
+    double z_mm = 0;
+    for (std::size_t i = 0; i < picture_->shaft.segments.size(); ++i) {
+        const ShaftSegment& said = picture_->shaft.segments[i];
+        const double from_mm = z_mm;
+        z_mm += said.length_mm;
+        if (std::find(picture_->beside.begin(), picture_->beside.end(), i) == picture_->beside.end()) continue;
+        const features::RowKind kind = said.arc_radius_mm ? features::RowKind::Arc : features::RowKind::Cone;
+        const QString name = said.role.empty() ? screenText(kindName(kind)) : screenText(features::roleName(said.role));
+        beside << tr("row %1: %2, z %3-%4")
+                      .arg(i + 1)
+                      .arg(name, screenNumber(from_mm, millimetre, 1), screenQuantity(z_mm, millimetre, 1));
+    }
+    beside_->setText(beside.isEmpty() ? tr("All rows are in this table.")
+                                      : tr("Not in this table: %1").arg(beside.join("; ")));
+    numbers_->setQuantities(recognitionReport(result, picture_->steps, picture_->inputs, screenLanguage()));
+    synthetic_->setVisible(picture_->synthetic);
+}
+
+/// In the colours of the meridian.
+void RecogniseViews::showScan()
+{
+    if (!picture_) return;
+    const features::Recognition& result = *picture_->result;
+    const std::array<QString, 4> names{screenText(kindName(features::RowKind::Cylinder)),
+                                       screenText(kindName(features::RowKind::Cone)),
+                                       screenText(kindName(features::RowKind::Arc)), tr("on no row")};
+    std::vector<scene::SceneObject> objects;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const ScanPtr& scan = picture_->by_kind[i];
+        if (!scan || (scan->isMesh() ? scan->triangles.empty() : scan->points_mm.empty())) continue;
+        scene::SceneObject object;
+        object.name = names[i];
+        object.scan = scan;
+        const report::ChartColour colour =
+            i < 3 ? report::ChartColour(static_cast<int>(i)) : report::ChartColour(report::ColourRole::Neutral);
+        object.colour = plot::toQt(report::colourOf(colour));
+        objects.push_back(std::move(object));
+    }
+    scene_->setLongAxis(scene::SceneAxis{result.axis_point_mm, result.axis_direction});
+    scene_->setObjects(std::move(objects));
+    const double end_mm = result.ends.empty() ? 0 : result.ends.back().z_mm;
+    scene_->setOutline({{result.axis_point_mm - 0.05 * end_mm * result.axis_direction,
+                         result.axis_point_mm + 1.05 * end_mm * result.axis_direction}});
+}
+
+void RecogniseViews::pickAt(double z_mm)
+{
+    if (!picture_) return;
+    const auto& rows = picture_->result->segments;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (z_mm >= rows[i].z_start_mm && z_mm <= rows[i].z_end_mm) return markRow(i);
+    markRow({});
+}
+
+void RecogniseViews::markRow(std::optional<std::size_t> row)
+{
+    if (!picture_ || (row && *row >= picture_->result->segments.size())) row.reset();
+    row_ = row;
+    rows_->markRow(row);
+    pointOut(row);
+}
+
+void RecogniseViews::markStretch(double from_mm, double to_mm)
+{
+    pickAt((from_mm + to_mm) / 2);
+    if (row_) return;
+    plot::PointedOut stretch;
+    stretch.shapes = {QPolygonF(QRectF(QPointF(from_mm, -kFar_um), QPointF(to_mm, kFar_um)))};
+    meridian_->pointOut(stretch);
+    residuals_->pointOut(stretch);
+}
+
+void RecogniseViews::pointOut(std::optional<std::size_t> row)
+{
+    plot::PointedOut contour, stretch;
+    if (!picture_ || !row || *row >= picture_->result->segments.size()) {
+        meridian_->pointOut(contour);
+        residuals_->pointOut(stretch);
+        return scene_->setMarker({});
+    }
+    const features::RecognizedRow& marked = picture_->result->segments[*row];
+    for (const double sign : {1.0, -1.0}) {
+        QPolygonF line;
+        for (const Eigen::Vector2d& point : features::contourOf(marked)) line << QPointF(point.x(), sign * point.y());
+        contour.lines.push_back(std::move(line));
+    }
+    stretch.shapes = {QPolygonF(QRectF(QPointF(marked.z_start_mm, -kFar_um), QPointF(marked.z_end_mm, kFar_um)))};
+    meridian_->pointOut(contour);
+    residuals_->pointOut(stretch);
+    const double z_mm = (marked.z_start_mm + marked.z_end_mm) / 2;
+    const double radius_mm = (marked.start_diameter_mm + marked.end_diameter_mm) / 4;
+    scene_->setMarker(picture_->result->part_T_scan.inverse() * Eigen::Vector3d(0, radius_mm, z_mm),
+                      tr("row %1: ⌀ %2").arg(*row + 1).arg(screenQuantity(marked.start_diameter_mm, millimetre, 3)));
+}
+
+Values RecogniseViews::view() const
+{
+    Values kept;
+    if (std::vector<double> camera = scene_->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
+    return kept;
+}
+
+void RecogniseViews::restoreView(const Values& kept)
+{
+    if (const Value* camera = lathelier::find(kept, "camera"))
+        if (const auto* numbers = std::get_if<std::vector<double>>(camera)) scene_->setView(*numbers);
+}
+
+void RecogniseViews::retranslate()
+{
+    heroes_->setTitle("meridian", tr("Meridian"));
+    heroes_->setTitle("rows", tr("Rows"));
+    heroes_->setTitle("part", tr("Part"));
+    heroes_->setTitle("steps", tr("Table as published"));
+    heroes_->setTitle("tables", tr("Numbers"));
+    steps_->setAccessibleName(tr("Table as published"));
+    numbers_->setAccessibleName(tr("Numbers"));
+    synthetic_->setText(tr("Synthetic data"));
+    synthetic_->setToolTip(tr("These points were computed, not measured."));
+    shaft_->setText(tr("Use this shaft"));
+    shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
+    rows_->retranslate();
+    showScan();
+    show();
+    pointOut(row_);
+}
+
+}  // namespace lathelier::recognise_panel

@@ -1,0 +1,158 @@
+#include "widgets/recognise/rows_view.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "engine/features/recognition_report.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
+
+namespace lathelier::recognise_panel {
+
+RowsView::RowsView(QWidget* parent)
+    : QWidget(parent), table_(new CopyTable), buttons_(new QWidget), accept_(new QPushButton), all_(new QPushButton)
+{
+    table_->setObjectName("rows");
+    table_->setMouseTracking(true);
+    accept_->setObjectName("acceptSize");
+    all_->setObjectName("acceptAll");
+    buttons_->setProperty(ViewFrame::onlyLarge, true);
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(accept_);
+    row->addWidget(all_);
+    row->addStretch();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(table_, 1);
+    layout->addWidget(buttons_);
+    connect(table_, &QTableWidget::cellEntered, this, [this](int row_at, int) { emit rowPointedAt(row_at); });
+    connect(table_, &QTableWidget::currentCellChanged, this, [this](int row_at) {
+        emit rowPointedAt(row_at);
+        show();
+    });
+    connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int row_at, int) { acceptFirst(row_at); });
+    connect(accept_, &QPushButton::clicked, this, [this] { acceptFirst(table_->currentRow()); });
+    connect(all_, &QPushButton::clicked, this, &RowsView::allAccepted);
+    retranslate();
+}
+
+void RowsView::setPicture(const std::shared_ptr<const RecognisePicture>& picture)
+{
+    picture_ = picture;
+    const int at = table_->currentRow();
+    {
+        const QSignalBlocker quiet(table_);
+        report::Table table = rowsTable(*picture->result, screenLanguage());
+        table_->setTable(table);
+        table_->horizontalHeader()->setStretchLastSection(false);
+        for (int row = 0; row < static_cast<int>(picture->result->segments.size()); ++row)
+            addChips(row, features::nominalColumn);
+        if (at >= 0 && at < table_->rowCount()) table_->setCurrentCell(at, 0);
+    }
+    show();
+}
+
+bool RowsView::isAccepted(const features::AcceptedSize& size) const
+{
+    if (picture_->result->parameters.snap == features::Snap::Apply) return true;
+    const auto& accepted = picture_->accepted;
+    return std::find(accepted.begin(), accepted.end(), size) != accepted.end();
+}
+
+/// What is accepted with a suggestion: all sizes of a row that one standard gives.
+std::vector<features::AcceptedSize> RowsView::together(int row, const features::Suggestion& suggestion) const
+{
+    std::vector<features::AcceptedSize> sizes;
+    for (const features::Suggestion& other : picture_->result->segments[static_cast<std::size_t>(row)].suggestions)
+        if (other.quantity == suggestion.quantity ||
+            (!suggestion.designation.empty() && other.designation == suggestion.designation))
+            sizes.push_back({row + 1, other.quantity});
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
+}
+
+/// One button for each suggestion: pressed when it is accepted.
+void RowsView::addChips(int row, int column)
+{
+    const features::RecognizedRow& measured = picture_->result->segments[static_cast<std::size_t>(row)];
+    if (measured.suggestions.empty()) return;
+    auto* chips = new QWidget;
+    auto* layout = new QHBoxLayout(chips);
+    layout->setContentsMargins(2, 0, 2, 0);
+    std::vector<features::AcceptedSize> offered;
+    for (const features::Suggestion& suggestion : measured.suggestions) {
+        // Of several tapers that are as near the first is the one that is put in place.
+        const features::AcceptedSize size{row + 1, suggestion.quantity};
+        if (std::find(offered.begin(), offered.end(), size) != offered.end()) continue;
+        const std::vector<features::AcceptedSize> sizes = together(row, suggestion);
+        offered.insert(offered.end(), sizes.begin(), sizes.end());
+        auto* chip = new QToolButton;
+        const QString said = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
+        chip->setText(said.left(said.indexOf(" (")));
+        chip->setCheckable(true);
+        chip->setChecked(isAccepted(size));
+        chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest);
+        chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
+                             .arg(said, screenNumber(suggestion.chance_percent, 0)));
+        chip->setAccessibleName(said);
+        connect(chip, &QToolButton::clicked, this, [this, sizes] { emit sizesAccepted(sizes); });
+        layout->addWidget(chip);
+    }
+    layout->addStretch();
+    table_->item(row, column)->setForeground(Qt::transparent);  // is there to be copied
+    table_->setCellWidget(row, column, chips);
+    for (QToolButton* chip : chips->findChildren<QToolButton*>()) chip->ensurePolished();
+    layout->invalidate();
+    table_->setColumnWidth(column, std::max(table_->columnWidth(column), chips->sizeHint().width()));
+    table_->setRowHeight(row, std::max(table_->rowHeight(row), chips->sizeHint().height()));
+}
+
+void RowsView::acceptFirst(int row)
+{
+    if (!picture_ || row < 0 || row >= static_cast<int>(picture_->result->segments.size())) return;
+    if (picture_->result->parameters.snap != features::Snap::Suggest) return;
+    const auto& suggestions = picture_->result->segments[static_cast<std::size_t>(row)].suggestions;
+    if (!suggestions.empty()) emit sizesAccepted(together(row, suggestions.front()));
+}
+
+void RowsView::markRow(std::optional<std::size_t> row)
+{
+    const QSignalBlocker quiet(table_);
+    if (row && static_cast<int>(*row) < table_->rowCount())
+        table_->setCurrentCell(static_cast<int>(*row), 0);
+    else
+        table_->clearSelection();
+    show();
+}
+
+/// What the buttons can do.
+void RowsView::show()
+{
+    const bool suggests = picture_ && picture_->result->parameters.snap == features::Snap::Suggest;
+    const int at = table_->currentRow();
+    const auto& rows = picture_ ? picture_->result->segments : std::vector<features::RecognizedRow>();
+    const bool here = suggests && at >= 0 && at < static_cast<int>(rows.size()) &&
+                      !rows[static_cast<std::size_t>(at)].suggestions.empty();
+    accept_->setEnabled(here);
+    all_->setEnabled(suggests && std::any_of(rows.begin(), rows.end(), [](const features::RecognizedRow& row) {
+                         return !row.suggestions.empty();
+                     }));
+}
+
+void RowsView::retranslate()
+{
+    table_->setAccessibleName(tr("Rows"));
+    table_->setToolTip({});
+    accept_->setText(tr("Accept"));
+    accept_->setToolTip(tr("Put the suggested size of this row in place of the measured one"));
+    all_->setText(tr("Accept all"));
+    all_->setToolTip(tr("Put all suggested sizes in place of the measured ones, which stay beside them"));
+    if (picture_) setPicture(picture_);
+}
+
+}  // namespace lathelier::recognise_panel

@@ -10,10 +10,10 @@
 namespace lathelier::cad {
 
 struct CsvColumn {
-    const char* name;
+    const char* name;  ///< as people read it
     std::optional<double> (*get)(const ShaftSegment& row);
     void (*set)(ShaftSegment& row, double value);
-    bool required;
+    bool required;  ///< a table without it is refused
 };
 
 /// Numbers of a row; a bore's rows use the first ones through a ShaftSegment.

@@ -23,41 +23,41 @@ inline constexpr const char* text = "TEXT";
 
 struct DxfLine {
     Eigen::Vector2d from_mm = Eigen::Vector2d::Zero(), to_mm = Eigen::Vector2d::Zero();
-    std::string layer = layers::contour;
+    std::string layer = layers::contour;  ///< one of `layers`, or a further one
 };
 
 /// Anticlockwise from start to end.
 struct DxfArc {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
-    double radius_mm = 0;
-    double start_deg = 0, end_deg = 0;
-    std::string layer = layers::contour;
+    double radius_mm = 0;                 ///< in mm
+    double start_deg = 0, end_deg = 0;    ///< anticlockwise from x
+    std::string layer = layers::contour;  ///< one of `layers`, or a further one
 };
 
 struct DxfText {
     enum class Align { Left, Centre, Right };
     Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();  ///< on its base line
-    double height_mm = 2.5;
-    double angle_deg = 0;
-    std::string text;  ///< UTF-8, one line
-    Align align = Align::Left;
-    std::string layer = layers::text;
+    double height_mm = 2.5;                           ///< of capitals, mm
+    double angle_deg = 0;                             ///< anticlockwise from x
+    std::string text;                                 ///< UTF-8, one line
+    Align align = Align::Left;                        ///< which end of the text lies at `at_mm`
+    std::string layer = layers::text;                 ///< one of `layers`, or a further one
 };
 
 /// A filled arrow head (SOLID).
 struct DxfArrow {
     Eigen::Vector2d tip_mm = Eigen::Vector2d::Zero();
     Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, toward the tip
-    double length_mm = 2.5;
-    std::string layer = layers::dimensions;
+    double length_mm = 2.5;                                ///< along the axis, mm
+    std::string layer = layers::dimensions;                ///< one of `layers`, or a further one
 };
 
 /// A drawing in the plane; hatches are lines of their layer.
 struct DxfDrawing {
-    std::vector<DxfLine> lines;
-    std::vector<DxfArc> arcs;
-    std::vector<DxfText> texts;
-    std::vector<DxfArrow> arrows;
+    std::vector<DxfLine> lines;    ///< in order
+    std::vector<DxfArc> arcs;      ///< drawn after the lines
+    std::vector<DxfText> texts;    ///< drawn after the arcs
+    std::vector<DxfArrow> arrows;  ///< drawn last
 };
 
 std::string dxfText(const DxfDrawing& drawing);

@@ -16,11 +16,11 @@ enum class SurfaceKind { Plane, Cylinder, Cone, Torus, Sphere, RevolvedLine, Rev
 
 /// A face of a solid, lengths in mm in the frame of the file.
 struct StepFace {
-    SurfaceKind kind = SurfaceKind::Other;
-    double area_mm2 = 0;
+    SurfaceKind kind = SurfaceKind::Other;  ///< what it is
+    double area_mm2 = 0;                    ///< of the face
     /// A point of the surface's axis and its direction; of a plane a point in it and its normal.
     Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector
     double radius_mm = 0;  ///< of a cylinder; of the meridian circle of a sphere, torus or revolved arc
     /// Centre of a meridian circle: of the one through `inner_mm`.
     Eigen::Vector3d circle_centre_mm = Eigen::Vector3d::Zero();
@@ -31,9 +31,9 @@ struct StepFace {
 };
 
 struct StepSolid {
-    std::string product;  ///< name of the product; may be empty
-    std::vector<StepFace> faces;
-    double volume_mm3 = 0;
+    std::string product;          ///< name of the product; may be empty
+    std::vector<StepFace> faces;  ///< in the order of the file
+    double volume_mm3 = 0;        ///< of the solid
 };
 
 /// Reads the bytes of a file that checkPart21() has passed. Errors malformed (`line`) for records that the kernel

@@ -12,8 +12,8 @@
 namespace lathelier::cad {
 
 struct Line3 {
-    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< on the axis
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
 
     /// (z, r) of a point.
     Eigen::Vector2d meridianOf(const Eigen::Vector3d& point) const;

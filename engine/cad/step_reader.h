@@ -20,8 +20,8 @@ namespace lathelier::cad {
 
 /// A face that is no part of the meridian.
 struct OtherFace {
-    Text kind;  ///< "plane", "cylinder"…
-    double area_mm2 = 0;
+    Text kind;                            ///< "plane", "cylinder"…
+    double area_mm2 = 0;                  ///< of the face
     double z_start_mm = 0, z_end_mm = 0;  ///< along the part, from its free end
 };
 
@@ -29,9 +29,9 @@ struct StepPart {
     Shaft shaft;  ///< its name is the product's; faces that are not of revolution are marks "free_form"
     /// The frame of the shaft in the file: its free end's centre, and the direction toward the chuck.
     Eigen::Vector3d free_end_mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-    double volume_mm3 = 0;               ///< of the solid in the file
-    std::vector<OtherFace> other_faces;  ///< the largest first
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector toward the chuck
+    double volume_mm3 = 0;                            ///< of the solid in the file
+    std::vector<OtherFace> other_faces;               ///< the largest first
 };
 
 /// Which end is the free one a file does not say: the axis points to the side of its largest coordinate. Notes:

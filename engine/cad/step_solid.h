@@ -21,8 +21,8 @@ inline constexpr const char* kernel = "@kernel@";
 }  // namespace placeholders
 
 struct ExpectedVolume {
-    double volume_mm3 = 0;
-    double tolerance_mm3 = 0;
+    double volume_mm3 = 0;     ///< of the solid
+    double tolerance_mm3 = 0;  ///< largest difference of the volumes
 };
 
 /// The closed contour (clockwise in z and r, pieces on the axis without a row) as one solid in a STEP file with

@@ -19,7 +19,7 @@ enum class StepSchema {
 };
 
 struct StepOptions {
-    StepSchema schema = StepSchema::AP214;
+    StepSchema schema = StepSchema::AP214;  ///< application protocol that the file names
     std::string name;                       ///< of the product; empty: the shaft's, else "shaft"
     std::string description;                ///< of the product; empty: "material: …" where that is stated
     std::string author;                     ///< may be empty

@@ -9,11 +9,11 @@
 namespace lathelier::cad {
 
 struct Step {
-    double x_mm = 0, y_mm = 0;  ///< of its centre; 0 on the axis of the shaft
-    double radius_mm = 0;
+    double x_mm = 0, y_mm = 0;            ///< of its centre; 0 on the axis of the shaft
+    double radius_mm = 0;                 ///< in mm
     double z_start_mm = 0, z_end_mm = 0;  ///< to the outer ends of its chamfers
     double chamfer_start_mm = 0;          ///< leg along z; 0: none
-    double chamfer_end_mm = 0;
+    double chamfer_end_mm = 0;            ///< leg along z
     friend bool operator==(const Step&, const Step&) = default;
 };
 

@@ -21,20 +21,20 @@ struct SizeTolerance {
 
 /// Expanded uncertainties (k = 2) of a measured row; what is missing was not measured.
 struct SizeUncertainty {
-    std::optional<double> z_start_um, z_end_um;  ///< place of the row's ends along the axis
-    std::optional<double> length_um;
-    std::optional<double> start_diameter_um, end_diameter_um;
-    std::optional<double> arc_radius_um;
-    std::optional<double> angle_deg;  ///< half angle of a cone
+    std::optional<double> z_start_um, z_end_um;                ///< place of the row's ends along the axis
+    std::optional<double> length_um;                           ///< of its length
+    std::optional<double> start_diameter_um, end_diameter_um;  ///< of its diameters
+    std::optional<double> arc_radius_um;                       ///< of its arc radius
+    std::optional<double> angle_deg;                           ///< half angle of a cone
     friend bool operator==(const SizeUncertainty&, const SizeUncertainty&) = default;
 };
 
 /// What a scan said of a row, kept beside nominal values that were set afterwards.
 struct MeasuredSize {
-    std::optional<double> length_mm;
-    std::optional<double> start_diameter_mm, end_diameter_mm;
-    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
-    SizeUncertainty uncertainty;
+    std::optional<double> length_mm;                           ///< along the axis, mm
+    std::optional<double> start_diameter_mm, end_diameter_mm;  ///< in mm
+    std::optional<double> arc_radius_mm;                       ///< signed as ShaftSegment::arc_radius_mm
+    SizeUncertainty uncertainty;                               ///< k = 2
     friend bool operator==(const MeasuredSize&, const MeasuredSize&) = default;
 };
 
@@ -55,11 +55,11 @@ enum class ShaftEnd { Free, Chuck };
 
 /// A row of a bore; diameters are those of the hole, an arc that is > 0 bulges into the hole.
 struct BoreSegment {
-    double length_mm = 0;
-    double start_diameter_mm = 0;
-    double end_diameter_mm = 0;
-    std::optional<double> arc_radius_mm;
-    std::string role;
+    double length_mm = 0;                 ///< along the axis, mm
+    double start_diameter_mm = 0;         ///< in mm
+    double end_diameter_mm = 0;           ///< in mm
+    std::optional<double> arc_radius_mm;  ///< none: straight
+    std::string role;                     ///< as ShaftSegment::role
     friend bool operator==(const BoreSegment&, const BoreSegment&) = default;
 };
 
@@ -73,22 +73,22 @@ struct ShaftBore {
 /// What is not a body of revolution. Which members hold depends on the kind.
 struct ShaftMark {
     std::string kind;  ///< "thread", "knurl", "keyway", "flat", "cross_hole", "free_form"
-    std::optional<double> z_start_mm = {}, z_end_mm = {};
-    std::optional<double> angle_deg = {};     ///< of its middle about the axis
-    std::optional<double> width_mm = {};      ///< keyway
-    std::optional<double> floor_mm = {};      ///< keyway: floor from the axis
-    std::optional<double> distance_mm = {};   ///< flat: from the axis
-    std::optional<double> pitch_mm = {};      ///< thread: pitch; knurl: pitch around the circle
-    std::optional<double> major_mm = {};      ///< thread: crest diameter
-    std::optional<double> minor_mm = {};      ///< thread: root diameter
-    std::optional<double> starts = {};        ///< thread
-    std::optional<double> hand = {};          ///< thread: 1 right, -1 left
-    std::optional<double> teeth = {};         ///< knurl
-    std::optional<double> helix_deg = {};     ///< knurl
-    std::optional<double> diameter_mm = {};   ///< knurl: over its crests
-    std::optional<double> depth_mm = {};      ///< knurl
-    std::optional<double> deviation_mm = {};  ///< free form: the largest from the plain body
-    std::string designation = {};             ///< "M16×2", "DIN 82 RGE 1.25"
+    std::optional<double> z_start_mm = {}, z_end_mm = {};  ///< from the free end
+    std::optional<double> angle_deg = {};                  ///< of its middle about the axis
+    std::optional<double> width_mm = {};                   ///< keyway
+    std::optional<double> floor_mm = {};                   ///< keyway: floor from the axis
+    std::optional<double> distance_mm = {};                ///< flat: from the axis
+    std::optional<double> pitch_mm = {};                   ///< thread: pitch; knurl: pitch around the circle
+    std::optional<double> major_mm = {};                   ///< thread: crest diameter
+    std::optional<double> minor_mm = {};                   ///< thread: root diameter
+    std::optional<double> starts = {};                     ///< thread
+    std::optional<double> hand = {};                       ///< thread: 1 right, -1 left
+    std::optional<double> teeth = {};                      ///< knurl
+    std::optional<double> helix_deg = {};                  ///< knurl
+    std::optional<double> diameter_mm = {};                ///< knurl: over its crests
+    std::optional<double> depth_mm = {};                   ///< knurl
+    std::optional<double> deviation_mm = {};               ///< free form: the largest from the plain body
+    std::string designation = {};                          ///< "M16×2", "DIN 82 RGE 1.25"
     friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
 

@@ -21,8 +21,8 @@ namespace lathelier {
 struct ContourPiece {
     static constexpr std::ptrdiff_t none = -1;
 
-    Eigen::Vector2d from_mm = Eigen::Vector2d::Zero();
-    Eigen::Vector2d to_mm = Eigen::Vector2d::Zero();
+    Eigen::Vector2d from_mm = Eigen::Vector2d::Zero();  ///< where it begins
+    Eigen::Vector2d to_mm = Eigen::Vector2d::Zero();    ///< where it ends
     double arc_radius_mm = 0;    ///< 0: a line; > 0 bulges to the left of the direction of travel, < 0 to the right
     std::ptrdiff_t row = none;   ///< of its contour; `none`: a face between rows, or an end face, or the axis
     std::ptrdiff_t bore = none;  ///< which bore it belongs to; `none`: the outside

@@ -11,7 +11,7 @@ namespace lathelier::drawing {
 
 /// A dimension's text and whether it is a measured one (italic).
 struct DimensionText {
-    std::string text;
+    std::string text;  ///< UTF-8
     bool italic = false;
 };
 

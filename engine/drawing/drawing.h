@@ -55,19 +55,19 @@ inline constexpr double thin_mm = 0.25;  ///< width of all other lines
 
 struct Line {
     Eigen::Vector2d from_mm = Eigen::Vector2d::Zero(), to_mm = Eigen::Vector2d::Zero();
-    Layer layer = Layer::Contour;
-    double width_mm = thick_mm;
-    LineType type = LineType::Continuous;
+    Layer layer = Layer::Contour;          ///< one of `layers`, or a further one
+    double width_mm = thick_mm;            ///< of the line
+    LineType type = LineType::Continuous;  ///< of the line
     friend bool operator==(const Line&, const Line&) = default;
 };
 
 /// Anticlockwise from start to end; 0 to 360 is the whole circle.
 struct Arc {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
-    double radius_mm = 0;
-    double start_deg = 0, end_deg = 360;
-    Layer layer = Layer::Contour;
-    double width_mm = thick_mm;
+    double radius_mm = 0;                 ///< in mm
+    double start_deg = 0, end_deg = 360;  ///< anticlockwise from x
+    Layer layer = Layer::Contour;         ///< one of `layers`, or a further one
+    double width_mm = thick_mm;           ///< of the line
     friend bool operator==(const Arc&, const Arc&) = default;
 };
 
@@ -80,8 +80,8 @@ struct Label {
     double angle_deg = 0;                             ///< 0, or 90: read from the right
     std::string text = {};                            ///< UTF-8
     Anchor anchor = Anchor::Start;
-    bool italic = false;  ///< as measured
-    Layer layer = Layer::Text;
+    bool italic = false;        ///< as measured
+    Layer layer = Layer::Text;  ///< one of `layers`, or a further one
     friend bool operator==(const Label&, const Label&) = default;
 };
 
@@ -90,19 +90,19 @@ struct Arrow {
     Eigen::Vector2d tip_mm = Eigen::Vector2d::Zero();
     Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, toward the tip
     double length_mm = 2.5;                                ///< a third of it wide
-    Layer layer = Layer::Dimensions;
+    Layer layer = Layer::Dimensions;                       ///< one of `layers`, or a further one
     friend bool operator==(const Arrow&, const Arrow&) = default;
 };
 
 struct Drawing {
-    Sheet sheet = Sheet::A4Landscape;
-    Scale scale;        ///< of the main view
-    std::string title;  ///< what a screen reader says
-    std::vector<Line> lines;
-    std::vector<Arc> arcs;
-    std::vector<Label> labels;
-    std::vector<Arrow> arrows;
-    bool complete = true;  ///< false: dimensions had to be left out for want of room
+    Sheet sheet = Sheet::A4Landscape;  ///< size of the paper
+    Scale scale;                       ///< of the main view
+    std::string title;                 ///< what a screen reader says
+    std::vector<Line> lines;           ///< in order
+    std::vector<Arc> arcs;             ///< drawn after the lines
+    std::vector<Label> labels;         ///< in order
+    std::vector<Arrow> arrows;         ///< drawn last
+    bool complete = true;              ///< false: dimensions had to be left out for want of room
     friend bool operator==(const Drawing&, const Drawing&) = default;
 };
 

@@ -48,7 +48,7 @@ struct LengthDimension {
 
 struct KeywayView {
     double from_z_mm = 0, to_z_mm = 0;
-    double width_mm = 0;
+    double width_mm = 0;          ///< of the line
     double floor_mm = 0;          ///< from the axis
     double diameter_mm = 0;       ///< of the shaft around it
     double bore_diameter_mm = 0;  ///< of the bore inside it

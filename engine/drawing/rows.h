@@ -16,11 +16,11 @@ enum class RowKind : std::uint8_t { Cylinder, Taper, Curve, Chamfer, Radius, Gro
 
 /// A row in the order of travel: from the free end, or from a bore's mouth inward.
 struct ContourRow {
-    RowKind kind = RowKind::Cylinder;
-    double start_z_mm = 0, end_z_mm = 0;  ///< z of the shaft
-    double start_diameter_mm = 0, end_diameter_mm = 0;
-    double arc_radius_mm = 0;  ///< signed as ShaftSegment::arc_radius_mm; 0: straight
-    std::size_t index = 0;     ///< in ShaftSegment or BoreSegment lists
+    RowKind kind = RowKind::Cylinder;                   ///< what it is
+    double start_z_mm = 0, end_z_mm = 0;                ///< z of the shaft
+    double start_diameter_mm = 0, end_diameter_mm = 0;  ///< in mm
+    double arc_radius_mm = 0;                           ///< signed as ShaftSegment::arc_radius_mm; 0: straight
+    std::size_t index = 0;                              ///< in ShaftSegment or BoreSegment lists
     std::optional<SizeTolerance> tolerance = {};
     bool is_nominal = false;  ///< values were set after measuring
 

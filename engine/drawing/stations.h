@@ -9,7 +9,7 @@ namespace lathelier::drawing {
 
 /// A place that a length leads to.
 struct Station {
-    double z_mm = 0;
+    double z_mm = 0;         ///< along the axis
     double radius_mm = 0;    ///< the larger one there
     std::size_t before = 0;  ///< position in the list of the row that ends there
 };

@@ -13,7 +13,7 @@ namespace lathelier::features {
 
 /// A plane that was located.
 struct PlanePlace {
-    double z_mm = 0;
+    double z_mm = 0;      ///< along the axis
     double sigma_mm = 0;  ///< standard uncertainty
     double spot_mm = 0;   ///< width over which hits become misses; 0: not known
 };
@@ -29,7 +29,7 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
 
 /// Where the hits on a wall stop: a Poisson process of constant density that ends in a ramp of width `spot_mm`.
 struct EndPlace {
-    PlanePlace place;
+    PlanePlace place;       ///< along the axis
     double tilt_share = 0;  ///< of the tilt of the scanner's rows that the end follows: 0 the part's, 1 the data's
     double tilt_share_sigma = 1e9;  ///< its standard uncertainty; large where there is no tilt
 };

@@ -17,7 +17,7 @@ namespace lathelier::features {
 enum class Tie { Free, Tangent, Plane };
 
 struct Element {
-    bool arc = false;
+    bool arc = false;                                         ///< an arc, else a line
     bool cylinder = false;                                    ///< a line whose slope stays 0
     double level_mm = 0, slope = 0, at_mm = 0;                ///< line: r = level + slope·(z - at); `at` stays
     double centre_z_mm = 0, centre_r_mm = 0, log_radius = 0;  ///< arc; what its ties give follows from the neighbours
@@ -33,7 +33,7 @@ struct Element {
 
 /// A plane across the axis, or the limit of the data.
 struct Plane {
-    double z_mm = 0;
+    double z_mm = 0;                   ///< along the axis
     double seen_mm = 0, sigma_mm = 1;  ///< where it was observed: one datum of the fit
     bool data_end = false;             ///< no face: the data end here
     double lean = 0;                   ///< walls nearer than spot/2 + lean + 0.04 mm do not count
@@ -42,19 +42,19 @@ struct Plane {
 /// Elements from one plane to another.
 struct Run {
     std::size_t left = 0, right = 0;  ///< indices of planes
-    std::vector<Element> elements;
-    std::vector<double> nodes_mm;  ///< z of the junctions: one more than elements
-    double violation = 0;          ///< squared penalties of junctions that do not exist or are out of order
-    std::vector<Wall> walls;       ///< what the run is compared with, in order of z
+    std::vector<Element> elements;    ///< in order of z
+    std::vector<double> nodes_mm;     ///< z of the junctions: one more than elements
+    double violation = 0;             ///< squared penalties of junctions that do not exist or are out of order
+    std::vector<Wall> walls;          ///< what the run is compared with, in order of z
 };
 
 struct Model {
     std::vector<Plane> planes;  ///< in order of z
     std::vector<Run> runs;      ///< in order of z
-    double spot_mm = 0;
-    double sigma_mm = 0.01;  ///< noise of single points
-    double edge_mm = 0.04;   ///< besides half the spot, walls nearer to a plane do not count
-    double corner_mm = 0;    ///< nor those nearer to a sharp corner: scans that see no point near edges
+    double spot_mm = 0;         ///< width of the blur of an edge
+    double sigma_mm = 0.01;     ///< noise of single points
+    double edge_mm = 0.04;      ///< besides half the spot, walls nearer to a plane do not count
+    double corner_mm = 0;       ///< nor those nearer to a sharp corner: scans that see no point near edges
 };
 
 /// Computes centres of tied arcs and all nodes of the run. Penalties go into `violation`.

@@ -13,9 +13,9 @@ namespace lathelier::features {
 /// One free number of a model.
 struct Slot {
     enum class Of { Plane, Level, Slope, CentreZ, CentreR, LogRadius };
-    Of of = Of::Level;
-    std::size_t run = 0;  ///< Plane: its index
-    std::size_t element = 0;
+    Of of = Of::Level;        ///< which number
+    std::size_t run = 0;      ///< Plane: its index
+    std::size_t element = 0;  ///< index into Run::elements
 };
 
 double& valueOf(Model& model, const Slot& slot);
@@ -28,7 +28,7 @@ std::vector<Slot> allSlots(const Model& model);
 /// Fits the slots to the walls that count. Of a run only walls from element `first` to `last` are looked at when
 /// `first` ≤ `last` of the run's elements is asked for by `window`.
 struct Window {
-    std::size_t run = 0, first = 0, last = 0;
+    std::size_t run = 0, first = 0, last = 0;  ///< index into Model::runs
 };
 
 /// Huber's sum of squares (limit 4) over the walls within the window's elements, with penalties. A wall that does not
@@ -46,8 +46,8 @@ struct JointFit {
     double chi2 = 0;             ///< of all walls that count, Huber
     std::size_t rows = 0;        ///< walls that count
     Eigen::MatrixXd covariance;  ///< of the slots
-    std::vector<Slot> slots;
-    bool converged = false;
+    std::vector<Slot> slots;     ///< the free numbers
+    bool converged = false;      ///< the last step changed nothing
 };
 
 /// All parameters of all runs together; planes are held by where they were seen.

@@ -39,7 +39,7 @@ struct MeasuredCone {
     double half_angle_deg = 0;  ///< of either sign
     double U_deg = 0;
     double small_mm = 0, large_mm = 0;  ///< diameters of its ends
-    double length_mm = 0;
+    double length_mm = 0;               ///< along the axis, mm
 };
 /// Quantity "taper": measured_mm and nominal_mm are C = (D - d)/L in mm per mm, difference_um in µm per mm. Standard
 /// tapers whose half angle is within U + 0.005° (AT8 of ISO 1947), nearest first, at most three: Morse 1, Morse 2 and

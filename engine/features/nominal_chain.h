@@ -13,9 +13,9 @@ namespace lathelier::features {
 struct PlacedRow {
     static constexpr std::ptrdiff_t none = -1;
     double start_u_mm = 0, end_u_mm = 0;
-    double start_mm = 0, end_mm = 0;  ///< diameters
-    std::optional<double> arc_radius_mm;
-    std::string role;
+    double start_mm = 0, end_mm = 0;      ///< diameters
+    std::optional<double> arc_radius_mm;  ///< none: straight
+    std::string role;                     ///< as ShaftSegment::role
     std::ptrdiff_t source = none;  ///< row of the chain; `none`: a gap's bridge or a relieved face that was not seen
 };
 

@@ -16,28 +16,28 @@ namespace lathelier::features {
 struct OutlineInput {
     const std::vector<Eigen::Vector3d>& points_mm;  ///< of the scan
     const registration::RevolutionFit& fit;         ///< in whose frame all the rest is
-    const MeridianCloud& cloud;
-    const Walls& coarse;  ///< for the cutting
-    const Walls& fine;    ///< for the fit
+    const MeridianCloud& cloud;                     ///< of the scan
+    const Walls& coarse;                            ///< for the cutting
+    const Walls& fine;                              ///< for the fit
     std::optional<registration::ScannerAxis> scanner;
     double form_mm = 0.02;
-    bool bore = false;
+    bool bore = false;                  ///< on the inside
     std::vector<Plane> part_ends = {};  ///< of the outside: a bore that comes near one ends there
 };
 
 /// A stretch that is too rough for its elements: one cylinder over its crests.
 struct RoughZone {
-    double z_start_mm = 0, z_end_mm = 0;
+    double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
     double eccentric_mm = 0;  ///< a round that lies this far off the axis explains the roughness; 0: it does not
 };
 
 struct Outline {
-    Model model;
-    JointFit fit;
-    std::vector<Gap> gaps;  ///< in the frame of the fit
-    std::vector<RoughZone> rough;
-    std::vector<MergedJunction> merged;
-    std::optional<EndPlace> ends[2];  ///< at the first and the last plane; nullopt: nothing is known
+    Model model;                         ///< the settled one
+    JointFit fit;                        ///< of all parameters
+    std::vector<Gap> gaps;               ///< in the frame of the fit
+    std::vector<RoughZone> rough;        ///< threads and knurls
+    std::vector<MergedJunction> merged;  ///< within the form tolerance
+    std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: nothing is known
     bool face_seen[2] = {false, false};
     bool surface_scan = false;  ///< faces are seen: no rays of a rotary scanner
 };

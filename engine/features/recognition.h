@@ -26,17 +26,17 @@ enum class FreeEnd { First, Last };          ///< which end of the data z = 0 is
 enum class CompareWith { Previous, First };  ///< the paper's section that the next one is compared with
 
 struct RecognitionParameters {
-    RecognitionMethod method = RecognitionMethod::Robust;
-    Snap snap = Snap::Suggest;                  ///< nominal sizes: none, suggested, or put in place of the measured
-    double form_tolerance_mm = 0.02;            ///< on radius: rows that one element describes within it are one
-    std::optional<double> scanner_accuracy_mm;  ///< systematic, added to every uncertainty
-    FreeEnd free_end = FreeEnd::First;
+    RecognitionMethod method = RecognitionMethod::Robust;  ///< robust or published
+    Snap snap = Snap::Suggest;                   ///< nominal sizes: none, suggested, or put in place of the measured
+    double form_tolerance_mm = 0.02;             ///< on radius: rows that one element describes within it are one
+    std::optional<double> scanner_accuracy_mm;   ///< systematic, added to every uncertainty
+    FreeEnd free_end = FreeEnd::First;           ///< where z is 0
     std::optional<double> length_mm;             ///< confirms the length where an end is not seen
     std::optional<double> length_of_chucked_mm;  ///< the last part, in the chuck: not in the stock file
     double band_width_mm = 0.2;                  ///< paper: width of a section
     double coverage_percent = 100;               ///< paper: sections cover this share of the length
     double radial_tolerance_mm = 0.1;            ///< paper: sections whose radius is this near form a step
-    CompareWith compare_with = CompareWith::Previous;
+    CompareWith compare_with = CompareWith::Previous;  ///< of the published method
 };
 
 const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParameters*);
@@ -45,9 +45,9 @@ enum class RowKind { Cylinder, Cone, Arc };
 
 /// A nominal size that a measured one may have had, and how much that says.
 struct Suggestion {
-    std::string quantity;  ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
-    double measured_mm = 0;
-    double nominal_mm = 0;
+    std::string quantity;           ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
+    double measured_mm = 0;         ///< as measured
+    double nominal_mm = 0;          ///< multiple of the grid
     double difference_um = 0;       ///< measured - nominal
     double grid_mm = 0;             ///< multiples of this are candidates
     double chance_percent = 0;      ///< that any number would have been as near to one
@@ -57,14 +57,14 @@ struct Suggestion {
 
 /// One row of the table as it was measured. z counts from the free end.
 struct RecognizedRow {
-    RowKind kind = RowKind::Cylinder;
+    RowKind kind = RowKind::Cylinder;     ///< what it is
     std::string role;                     ///< as ShaftSegment::role
     double z_start_mm = 0, z_end_mm = 0;  ///< the start of the next row before a face undercut lies before the end
-    double start_diameter_mm = 0, end_diameter_mm = 0;
-    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
-    double half_angle_deg = 0;            ///< of a cone, + when the diameter grows with z
-    std::string ties;                     ///< of an arc: "free", "tangent", "plane" for start and end, "tangent-plane"
-    std::int64_t points = 0;
+    double start_diameter_mm = 0, end_diameter_mm = 0;  ///< in mm
+    std::optional<double> arc_radius_mm;                ///< signed as ShaftSegment::arc_radius_mm
+    double half_angle_deg = 0;                          ///< of a cone, + when the diameter grows with z
+    std::string ties;             ///< of an arc: "free", "tangent", "plane" for start and end, "tangent-plane"
+    std::int64_t points = 0;      ///< number of points
     double coverage_deg = 360;    ///< of the circle
     double residual_um = 0;       ///< rms of the bins about the row
     double form_pv_um = 0;        ///< peak to valley of means over five bins about the row
@@ -76,51 +76,51 @@ struct RecognizedRow {
 
 /// What several rows are together, or what a jump between them is.
 struct RecognizedFeature {
-    std::string kind;  ///< shoulder | chamfer | fillet | edge_break | groove | undercut | taper
-    double z_start_mm = 0, z_end_mm = 0;
-    std::vector<std::int64_t> rows;  ///< numbers from 1
-    std::string designation;         ///< "1×45°", "1:10"; empty: none
+    std::string kind;                     ///< shoulder | chamfer | fillet | edge_break | groove | undercut | taper
+    double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
+    std::vector<std::int64_t> rows;       ///< numbers from 1
+    std::string designation;              ///< "1×45°", "1:10"; empty: none
 };
 
 /// An end of the part or of the data.
 struct RecognizedEnd {
-    double z_mm = 0;
+    double z_mm = 0;            ///< along the axis
     double uncertainty_mm = 0;  ///< k = 2
     std::string closed_by;      ///< face | chamfer | round | edge | data
 };
 
 /// A stretch without data.
 struct Gap {
-    double z_start_mm = 0, z_end_mm = 0;
+    double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
 };
 
 /// A junction that the form tolerance took away.
 struct MergedJunction {
-    double z_mm = 0;
+    double z_mm = 0;       ///< along the axis
     double step_um = 0;    ///< of the radius
     double angle_deg = 0;  ///< bend between the two
 };
 
 /// One wall of one bin of the meridian: what the plots draw.
 struct MeridianPoint {
-    double z_mm = 0, radius_mm = 0;
-    double sigma_mm = 0;     ///< standard uncertainty of the radius
-    double residual_mm = 0;  ///< measured - model, along the radius; NaN where no row is
-    std::int32_t row = -1;   ///< index into `segments`, or of `bores` when `bore`; -1: none
-    bool bore = false;
+    double z_mm = 0, radius_mm = 0;  ///< along the axis
+    double sigma_mm = 0;             ///< standard uncertainty of the radius
+    double residual_mm = 0;          ///< measured - model, along the radius; NaN where no row is
+    std::int32_t row = -1;           ///< index into `segments`, or of `bores` when `bore`; -1: none
+    bool bore = false;               ///< on the inside
 };
 
 /// A step by the published method: centre in the scan's coordinates, z along the scan's axis from its first section.
 struct PaperStep {
-    double x_mm = 0, y_mm = 0;
-    double radius_mm = 0;
-    double z_start_mm = 0, z_end_mm = 0;  ///< to the outer ends of its chamfers
-    double chamfer_start_mm = 0, chamfer_end_mm = 0;
-    std::int64_t sections = 0;
+    double x_mm = 0, y_mm = 0;                        ///< centre, mm
+    double radius_mm = 0;                             ///< in mm
+    double z_start_mm = 0, z_end_mm = 0;              ///< to the outer ends of its chamfers
+    double chamfer_start_mm = 0, chamfer_end_mm = 0;  ///< leg along z
+    std::int64_t sections = 0;                        ///< number of them
 };
 
 struct Recognition {
-    RecognitionParameters parameters;
+    RecognitionParameters parameters;                               ///< as asked
     std::string method_used;                                        ///< "robust" | "paper"
     Eigen::Isometry3d part_T_scan = Eigen::Isometry3d::Identity();  ///< into z along the axis from the free end
     Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();        ///< free end on the axis, in the scan's frame
@@ -128,14 +128,14 @@ struct Recognition {
     std::optional<double> length_mm;                                ///< none: an end is not seen
     double length_uncertainty_mm = 0;                               ///< k = 2
     std::vector<RecognizedEnd> ends;                                ///< free end, chuck end
-    std::vector<RecognizedRow> segments;
-    std::vector<std::vector<RecognizedRow>> bores;  ///< each from its mouth inward, as Shaft::bores
-    std::vector<RecognizedFeature> features;
-    std::vector<ShaftMark> marks;
-    std::vector<Gap> gaps;
-    std::vector<MergedJunction> merged;
-    double coverage_percent = 0;  ///< of the length that rows cover
-    double residual_rmse_mm = 0;  ///< of the bins about the rows
+    std::vector<RecognizedRow> segments;                            ///< of the outside, from the free end
+    std::vector<std::vector<RecognizedRow>> bores;                  ///< each from its mouth inward, as Shaft::bores
+    std::vector<RecognizedFeature> features;                        ///< in order of z
+    std::vector<ShaftMark> marks;                                   ///< in order of z
+    std::vector<Gap> gaps;                                          ///< stretches without data
+    std::vector<MergedJunction> merged;                             ///< within the form tolerance
+    double coverage_percent = 0;                                    ///< of the length that rows cover
+    double residual_rmse_mm = 0;                                    ///< of the bins about the rows
     double chi2_per_bin = 0;
     double spot_mm = 0;                ///< width that an edge is blurred by
     double noise_mm = 0;               ///< of single points along the normal
@@ -146,7 +146,7 @@ struct Recognition {
     std::vector<PaperStep> paper_steps;   ///< by RecognitionMethod::Paper; the rows above stay those of the robust one
     double paper_axis_off_deg = 0;        ///< its axis against the robust one
     std::vector<MeridianPoint> meridian;  ///< in order of z
-    Notes notes;
+    Notes notes;                          ///< what people should know
 };
 
 /// Errors: tooFewPoints, pointsDegenerate, notABodyOfRevolution, coverageTooSmall (registration); those of its

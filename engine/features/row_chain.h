@@ -85,7 +85,7 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
 
 /// Rows of a groove: lower than both neighbours, narrow, between planes or flanks.
 struct GrooveRows {
-    std::size_t first = 0, last = 0;
+    std::size_t first = 0, last = 0;    ///< first element
     std::optional<std::size_t> bottom;  ///< its cylinder
     bool between_planes = false;        ///< else between flanks
     Measured width, shaft;              ///< shaft: the lower of its neighbours

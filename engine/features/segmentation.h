@@ -16,8 +16,8 @@ namespace lathelier::features {
 
 /// Walls [begin, end) of a chain as one element.
 struct Piece {
-    std::size_t begin = 0, end = 0;
-    bool arc = false;
+    std::size_t begin = 0, end = 0;                          ///< first wall
+    bool arc = false;                                        ///< an arc, else a line
     double level_mm = 0;                                     ///< line: radius at `at_mm`
     double slope = 0;                                        ///< line: dr/dz
     double at_mm = 0;                                        ///< line: mean z

@@ -25,7 +25,7 @@ struct Wall {
     double r_mm = 0;      ///< mean of its points within 4 robust standard deviations
     double sigma_mm = 0;  ///< robust scatter of its points along r
     double width_mm = 0;  ///< of an even spread of z with the same variance as its points have
-    double points = 0;
+    double points = 0;    ///< number of points
     double coverage = 0;  ///< share of the circle that its points see, 0…1
     bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
 };
@@ -33,7 +33,7 @@ struct Wall {
 /// Walls that follow each other along z.
 struct Chain {
     std::vector<Wall> walls;  ///< in order of z
-    bool bore = false;
+    bool bore = false;        ///< on the inside
 
     double zFirst_mm() const { return walls.front().z_mm; }
     double zLast_mm() const { return walls.back().z_mm; }
@@ -41,9 +41,9 @@ struct Chain {
 
 /// What lies apart from its wall in a part of the circle: a keyway's floor, a flat.
 struct OddPlace {
-    double z_mm = 0, r_mm = 0;
-    double turn = 0;   ///< of the middle of its sectors
-    double share = 0;  ///< of the circle
+    double z_mm = 0, r_mm = 0;  ///< along the axis
+    double turn = 0;            ///< of the middle of its sectors
+    double share = 0;           ///< of the circle
 };
 
 struct Walls {

@@ -11,10 +11,16 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
                  const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
     const std::size_t chunks = (count + grain - 1) / grain;
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-        progress.check();
-        body(chunk * grain, std::min(count, (chunk + 1) * grain));
-    });
+    // By itself: where this loop runs within another, an error beside it must not stop it half way, for what follows it
+    // would go on with half of its results.
+    tbb::task_group_context own(tbb::task_group_context::isolated);
+    tbb::parallel_for(
+        std::size_t{0}, chunks,
+        [&](std::size_t chunk) {
+            progress.check();
+            body(chunk * grain, std::min(count, (chunk + 1) * grain));
+        },
+        own);
 }
 
 // Built in place: a copy of a global_control would take the limit back when the first of the two ends.

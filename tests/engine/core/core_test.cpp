@@ -166,6 +166,23 @@ TEST(Parallel, SameBitsForAnyNumberOfThreads)
     EXPECT_EQ(sum(1), sum(0));
 }
 
+// A loop within a loop is whole or throws, whatever happens beside it: half of its results, taken for all, once ended
+// the program.
+TEST(Parallel, AnErrorBesideALoopDoesNotCutIt)
+{
+    for (int round = 0; round < 200; ++round) {
+        std::atomic<int> inner = 0;
+        int seen = 1000;
+        const auto both = [&](std::size_t begin, std::size_t) {
+            if (begin == 1) throw std::runtime_error("beside");
+            parallelFor(1000, 1, {}, [&](std::size_t, std::size_t) { ++inner; });
+            seen = inner;
+        };
+        EXPECT_THROW(parallelFor(2, 1, {}, both), std::runtime_error);
+        ASSERT_EQ(seen, 1000) << round;  // whole, or not begun
+    }
+}
+
 TEST(Parallel, ErrorsAndCancelComeOut)
 {
     EXPECT_THROW(parallelFor(1000, 10, {}, [](std::size_t, std::size_t) { throw Error(errors::noPoints, {}); }), Error);

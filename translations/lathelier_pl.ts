@@ -2,6 +2,89 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl" sourcelanguage="en">
 <context>
+    <name></name>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation type="unfinished">Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Drawing (DXF)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing (*.dxf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contour (DXF)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP214)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid (*.step)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP242)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD macro…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD macro (*.FCMacro)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SolidWorks macro…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SolidWorks macro (*.bas)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation type="unfinished">Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished">Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation type="unfinished">Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation type="unfinished">JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation type="unfinished">Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation type="unfinished">Tekst (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>Engine</name>
     <message>
         <source>The option {option} is not known.</source>
@@ -10443,6 +10526,134 @@
         <source>The closed half contour for CAM in place of the drawing.</source>
         <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
     </message>
+    <message>
+        <source>STEP files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>knurl, {teeth} teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flat, {distance} from the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>italic: as measured, ± U (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recovered from a scan; measured values are not a specification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bore is not seen from z {z_start_mm} to {z_end_mm} mm: its rows beside end there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SHAFT.json, a STEP file of a turned part, or what another panel made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a shaft here (SHAFT.json, STEP), or state its segments.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass {mass_kg:3} kg · largest diameter {diameter_mm:3} mm · {rows} rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass not known without a material · largest diameter {diameter_mm:3} mm · {rows} rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows from the free end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to remark on this shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft for drawing and CAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the title block and in all files; empty: as the input has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in the title block; empty: the name of the material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A4 portrait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic: A4, or A3 where A4 would be too small to read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed; empty: today.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sizes in whose place no nominal one was put are set in italics.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>
@@ -11907,6 +12118,52 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Feed along z</source>
         <translation>Posuw wzdłuż z</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::DrawingPanel</name>
+    <message>
+        <source>shaft, %1 mm</source>
+        <translation type="unfinished">wał, %1 mm</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 segments · %2</source>
+        <translation type="unfinished">segmentów: %L1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::DrawingViews</name>
+    <message>
+        <source>Drawing</source>
+        <translation type="unfinished">Rysunek</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation type="unfinished">Wiersze</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished">Uwagi</translation>
+    </message>
+    <message>
+        <source>Use this shaft</source>
+        <translation type="unfinished">Użyj tego wału</translation>
+    </message>
+    <message>
+        <source>Keep it in the project, where other panels take it as an input</source>
+        <translation type="unfinished">Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+    <message>
+        <source>Whole sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wheel enlarges the drawing, dragging moves it, a double click shows the whole sheet</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2,89 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl" sourcelanguage="en">
 <context>
-    <name></name>
-    <message>
-        <source>Drawing (PDF)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Document (*.pdf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drawing (SVG)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture (*.svg)</source>
-        <translation type="unfinished">Obraz (*.svg)</translation>
-    </message>
-    <message>
-        <source>Drawing (DXF)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drawing (*.dxf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contour (DXF)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid (STEP AP214)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid (*.step)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid (STEP AP242)…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD macro…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD macro (*.FCMacro)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SolidWorks macro…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SolidWorks macro (*.bas)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Table of rows (CSV)…</source>
-        <translation type="unfinished">Tabela wierszy (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation type="unfinished">Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Shaft (SHAFT.json)…</source>
-        <translation type="unfinished">Wał (SHAFT.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation type="unfinished">JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Stock text…</source>
-        <translation type="unfinished">Tekst półfabrykatu…</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation type="unfinished">Tekst (*.txt)</translation>
-    </message>
-</context>
-<context>
     <name>Engine</name>
     <message>
         <source>The option {option} is not known.</source>
@@ -10528,131 +10445,131 @@
     </message>
     <message>
         <source>STEP files</source>
-        <translation type="unfinished"></translation>
+        <translation>Pliki STEP</translation>
     </message>
     <message>
         <source>knurl, {teeth} teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>radełkowanie, zębów: {teeth}</translation>
     </message>
     <message>
         <source>flat, {distance} from the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>ścięcie, {distance} od osi</translation>
     </message>
     <message>
         <source>italic: as measured, ± U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>kursywa: wartości zmierzone, ± U (k = 2)</translation>
     </message>
     <message>
         <source>recovered from a scan; measured values are not a specification</source>
-        <translation type="unfinished"></translation>
+        <translation>odtworzono ze skanu; wartości zmierzone nie są wymaganiami</translation>
     </message>
     <message>
         <source>SHA-256</source>
-        <translation type="unfinished"></translation>
+        <translation>SHA-256</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa</translation>
     </message>
     <message>
         <source>General tolerances</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancje ogólne</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>Data</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Podziałka</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Arkusz</translation>
     </message>
     <message>
         <source>The bore is not seen from z {z_start_mm} to {z_end_mm} mm: its rows beside end there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otworu nie widać od z {z_start_mm} do {z_end_mm} mm: sąsiednie wiersze kończą się w tych miejscach.</translation>
     </message>
     <message>
         <source>SHAFT.json, a STEP file of a turned part, or what another panel made</source>
-        <translation type="unfinished"></translation>
+        <translation>SHAFT.json, plik STEP części toczonej albo wał z innego panelu</translation>
     </message>
     <message>
         <source>Drop a shaft here (SHAFT.json, STEP), or state its segments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Upuść tu wał (SHAFT.json, STEP) albo podaj jego odcinki.</translation>
     </message>
     <message>
         <source>no remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>bez uwag</translation>
     </message>
     <message>
         <source>with remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>z uwagami</translation>
     </message>
     <message>
         <source>Mass {mass_kg:3} kg · largest diameter {diameter_mm:3} mm · {rows} rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa {mass_kg:3} kg · największa średnica {diameter_mm:3} mm · wierszy: {rows}</translation>
     </message>
     <message>
         <source>Mass not known without a material · largest diameter {diameter_mm:3} mm · {rows} rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa nieznana bez materiału · największa średnica {diameter_mm:3} mm · wierszy: {rows}</translation>
     </message>
     <message>
         <source>Rows from the free end</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersze od wolnego końca</translation>
     </message>
     <message>
         <source>There is nothing to remark on this shaft.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak uwag do tego wału.</translation>
     </message>
     <message>
         <source>Shaft for drawing and CAD</source>
-        <translation type="unfinished"></translation>
+        <translation>Wał do rysunku i CAD</translation>
     </message>
     <message>
         <source>Part name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazwa części</translation>
     </message>
     <message>
         <source>In the title block and in all files; empty: as the input has it.</source>
-        <translation type="unfinished"></translation>
+        <translation>W tabliczce rysunkowej i we wszystkich plikach; puste: jak w danych wejściowych.</translation>
     </message>
     <message>
         <source>Material name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazwa materiału</translation>
     </message>
     <message>
         <source>As printed in the title block; empty: the name of the material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tak jak w tabliczce rysunkowej; puste: nazwa materiału.</translation>
     </message>
     <message>
         <source>A4</source>
-        <translation type="unfinished"></translation>
+        <translation>A4</translation>
     </message>
     <message>
         <source>A4 portrait</source>
-        <translation type="unfinished"></translation>
+        <translation>A4 pionowo</translation>
     </message>
     <message>
         <source>A3</source>
-        <translation type="unfinished"></translation>
+        <translation>A3</translation>
     </message>
     <message>
         <source>Automatic: A4, or A3 where A4 would be too small to read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Automatycznie: A4 albo A3, gdy A4 byłby za mały, żeby go odczytać.</translation>
     </message>
     <message>
         <source>As printed; empty: today.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tak jak na rysunku; puste: dzisiejsza.</translation>
     </message>
     <message>
         <source>Measured values</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartości zmierzone</translation>
     </message>
     <message>
         <source>Sizes in whose place no nominal one was put are set in italics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wymiary, których nie zastąpiono nominalnymi, są pisane kursywą.</translation>
     </message>
 </context>
 <context>
@@ -12121,49 +12038,132 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::drawing_panel::DrawingFiles</name>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation>Rysunek (PDF)…</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)…</source>
+        <translation>Rysunek (SVG)…</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation>Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Drawing (DXF)…</source>
+        <translation>Rysunek (DXF)…</translation>
+    </message>
+    <message>
+        <source>Drawing (*.dxf)</source>
+        <translation>Rysunek (*.dxf)</translation>
+    </message>
+    <message>
+        <source>Contour (DXF)…</source>
+        <translation>Zarys (DXF)…</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP214)…</source>
+        <translation>Bryła (STEP AP214)…</translation>
+    </message>
+    <message>
+        <source>Solid (*.step)</source>
+        <translation>Bryła (*.step)</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP242)…</source>
+        <translation>Bryła (STEP AP242)…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro…</source>
+        <translation>Makro FreeCAD…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro (*.FCMacro)</source>
+        <translation>Makro FreeCAD (*.FCMacro)</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro…</source>
+        <translation>Makro SolidWorks…</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro (*.bas)</source>
+        <translation>Makro SolidWorks (*.bas)</translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation>Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::drawing_panel::DrawingPanel</name>
     <message>
         <source>shaft, %1 mm</source>
-        <translation type="unfinished">wał, %1 mm</translation>
+        <translation>wał, %1 mm</translation>
     </message>
     <message>
         <source>%1, edited</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, zmieniony</translation>
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation type="unfinished">segmentów: %L1 · %2</translation>
+        <translation>segmentów: %L1 · %2</translation>
     </message>
 </context>
 <context>
     <name>lathelier::drawing_panel::DrawingViews</name>
     <message>
         <source>Drawing</source>
-        <translation type="unfinished">Rysunek</translation>
+        <translation>Rysunek</translation>
     </message>
     <message>
         <source>Rows</source>
-        <translation type="unfinished">Wiersze</translation>
+        <translation>Wiersze</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished">Uwagi</translation>
+        <translation>Uwagi</translation>
     </message>
     <message>
         <source>Use this shaft</source>
-        <translation type="unfinished">Użyj tego wału</translation>
+        <translation>Użyj tego wału</translation>
     </message>
     <message>
         <source>Keep it in the project, where other panels take it as an input</source>
-        <translation type="unfinished">Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+        <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
     </message>
     <message>
         <source>Whole sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Cały arkusz</translation>
     </message>
     <message>
         <source>The wheel enlarges the drawing, dragging moves it, a double click shows the whole sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Kółko myszy powiększa rysunek, przeciąganie go przesuwa, podwójne kliknięcie pokazuje cały arkusz</translation>
     </message>
 </context>
 <context>

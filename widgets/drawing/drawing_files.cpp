@@ -66,27 +66,28 @@ std::vector<PanelExport> exportsOf(const std::shared_ptr<const DrawingPicture>& 
                        }});
     };
     using P = DrawingPicture;
-    using T = DrawingFiles;
-    add(T::tr("Drawing (PDF)…"), T::tr("Document (*.pdf)"), "pdf",
+    add(DrawingFiles::tr("Drawing (PDF)…"), DrawingFiles::tr("Document (*.pdf)"), "pdf",
         [](const P& p) { return toPdf(drawingOf(p, screenLanguage())); });
-    add(T::tr("Drawing (SVG)…"), T::tr("Picture (*.svg)"), "svg",
+    add(DrawingFiles::tr("Drawing (SVG)…"), DrawingFiles::tr("Picture (*.svg)"), "svg",
         [](const P& p) { return drawing::toSvg(drawingOf(p, screenLanguage())); });
-    add(T::tr("Drawing (DXF)…"), T::tr("Drawing (*.dxf)"), "dxf",
+    add(DrawingFiles::tr("Drawing (DXF)…"), DrawingFiles::tr("Drawing (*.dxf)"), "dxf",
         [](const P& p) { return cad::dxfText(cad::dxfOf(drawingOf(p, screenLanguage()))); });
-    add(T::tr("Contour (DXF)…"), T::tr("Drawing (*.dxf)"), "dxf", [](const P& p) { return cad::contourDxf(p.shaft); });
-    add(T::tr("Solid (STEP AP214)…"), T::tr("Solid (*.step)"), "step",
+    add(DrawingFiles::tr("Contour (DXF)…"), DrawingFiles::tr("Drawing (*.dxf)"), "dxf",
+        [](const P& p) { return cad::contourDxf(p.shaft); });
+    add(DrawingFiles::tr("Solid (STEP AP214)…"), DrawingFiles::tr("Solid (*.step)"), "step",
         [](const P& p) { return step(p, cad::StepSchema::AP214); });
-    add(T::tr("Solid (STEP AP242)…"), T::tr("Solid (*.step)"), "step",
+    add(DrawingFiles::tr("Solid (STEP AP242)…"), DrawingFiles::tr("Solid (*.step)"), "step",
         [](const P& p) { return step(p, cad::StepSchema::AP242); });
-    add(T::tr("FreeCAD macro…"), T::tr("FreeCAD macro (*.FCMacro)"), "FCMacro",
+    add(DrawingFiles::tr("FreeCAD macro…"), DrawingFiles::tr("FreeCAD macro (*.FCMacro)"), "FCMacro",
         [](const P& p) { return cad::freecadMacro(p.shaft); });
-    add(T::tr("SolidWorks macro…"), T::tr("SolidWorks macro (*.bas)"), "bas",
+    add(DrawingFiles::tr("SolidWorks macro…"), DrawingFiles::tr("SolidWorks macro (*.bas)"), "bas",
         [](const P& p) { return cad::solidworksMacro(p.shaft); });
-    add(T::tr("Table of rows (CSV)…"), T::tr("Table (*.csv)"), "csv",
+    add(DrawingFiles::tr("Table of rows (CSV)…"), DrawingFiles::tr("Table (*.csv)"), "csv",
         [](const P& p) { return cad::shaftCsv(p.shaft); });
-    add(T::tr("Shaft (SHAFT.json)…"), T::tr("JSON (*.json)"), "json",
+    add(DrawingFiles::tr("Shaft (SHAFT.json)…"), DrawingFiles::tr("JSON (*.json)"), "json",
         [](const P& p) { return io::shaftText(p.shaft); });
-    add(T::tr("Stock text…"), T::tr("Text (*.txt)"), "txt", [](const P& p) { return io::stockText(p.shaft); });
+    add(DrawingFiles::tr("Stock text…"), DrawingFiles::tr("Text (*.txt)"), "txt",
+        [](const P& p) { return io::stockText(p.shaft); });
     return all;
 }
 

@@ -132,9 +132,11 @@ DrawingPicture drawingPicture(const project::PanelState& state, Stores& stores, 
     picture.remarks = checkShaft(picture.shaft);
     const Notes left_out = cad::cadNotes(picture.shaft);
     picture.remarks.insert(picture.remarks.end(), left_out.begin(), left_out.end());
-    for (const Note& remark : picture.remarks)
-        if (std::find(picture.notes.begin(), picture.notes.end(), remark) == picture.notes.end())
-            picture.notes.push_back(remark);
+    std::erase_if(picture.notes, [&](const Note& note) {  // of the file: said again
+        return std::any_of(picture.remarks.begin(), picture.remarks.end(),
+                           [&](const Note& remark) { return remark.code.key == note.code.key; });
+    });
+    picture.notes.insert(picture.notes.end(), picture.remarks.begin(), picture.remarks.end());
     picture.mass_kg = drawing::mass_kg(picture.shaft);
     return picture;
 }

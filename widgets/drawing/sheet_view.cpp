@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QSvgRenderer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,19 @@ constexpr int kMove_px = 40;
 
 }  // namespace
 
-SheetView::SheetView(QWidget* parent) : QWidget(parent)
+SheetView::SheetView(QWidget* parent) : QWidget(parent), svg_(std::make_unique<QSvgRenderer>())
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(60, 40);
 }
 
+SheetView::~SheetView() = default;
+
 void SheetView::setDrawing(const drawing::Drawing& drawing)
 {
     const drawing::Box sheet = drawing::sheetBox(drawing.sheet);
     const QSizeF paper_mm(sheet.width_mm(), sheet.height_mm());
-    svg_.load(QByteArray::fromStdString(drawing::toSvg(drawing)));
+    svg_->load(QByteArray::fromStdString(drawing::toSvg(drawing)));
     if (paper_mm != paper_mm_) {
         paper_mm_ = paper_mm;
         fit();
@@ -86,7 +89,7 @@ void SheetView::paintEvent(QPaintEvent*)
         painter.drawRoundedRect(sheet.adjusted(-soft, -soft, soft, soft), soft, soft);
     }
     painter.fillRect(sheet, Qt::white);
-    svg_.render(&painter, sheet);
+    svg_->render(&painter, sheet);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, 60), 1));
     painter.drawRect(sheet);

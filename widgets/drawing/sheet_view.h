@@ -1,10 +1,12 @@
 // A sheet of paper with a drawing on it: fitted to the view, enlarged with the wheel, moved by dragging.
 #pragma once
 
-#include <QSvgRenderer>
 #include <QWidget>
+#include <memory>
 
 #include "engine/drawing/drawing.h"
+
+class QSvgRenderer;
 
 namespace lathelier::drawing_panel {
 
@@ -13,6 +15,7 @@ class SheetView : public QWidget {
 
 public:
     explicit SheetView(QWidget* parent = nullptr);
+    ~SheetView() override;
 
     /// Another sheet is fitted again.
     void setDrawing(const drawing::Drawing& drawing);
@@ -36,7 +39,7 @@ private:
     void zoomBy(double factor, const QPointF& about);
     void moveBy(const QPointF& by);
 
-    QSvgRenderer svg_;
+    std::unique_ptr<QSvgRenderer> svg_;
     QSizeF paper_mm_;  ///< empty: nothing is drawn yet
     double zoom_ = 1;
     QPointF middle_{0.5, 0.5};  ///< of the view, in parts of the sheet

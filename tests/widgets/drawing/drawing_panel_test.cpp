@@ -88,7 +88,7 @@ private slots:
 
     void theDrawingAppears()
     {
-        QVERIFY(says("30") && says("45") && says("20") && says("102"));
+        QVERIFY(says("30") && says("⌀45") && says("20") && says("102"));
         QVERIFY(says("pin"));
         QCOMPARE(panel_->result()->shaft.bores.size(), std::size_t{1});  // not laid into the rows
         QCOMPARE(child<QTableWidget>("rows")->rowCount(), 4);
@@ -117,11 +117,11 @@ private slots:
     {
         setDiameter(2, 48.5);
         settle();
-        QVERIFY(says("48.5") && !says("45"));
+        QVERIFY(says("48.5") && !says("⌀45"));
         QCOMPARE(panel_->result()->shaft.bores.size(), std::size_t{1});
         session_->undoStack().undo();
         settle();
-        QVERIFY(says("45"));
+        QVERIFY(says("⌀45"));
     }
 
     void aWrongCellIsNamedAndTheOldPictureStays()

@@ -9877,7 +9877,7 @@
     </message>
     <message>
         <source>fillet</source>
-        <translation>zaokrąglenie</translation>
+        <translation>zaokrąglenie wewnętrzne</translation>
     </message>
     <message>
         <source>rounded edge</source>
@@ -10444,8 +10444,180 @@
         <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
     </message>
     <message>
+        <source>STEP files</source>
+        <translation>Pliki STEP</translation>
+    </message>
+    <message>
+        <source>knurl, {teeth} teeth</source>
+        <translation>radełkowanie, zębów: {teeth}</translation>
+    </message>
+    <message>
+        <source>flat, {distance} from the axis</source>
+        <translation>ścięcie, {distance} od osi</translation>
+    </message>
+    <message>
+        <source>italic: as measured, ± U (k = 2)</source>
+        <translation>kursywa: wartości zmierzone, ± U (k = 2)</translation>
+    </message>
+    <message>
+        <source>recovered from a scan; measured values are not a specification</source>
+        <translation>odtworzono ze skanu; wartości zmierzone nie są wymaganiami</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masa</translation>
+    </message>
+    <message>
+        <source>General tolerances</source>
+        <translation>Tolerancje ogólne</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Podziałka</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Arkusz</translation>
+    </message>
+    <message>
+        <source>The bore is not seen from z {z_start_mm} to {z_end_mm} mm: its rows beside end there.</source>
+        <translation>Otworu nie widać od z {z_start_mm} do {z_end_mm} mm: sąsiednie wiersze kończą się w tych miejscach.</translation>
+    </message>
+    <message>
+        <source>SHAFT.json, a STEP file of a turned part, or what another panel made</source>
+        <translation>SHAFT.json, plik STEP części toczonej albo wał z innego panelu</translation>
+    </message>
+    <message>
+        <source>Drop a shaft here (SHAFT.json, STEP), or state its segments.</source>
+        <translation>Upuść tu wał (SHAFT.json, STEP) albo podaj jego odcinki.</translation>
+    </message>
+    <message>
+        <source>no remarks</source>
+        <translation>bez uwag</translation>
+    </message>
+    <message>
+        <source>with remarks</source>
+        <translation>z uwagami</translation>
+    </message>
+    <message>
+        <source>Mass {mass_kg:3} kg · largest diameter {diameter_mm:3} mm · {rows} rows</source>
+        <translation>Masa {mass_kg:3} kg · największa średnica {diameter_mm:3} mm · wierszy: {rows}</translation>
+    </message>
+    <message>
+        <source>Mass not known without a material · largest diameter {diameter_mm:3} mm · {rows} rows</source>
+        <translation>Masa nieznana bez materiału · największa średnica {diameter_mm:3} mm · wierszy: {rows}</translation>
+    </message>
+    <message>
+        <source>Rows from the free end</source>
+        <translation>Wiersze od wolnego końca</translation>
+    </message>
+    <message>
+        <source>There is nothing to remark on this shaft.</source>
+        <translation>Brak uwag do tego wału.</translation>
+    </message>
+    <message>
+        <source>Shaft for drawing and CAD</source>
+        <translation>Wał do rysunku i CAD</translation>
+    </message>
+    <message>
+        <source>Part name</source>
+        <translation>Nazwa części</translation>
+    </message>
+    <message>
+        <source>In the title block and in all files; empty: as the input has it.</source>
+        <translation>W tabliczce rysunkowej i we wszystkich plikach; puste: jak w danych wejściowych.</translation>
+    </message>
+    <message>
+        <source>Material name</source>
+        <translation>Nazwa materiału</translation>
+    </message>
+    <message>
+        <source>As printed in the title block; empty: the name of the material.</source>
+        <translation>Tak jak w tabliczce rysunkowej; puste: nazwa materiału.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A4 portrait</source>
+        <translation>A4 pionowo</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Automatic: A4, or A3 where A4 would be too small to read.</source>
+        <translation>Automatycznie: A4 albo A3, gdy A4 byłby za mały, żeby go odczytać.</translation>
+    </message>
+    <message>
+        <source>As printed; empty: today.</source>
+        <translation>Tak jak na rysunku; puste: dzisiejsza.</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>Wartości zmierzone</translation>
+    </message>
+    <message>
+        <source>Sizes in whose place no nominal one was put are set in italics.</source>
+        <translation>Wymiary, których nie zastąpiono nominalnymi, są pisane kursywą.</translation>
+    </message>
+    <message>
+        <source>The sizes of the copy were not recognised ({reason}): the rows have no measured values.</source>
+        <translation>Nie rozpoznano wymiarów kopii ({reason}): wiersze nie mają wartości zmierzonych.</translation>
+    </message>
+    <message>
+        <source>The drawing was compared as a mesh of limited size: its facets lie within {sagitta_mm} mm.</source>
+        <translation>Rysunek porównano jako siatkę ograniczonej wielkości: jej ściany mieszczą się w {sagitta_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>Otwór</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
         <source>Nominal sizes and fit of the rows</source>
         <translation>Wymiary nominalne i dopasowanie wierszy</translation>
+    </message>
+    <message>
+        <source>Comparing the surface</source>
+        <translation>Porównywanie powierzchni</translation>
+    </message>
+    <message>
+        <source>Comparing the sizes</source>
+        <translation>Porównywanie wymiarów</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Werdykty</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Razem</translation>
+    </message>
+    <message>
+        <source>Sizes against the drawing</source>
+        <translation>Wymiary względem rysunku</translation>
+    </message>
+    <message>
+        <source>Sizes of the rows</source>
+        <translation>Wymiary wierszy</translation>
+    </message>
+    <message>
+        <source>Comparison of a part with its drawing</source>
+        <translation>Porównanie części z jej rysunkiem</translation>
     </message>
 </context>
 <context>
@@ -11911,6 +12083,135 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Feed along z</source>
         <translation>Posuw wzdłuż z</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::DrawingFiles</name>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation>Rysunek (PDF)…</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)…</source>
+        <translation>Rysunek (SVG)…</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation>Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Drawing (DXF)…</source>
+        <translation>Rysunek (DXF)…</translation>
+    </message>
+    <message>
+        <source>Drawing (*.dxf)</source>
+        <translation>Rysunek (*.dxf)</translation>
+    </message>
+    <message>
+        <source>Contour (DXF)…</source>
+        <translation>Zarys (DXF)…</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP214)…</source>
+        <translation>Bryła (STEP AP214)…</translation>
+    </message>
+    <message>
+        <source>Solid (*.step)</source>
+        <translation>Bryła (*.step)</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP242)…</source>
+        <translation>Bryła (STEP AP242)…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro…</source>
+        <translation>Makro FreeCAD…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro (*.FCMacro)</source>
+        <translation>Makro FreeCAD (*.FCMacro)</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro…</source>
+        <translation>Makro SolidWorks…</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro (*.bas)</source>
+        <translation>Makro SolidWorks (*.bas)</translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation>Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::DrawingPanel</name>
+    <message>
+        <source>shaft, %1 mm</source>
+        <translation>wał, %1 mm</translation>
+    </message>
+    <message>
+        <source>%1, edited</source>
+        <translation>%1, zmieniony</translation>
+    </message>
+    <message>
+        <source>%L1 segments · %2</source>
+        <translation>segmentów: %L1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::DrawingViews</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Rysunek</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Wiersze</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>Use this shaft</source>
+        <translation>Użyj tego wału</translation>
+    </message>
+    <message>
+        <source>Keep it in the project, where other panels take it as an input</source>
+        <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+    <message>
+        <source>Whole sheet</source>
+        <translation>Cały arkusz</translation>
+    </message>
+    <message>
+        <source>The wheel enlarges the drawing, dragging moves it, a double click shows the whole sheet</source>
+        <translation>Kółko myszy powiększa rysunek, przeciąganie go przesuwa, podwójne kliknięcie pokazuje cały arkusz</translation>
     </message>
 </context>
 <context>

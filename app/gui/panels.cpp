@@ -4,6 +4,7 @@
 #include "widgets/correction/correction_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
 #include "widgets/deflection/deflection_panel.h"
+#include "widgets/drawing/drawing_panel.h"
 #include "widgets/frf/frf_panel.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
@@ -36,6 +37,7 @@ const std::vector<PanelFacts>& panelTable()
                                                deflection_panel::deflectionPanelFacts(),
                                                correction_panel::correctionPanelFacts(),
                                                recognise_panel::recognisePanelFacts(),
+                                               drawing_panel::drawingPanelFacts(),
                                                training_panel::trainingPanelFacts()};
     return table;
 }

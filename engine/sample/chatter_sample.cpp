@@ -123,6 +123,10 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     shaft_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     shaft_panel.parameters = {{"to_hz", 3000.0}};
     content.panels["shaft"] = std::move(shaft_panel);
+    SamplePanel drawing_panel;
+    drawing_panel.inputs = {{"shaft", "shaft.json"}};
+    drawing_panel.parameters = {{"date", std::string("2026-01-15")}};
+    content.panels["drawing"] = std::move(drawing_panel);
     SamplePanel spindle_panel;
     spindle_panel.inputs = {{"measurements", "tap_tests.json"}};
     spindle_panel.parameters = {{"smooth", true}, {"hold_out", std::int64_t{3}}, {"limit_percent", 5.0}};

@@ -6,7 +6,7 @@
 namespace lathelier::sample {
 
 /// shaft.json, spindle.json, tip_response.uff, tap_tests.json, tap_tests.uff; the panels lobes and frf open the
-/// response, shaft, speed and pass the shaft on its spindle, spindle the tap tests.
+/// response, shaft, speed and pass the shaft on its spindle, drawing the shaft, spindle the tap tests.
 const SamplePart& chatterSample();
 
 }  // namespace lathelier::sample

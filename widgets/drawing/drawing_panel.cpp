@@ -1,0 +1,168 @@
+#include "widgets/drawing/drawing_panel.h"
+
+#include "engine/core/shaft_item.h"
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/drawing/drawing_files.h"
+#include "widgets/drawing/drawing_views.h"
+#include "widgets/drawing/part_store.h"
+
+namespace lathelier::drawing_panel {
+namespace {
+
+PanelInputs panelInputs()
+{
+    InputRole shaft;
+    shaft.role = shaftRole;
+    shaft.label = LT_TEXT("Engine", "Shaft");
+    shaft.hint = LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made");
+    shaft.kinds = {&io::shaftFiles(), &cad::stepFiles()};
+    shaft.item_kind = shaftItem;
+    shaft.required = false;
+    shaft.takes_next = true;
+    PanelInputs inputs;
+    inputs.roles = {shaft};
+    for (FieldInfo& info : infos<DrawingQuestion>())
+        if (info.key != segmentsOfKey) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(DrawingQuestion{});
+    inputs.invitation = LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, STEP), or state its segments.");
+    return inputs;
+}
+
+bool isThere(const project::PanelState& state)
+{
+    const Value* const segments = find(state.parameters, segmentsKey);
+    const Rows* const rows = segments ? std::get_if<Rows>(segments) : nullptr;
+    return state.inputs.count(shaftRole) > 0 || (rows && !rows->rows.empty());
+}
+
+Value rowsOf(const Shaft& shaft)
+{
+    Rows rows;
+    rows.rows.reserve(shaft.segments.size());
+    for (const ShaftSegment& segment : shaft.segments) rows.rows.push_back({toValues(segment)});
+    return rows;
+}
+
+}  // namespace
+
+PanelFacts drawingPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "drawing";
+    facts.title = LT_TEXT("Engine", "Drawing");
+    facts.icon = "drawing";
+    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
+    facts.kinds = {&io::shaftFiles(), &cad::stepFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {shaftRole};
+    facts.item_inputs = {{shaftItem, shaftRole}};
+    facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };
+    facts.missing = [](const project::PanelState& state) {
+        return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
+    };
+    facts.hasWork = isThere;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(drawingPicture(state, stores, progress), language); };
+    return facts;
+}
+
+DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
+    : Panel(owner, drawingPanelFacts(), panelInputs(), parent), views_(new DrawingViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &DrawingViews::shaftWanted, this, &DrawingPanel::keepShaft);
+    // A table changed by hand is of the input that is there now: the same undo step as the change itself.
+    connect(
+        &inputColumn(), &InputColumn::parameterEdited, this,
+        [this](const std::string& key, const Value&, int gesture, const QString& step) {
+            if (key != segmentsKey) return;
+            editState(
+                step,
+                [](project::PanelState& state) { lathelier::set(state.parameters, segmentsOfKey, identity(state)); },
+                QString("drawing/segments/%1").arg(gesture));
+        });
+}
+
+/// Under a name of its own: an item must not take the place of the one that it was made of.
+void DrawingPanel::keepShaft()
+{
+    const auto picture = result();
+    if (!picture) return;
+    std::string name = picture->shaft.name;
+    if (name.empty()) name = tr("shaft, %1 mm").arg(screenNumber(picture->shaft.length_mm(), 1)).toStdString();
+    const auto source = state().inputs.find(shaftRole);
+    if (source != state().inputs.end() && source->second.item == name)
+        name = tr("%1, edited").arg(QString::fromStdString(name)).toStdString();
+    keepItem(name, shaftItem, toValues(picture->shaft));
+}
+
+/// A file that is opened is what is meant: an earlier table would hide it.
+void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files) {
+        state.inputs[shaftRole] = newSource(QString::fromStdString(file.path));
+        lathelier::set(state.parameters, segmentsKey, Rows{});
+    }
+}
+
+DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) const
+{
+    fromValues<DrawingQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return drawingPicture(state, *stores, progress);
+    };
+}
+
+QString DrawingPanel::understood(const InputRole&, const project::Source& source) const
+{
+    const auto loaded = session().stores().of<PartStore>()->known(source);
+    if (!loaded) return {};
+    const Shaft& shaft = loaded->file.shaft;
+    return understoodText(
+        loaded->file.facts,
+        tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
+}
+
+void DrawingPanel::showResult(const std::shared_ptr<const DrawingPicture>& picture)
+{
+    inputColumn().form().setValues({{segmentsKey, rowsOf(picture->shaft)}});  // also those of a file
+    views_->setPicture(picture);
+}
+
+report::Answer DrawingPanel::answer(const DrawingPicture& picture) const
+{
+    return drawing_panel::answerOf(picture);
+}
+
+Notes DrawingPanel::notes(const DrawingPicture& picture) const
+{
+    return picture.notes;
+}
+
+report::Document DrawingPanel::document(const DrawingPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> DrawingPanel::exports() const
+{
+    const auto picture = result();
+    return picture ? exportsOf(picture) : std::vector<PanelExport>{};
+}
+
+void DrawingPanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void DrawingPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::drawing_panel

@@ -1,0 +1,42 @@
+// The panel "Drawing": what does the workshop need to make this shaft, as drawing, CAD and tables?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/drawing/drawing_picture.h"
+
+namespace lathelier::drawing_panel {
+
+class DrawingViews;
+
+/// The panel's line of the panel table.
+PanelFacts drawingPanelFacts();
+
+/// A file or item fills the table of segments; once the table is changed, it rules until another input is chosen or
+/// the table is emptied.
+class DrawingPanel : public Panel<DrawingPicture> {
+    Q_OBJECT
+
+public:
+    explicit DrawingPanel(Session& session, QWidget* parent = nullptr);
+
+    DrawingViews& views() const { return *views_; }
+    void setPresenting(bool presenting) override;
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const DrawingPicture>& picture) override;
+    report::Answer answer(const DrawingPicture& picture) const override;
+    Notes notes(const DrawingPicture& picture) const override;
+    report::Document document(const DrawingPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    void retranslate() override;
+
+private:
+    void keepShaft();
+
+    DrawingViews* views_;
+};
+
+}  // namespace lathelier::drawing_panel

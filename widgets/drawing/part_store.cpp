@@ -1,0 +1,32 @@
+#include "widgets/drawing/part_store.h"
+
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/io/text/encoding.h"
+
+namespace lathelier::drawing_panel {
+namespace {
+
+constexpr std::size_t kHead = 4096;
+
+/// The bores of a SHAFT.json, which loadShaft() lays into the rows, as the file states them.
+io::ShaftFile withStatedBores(io::ShaftFile loaded, const io::FileToRead& file)
+{
+    if (loaded.facts.format != "shaft_json") return loaded;
+    Notes again;  // are in `loaded`
+    const io::DecodedText text = io::decodeText(file.bytes, io::Encoding::Auto, file.progress);
+    loaded.shaft = io::readShaft(std::string(text.view()), again);
+    set(loaded.facts.details, "segments", static_cast<std::int64_t>(loaded.shaft.segments.size()));
+    return loaded;
+}
+
+}  // namespace
+
+io::ShaftFile PartStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
+{
+    const io::FileToRead file{source.path, inputs.open(source.path, progress), source.import, inputs, progress};
+    if (!cad::looksLikeStep(file.bytes.substr(0, kHead))) return withStatedBores(io::loadShaft(file), file);
+    cad::StepFile step = cad::loadStep(file);
+    return {std::move(step.part.shaft), std::move(step.facts), std::move(step.notes)};
+}
+
+}  // namespace lathelier::drawing_panel

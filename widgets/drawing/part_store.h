@@ -1,0 +1,20 @@
+// Files that the panel "Drawing" takes, read with their bores as they are stated.
+#pragma once
+
+#include "engine/cad/step_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
+#include "widgets/core/files/file_cache.h"
+
+namespace lathelier::drawing_panel {
+
+/// SHAFT.json, stock text or STEP, told apart by the content. Errors: those of readShaft(), readStock(), readStep(),
+/// with the path; fileEmpty.
+class PartStore : public FileCache<io::ShaftFile> {
+public:
+    PartStore() : FileCache(20) {}
+
+protected:
+    io::ShaftFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
+};
+
+}  // namespace lathelier::drawing_panel

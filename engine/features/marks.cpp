@@ -113,6 +113,13 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
     return regions;
 }
 
+/// Of the order m among all from -kMostTeeth on.
+std::size_t placeOf(int m)
+{
+    const int place = kMostTeeth + m;
+    return static_cast<std::size_t>(place);
+}
+
 double quantile(std::vector<double> values, double share)
 {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -152,6 +159,7 @@ ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& r
         plane = normal.ldlt().solve(right);
         const double distance = 1 / std::max(1e-9, plane.norm());
         std::vector<double> off;
+        off.reserve(places.size());
         for (const Eigen::Vector2d& p : places) off.push_back(std::abs((plane.dot(p) - 1) * distance));
         const double limit = std::max(4 * model.sigma_mm, round < 2 ? 3 * quantile(off, 0.5) : 0.0);
         rms = kept = 0;
@@ -240,8 +248,8 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
             }
             // The half step of the first column: the sum runs over c·m, the angle of a column is (c + ½)·m.
             sum *= std::polar(1.0, -kTurn * 0.5 * m / columns) / turns[0];
-            around[static_cast<std::size_t>(kMostTeeth + m)][row] = sum;
-            around[static_cast<std::size_t>(kMostTeeth - m)][row] = std::conj(sum);
+            around[placeOf(m)][row] = sum;
+            around[placeOf(-m)][row] = std::conj(sum);
         }
     }
     // Then along z, f from 0 upward for both signs of m.
@@ -250,7 +258,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     const double f_step = 1 / (4 * length), f_most = std::min(5.0, 0.4 / step);
     for (int m = -kMostTeeth; m <= kMostTeeth; ++m) {
         progress.check();
-        const std::vector<Complex>& row = around[static_cast<std::size_t>(kMostTeeth + m)];
+        const std::vector<Complex>& row = around[placeOf(m)];
         for (double f = m == 0 ? 2 / length : 0; f < (std::abs(m) > kMostStarts ? std::min(f_most, 2.0) : f_most);
              f += f_step) {
             if (std::abs(m) <= kMostStarts && f < 0.15) continue;
@@ -319,6 +327,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         mark.teeth = std::abs(best_m);
         mark.helix_deg = std::atan(kTurn * centre / std::abs(best_m) * about_mm) * kDegrees;
         std::vector<double> radii;
+        radii.reserve(points.size());
         for (const std::uint32_t i : points) radii.push_back(static_cast<double>(cloud.r_mm[i]));
         mark.diameter_mm = 2 * quantile(radii, 0.875);
         mark.depth_mm = quantile(radii, 0.875) - quantile(radii, 0.02);

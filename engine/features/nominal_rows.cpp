@@ -31,9 +31,9 @@ RowOnAxis turnedRow(RowOnAxis row)
 {
     std::swap(row.z_start_mm, row.z_end_mm);
     std::swap(row.start_diameter_mm, row.end_diameter_mm);
-    SizeUncertainty& U = row.uncertainty;
-    std::swap(U.z_start_um, U.z_end_um);
-    std::swap(U.start_diameter_um, U.end_diameter_um);
+    SizeUncertainty& u = row.uncertainty;
+    std::swap(u.z_start_um, u.z_end_um);
+    std::swap(u.start_diameter_um, u.end_diameter_um);
     std::swap(row.start_seen, row.end_seen);
     return row;
 }
@@ -151,9 +151,9 @@ Size meanDiameter(const RowsOnAxis& rows, RowRun run)
         length += weight;
         smallest = std::min({smallest, row.start_diameter_mm, row.end_diameter_mm});
         largest = std::max({largest, row.start_diameter_mm, row.end_diameter_mm});
-        for (const auto& U : {row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um}) {
-            known = known && U;
-            U_um = std::max(U_um, U.value_or(0));
+        for (const auto& u : {row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um}) {
+            known = known && u;
+            U_um = std::max(U_um, u.value_or(0));
         }
     }
     return {sum / length, smallest, largest, known ? optional(U_um / 1000) : std::nullopt};
@@ -176,11 +176,11 @@ Size endDiameter(const RowsOnAxis& rows, RowRun run, bool start)
 {
     if (run.count == 0) return {};
     const RowOnAxis& row = rows[start ? run.first : run.first + run.count - 1];
-    const SizeUncertainty& U = row.uncertainty;
+    const SizeUncertainty& u = row.uncertainty;
     return {start ? row.start_diameter_mm : row.end_diameter_mm,
             {},
             {},
-            in_mm(start ? U.start_diameter_um : U.end_diameter_um)};
+            in_mm(start ? u.start_diameter_um : u.end_diameter_um)};
 }
 
 Size radiusOf(const RowsOnAxis& rows, RowRun run, double nominal_mm)

@@ -45,7 +45,4 @@ struct Outline {
 /// Nothing when no chain of that side is there.
 std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress = {});
 
-/// Neighbours that one cylinder, or one cone, describes within the form tolerance become that: what was taken away.
-std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm);
-
 }  // namespace lathelier::features

@@ -1,0 +1,221 @@
+#include "engine/features/stretches.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/features/selection.h"
+#include "engine/features/wear.h"
+
+namespace lathelier::features {
+namespace {
+
+constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
+constexpr double kRoughLeast_mm = 2.5;
+constexpr std::size_t kSmear = 3;  // walls at a chain's end that blur may have made
+
+/// Walls that scatter more than noise and slope explain, over 2.5 mm or more.
+std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
+{
+    std::vector<char> rough(walls.size(), 0);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const double slope = slopeAt(walls, i),
+                     spread = slope * slope * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
+        rough[i] = walls[i].sigma_mm > 2.5 * std::sqrt(sigma_mm * sigma_mm + spread);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> stretches;
+    for (std::size_t i = 0; i < walls.size();) {
+        if (!rough[i]) {
+            ++i;
+            continue;
+        }
+        std::size_t last = i, calm = 0;
+        for (std::size_t j = i + 1; j < walls.size() && calm < 6; ++j) {
+            calm = rough[j] ? 0 : calm + 1;
+            if (rough[j]) last = j;
+        }
+        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) stretches.emplace_back(i, last + 1);
+        i = last + 1;
+    }
+    return stretches;
+}
+
+/// Two levels that meet in no corner: a step of the radius.
+bool isStep(const Element& a, const Element& b, double z, double error_mm)
+{
+    if (a.arc || b.arc) return false;
+    const double jump = b.radiusAt_mm(z) - a.radiusAt_mm(z), bend = a.slope - b.slope;
+    if (std::abs(jump) < 5 * error_mm) return false;
+    return std::abs(bend) < 1e-9 || std::abs(jump / bend) > 0.4;
+}
+
+/// Cuts walls of one chain into stretches at steps.
+void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, bool trim_start, bool trim_end,
+                  double form_mm, Border after, std::vector<MergedJunction>& merged, const Progress& progress)
+{
+    std::vector<Piece> pieces = cutIntoPieces(walls, progress);
+    if (pieces.empty()) return;
+    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
+        pieces.erase(pieces.begin());
+    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
+    mergeWear(pieces, walls, form_mm, merged);
+    const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
+    Stretch stretch;
+    stretch.from_mm = walls.front().z_mm;
+    stretch.nodes_mm = {walls.front().z_mm};
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        stretch.elements.push_back(elements[k]);
+        const bool last = k + 1 == elements.size();
+        const double z =
+            last ? walls.back().z_mm : (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
+        stretch.nodes_mm.push_back(z);
+        const Wall& wall = walls[pieces[k].end - 1];
+        const double few = static_cast<double>(
+            std::min(pieces[k].end - pieces[k].begin, last ? std::size_t{1} : pieces[k + 1].end - pieces[k + 1].begin));
+        const double error = 2 * wall.sigma_mm / std::sqrt(std::max(1.0, wall.points * few));
+        if (!last && !isStep(elements[k], elements[k + 1], z, error)) continue;
+        stretch.to_mm = z;
+        stretch.after = last ? after : Border::Step;
+        for (const Wall& one : walls)
+            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
+        stretches.push_back(stretch);
+        stretch = {};
+        stretch.from_mm = z;
+        stretch.nodes_mm = {z};
+    }
+}
+
+/// First harmonic of the points' radii between two heights: mean, and how far off the axis their circle is.
+struct Circle {
+    double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
+    double crest_mm = 0;  ///< radius that the outermost eighth of the points has
+    double root_mm = 0;   ///< radius that one in fifty lies below
+};
+
+Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm)
+{
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
+        if (z > from_mm && z < to_mm && std::abs(r - about_mm) < std::max(2.0, 0.2 * about_mm))
+            points.emplace_back(2 * std::numbers::pi * static_cast<double>(cloud.turn[i]), r);
+    }
+    Circle circle;
+    if (points.size() < 30) return circle;
+    Eigen::Vector3d found(about_mm, 0, 0);
+    double limit = 1e9;
+    for (int round = 0; round < 5; ++round) {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        std::vector<double> offs;
+        for (const auto& [angle, r] : points) {
+            const Eigen::Vector3d row(1, std::cos(angle), std::sin(angle));
+            const double off = r - row.dot(found);
+            offs.push_back(std::abs(off));
+            if (std::abs(off) > limit) continue;
+            normal += row * row.transpose();
+            right += row * r;
+        }
+        found = normal.ldlt().solve(right);
+        std::nth_element(offs.begin(), offs.begin() + static_cast<std::ptrdiff_t>(offs.size() / 2), offs.end());
+        circle.sigma_mm = 1.4826 * offs[offs.size() / 2];
+        limit = 4 * circle.sigma_mm;
+    }
+    circle.radius_mm = found[0];
+    circle.offset_mm = found.tail<2>().norm();
+    std::vector<double> radii;
+    radii.reserve(points.size());
+    for (const auto& point : points) radii.push_back(point.second);
+    const auto crest = radii.begin() + static_cast<std::ptrdiff_t>(0.9375 * static_cast<double>(radii.size()));
+    std::nth_element(radii.begin(), crest, radii.end());
+    circle.crest_mm = *crest;
+    const auto root = radii.begin() + static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(radii.size()));
+    std::nth_element(radii.begin(), root, radii.end());
+    circle.root_mm = *root;
+    return circle;
+}
+
+}  // namespace
+
+double slopeAt(const std::vector<Wall>& walls, std::size_t i)
+{
+    const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, walls.size() - 1);
+    const double dz = walls[b].z_mm - walls[a].z_mm;
+    return dz > 0 ? (walls[b].r_mm - walls[a].r_mm) / dz : 0;
+}
+
+std::vector<const Chain*> chainsOf(const Walls& walls, bool bore)
+{
+    std::vector<const Chain*> chains;
+    for (const Chain& chain : walls.chains)
+        if (chain.bore == bore) chains.push_back(&chain);
+    std::vector<const Chain*> kept;
+    for (const Chain* one : chains) {
+        const bool hidden = std::any_of(chains.begin(), chains.end(), [&](const Chain* other) {
+            if (other == one || other->walls.size() <= one->walls.size()) return false;
+            const double from = std::max(one->zFirst_mm(), other->zFirst_mm()),
+                         to = std::min(one->zLast_mm(), other->zLast_mm());
+            return to - from > 0.5 * (one->zLast_mm() - one->zFirst_mm());
+        });
+        if (!hidden) kept.push_back(one);
+    }
+    std::sort(kept.begin(), kept.end(), [](const Chain* a, const Chain* b) {
+        return a->zFirst_mm() + a->zLast_mm() < b->zFirst_mm() + b->zLast_mm();
+    });
+    return kept;
+}
+
+std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, const Progress& progress)
+{
+    const std::vector<const Chain*> chains = chainsOf(input.coarse, input.bore);
+    std::vector<Stretch> stretches;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const std::vector<Wall>& walls = chains[c]->walls;
+        Border after = Border::End;
+        bool trim_end = false;
+        if (c + 1 < chains.size()) {
+            const double apart = chains[c + 1]->zFirst_mm() - walls.back().z_mm;
+            after = apart > kGap_mm ? Border::Gap : Border::Shoulder;
+            trim_end = after == Border::Shoulder;
+        }
+        const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;
+        std::size_t at = 0;
+        for (const auto& [from, to] : roughStretches(walls, input.coarse.sigma_mm)) {
+            if (from > at + 2)
+                addStretches(stretches,
+                             {walls.begin() + static_cast<std::ptrdiff_t>(at),
+                              walls.begin() + static_cast<std::ptrdiff_t>(from)},
+                             trim_start && at == 0, true, input.form_mm, Border::Rough, outline.merged, progress);
+            Stretch rough;
+            rough.from_mm = walls[from].z_mm;
+            rough.to_mm = walls[to - 1].z_mm;
+            rough.nodes_mm = {rough.from_mm, rough.to_mm};
+            rough.coarse.assign(walls.begin() + static_cast<std::ptrdiff_t>(from),
+                                walls.begin() + static_cast<std::ptrdiff_t>(to));
+            double mean = 0;
+            for (const Wall& wall : rough.coarse) mean += wall.r_mm / static_cast<double>(rough.coarse.size());
+            const Circle circle = circleOf(input.cloud, rough.from_mm, rough.to_mm, mean);
+            const bool eccentric =
+                circle.sigma_mm > 0 && circle.sigma_mm < 1.6 * input.coarse.sigma_mm && circle.offset_mm > 0.05;
+            Element cylinder;
+            cylinder.cylinder = cylinder.rough = true;
+            cylinder.at_mm = (rough.from_mm + rough.to_mm) / 2;
+            cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest_mm > 0 ? circle.crest_mm : mean;
+            cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
+            rough.elements = {cylinder};
+            rough.after = to < walls.size() ? Border::Rough : after;
+            outline.rough.push_back({rough.from_mm, rough.to_mm, eccentric ? circle.offset_mm : 0});
+            stretches.push_back(rough);
+            at = to;
+        }
+        if (at + 2 < walls.size())
+            addStretches(stretches, {walls.begin() + static_cast<std::ptrdiff_t>(at), walls.end()},
+                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, outline.merged, progress);
+        else if (!stretches.empty())
+            stretches.back().after = after;
+    }
+    return stretches;
+}
+
+}  // namespace lathelier::features

@@ -1,0 +1,31 @@
+// Chains of walls cut into stretches between shoulders, steps, gaps and rough zones.
+#pragma once
+
+#include <vector>
+
+#include "engine/features/outline.h"
+
+namespace lathelier::features {
+
+/// What ends a stretch. Step: of the radius, too small for a shoulder. Rough: a thread or knurl begins or ends.
+enum class Border { Shoulder, Step, Gap, Rough, End };
+
+/// Elements between two borders, before planes are made of these.
+struct Stretch {
+    std::vector<Element> elements;  ///< in order of z
+    std::vector<double> nodes_mm;   ///< guesses
+    double from_mm = 0, to_mm = 0;  ///< of its walls
+    Border after = Border::End;     ///< toward larger z
+    std::vector<Wall> coarse;       ///< walls that it was made from
+};
+
+/// Chains of one side, those dropped that lie beside a longer one.
+std::vector<const Chain*> chainsOf(const Walls& walls, bool bore);
+
+/// Slope of the walls about one of them.
+double slopeAt(const std::vector<Wall>& walls, std::size_t i);
+
+/// All of one side in order of z; rough zones and merged junctions go into the outline.
+std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, const Progress& progress);
+
+}  // namespace lathelier::features

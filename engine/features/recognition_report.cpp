@@ -17,7 +17,6 @@ namespace {
 
 const Text mm = LT_TEXT("Engine", "mm");
 const Text um = LT_TEXT("Engine", "µm");
-const Text degree = LT_TEXT("Engine", "°");
 constexpr double kUm = 1e-3;  ///< mm
 
 /// Two digits of the uncertainty, from hundredths of a millimetre to tenths of a micrometre.

@@ -9877,7 +9877,7 @@
     </message>
     <message>
         <source>fillet</source>
-        <translation>zaokrąglenie wewnętrzne</translation>
+        <translation>zaokrąglenie</translation>
     </message>
     <message>
         <source>rounded edge</source>
@@ -10442,6 +10442,10 @@
     <message>
         <source>The closed half contour for CAM in place of the drawing.</source>
         <translation>Zamknięta połowa zarysu do CAM zamiast rysunku.</translation>
+    </message>
+    <message>
+        <source>Nominal sizes and fit of the rows</source>
+        <translation>Wymiary nominalne i dopasowanie wierszy</translation>
     </message>
 </context>
 <context>

@@ -22,9 +22,12 @@ std::string shaftSummary(const Shaft& shaft);
 /// What the files say besides the shaft.
 struct ShaftToWrite {
     const Shaft& shaft;
-    bool complete = true;   ///< false: only the shaft itself is written, the others are refused
-    Text missing = {};      ///< why it is not complete
-    double chucked_mm = 0;  ///< of its end: not in the stock file
+    bool complete = true;                ///< false: only the shaft itself is written, the others are refused
+    Text missing = {};                   ///< why it is not complete
+    double chucked_mm = 0;               ///< of its end: not in the stock file
+    std::optional<InputFile> scan = {};  ///< that it was recovered from; none: it is a design
+    bool measured = false;               ///< its sizes were measured
+    std::vector<SizeUncertainty> uncertainties = {};  ///< of its rows
 };
 
 /// Writes those that were asked for, the shaft first. Errors shaftIncomplete, those of checkShaft() and of the writers.

@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/core/shaft_contour.h"
 #include "engine/core/texts.h"
 #include "engine/features/recognition_quantities.h"
+#include "engine/features/snap.h"
 
 namespace lathelier::features {
 namespace {
@@ -26,6 +28,22 @@ constexpr std::size_t kMostNamed = 8;     ///< names in the meridian; more would
 constexpr double kNameAt = 0.15;          ///< of a row's length: its name stands to the right of that
 constexpr double kShownShare = 0.995;     ///< of the residuals that the chart shows at first
 constexpr double kRowsHoldLittle = 0.04;  ///< of the length: shorter cylinders carry no diameter
+
+/// Along a piece from its start to its end, arcs cut finely.
+std::vector<Vector2d> pointsOf(const ContourPiece& piece)
+{
+    std::vector<Vector2d> points{piece.from_mm};
+    if (piece.isArc()) {
+        const Vector2d centre = piece.centre_mm();
+        const auto [from, to] = piece.arcAngles();
+        for (int i = 1; i < kPiecesOfArc; ++i) {
+            const double angle = from + (to - from) * i / kPiecesOfArc;
+            points.push_back(centre + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle)));
+        }
+    }
+    points.push_back(piece.to_mm);
+    return points;
+}
 
 /// z of both charts: that of the data, with some air.
 Interval rangeOf(const Recognition& result)
@@ -119,6 +137,22 @@ void fill(report::Plot& plot, const std::vector<Vector2d>& outer, const report::
     }
 }
 
+/// The material of a part with bores.
+void fillHollow(report::Plot& plot, const Recognition& result)
+{
+    const Contour contour = closedContour(measuredShaft(result));
+    for (const double sign : {1.0, -1.0}) {
+        report::Region region;
+        region.colour = report::ColourRole::Original;
+        for (const ContourPiece& piece : contour)
+            for (const Vector2d& point : pointsOf(piece)) {
+                region.x.push_back(point.x());
+                region.y.push_back(sign * point.y());
+            }
+        plot.regions.push_back(std::move(region));
+    }
+}
+
 Curve binsOf(const Recognition& result)
 {
     Curve bins{LT_TEXT("Engine", "data"), {}, {}, Curve::Style::Points};
@@ -167,11 +201,13 @@ void addRows(report::Plot& plot, const Recognition& result)
                                  Strokes(kindName(RowKind::Arc), colourOf(RowKind::Arc))};
     Strokes faces({}, report::ColourRole::Neutral), bores(LT_TEXT("Engine", "bore"), 3);
     const std::vector<RecognizedRow>& rows = result.segments;
+    const bool hollow = !result.bores.empty() && result.gaps.empty() && !rows.empty();
+    if (hollow) fillHollow(plot, result);
     for (const double sign : {1.0, -1.0}) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::vector<Vector2d> contour = contourOf(rows[i]);
             kinds[static_cast<std::size_t>(rows[i].kind)].add(contour, sign);
-            if (sign > 0) fill(plot, contour, report::ColourRole::Original);
+            if (sign > 0 && !hollow) fill(plot, contour, report::ColourRole::Original);
             const bool goes_on = i + 1 < rows.size() && rows[i + 1].z_start_mm - rows[i].z_end_mm < kMeets_mm;
             if (goes_on) faces.add({contour.back(), contourOf(rows[i + 1]).front()}, sign);
         }
@@ -206,10 +242,9 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
         if (feature.designation.empty() || plot.marks.size() >= 2 * kMostNamed || feature.rows.empty()) continue;
         const auto row = static_cast<std::size_t>(feature.rows.front() - 1);
         if (row >= result.segments.size()) continue;
-        plot.marks.push_back(
-            {(feature.z_start_mm + feature.z_end_mm) / 2,
-             -std::max(result.segments[row].start_diameter_mm, result.segments[row].end_diameter_mm) / 2,
-             feature.designation});
+        const RecognizedRow& first = result.segments[row];
+        plot.marks.push_back({(feature.z_start_mm + feature.z_end_mm) / 2,
+                              -(first.start_diameter_mm + first.end_diameter_mm) / 4, feature.designation});
     }
 }
 
@@ -229,13 +264,21 @@ void addStretches(report::Plot& plot, const Recognition& result)
                                                {gap.z_start_mm, gap.z_end_mm}, report::ColourRole::Limit));
         named = true;
     }
-    std::vector<std::string> seen;
-    for (const ShaftMark& mark : result.marks) {
-        if (!mark.z_start_mm || !mark.z_end_mm) continue;
-        const bool again = std::find(seen.begin(), seen.end(), mark.kind) != seen.end();
-        seen.push_back(mark.kind);
-        plot.regions.push_back(report::stretch(again ? report::Caption() : captionOf(roleName(mark.kind)),
-                                               {*mark.z_start_mm, *mark.z_end_mm}, report::ColourRole::Mark));
+    std::map<std::string, std::vector<Interval>> kinds;  // stretches of one kind that overlap are one
+    for (const ShaftMark& mark : result.marks)
+        if (mark.z_start_mm && mark.z_end_mm) kinds[mark.kind].push_back({*mark.z_start_mm, *mark.z_end_mm});
+    for (auto& [kind, stretches] : kinds) {
+        std::sort(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+        std::vector<Interval> whole;
+        for (const Interval& one : stretches) {
+            if (!whole.empty() && one.from <= whole.back().to)
+                whole.back().to = std::max(whole.back().to, one.to);
+            else
+                whole.push_back(one);
+        }
+        for (std::size_t i = 0; i < whole.size(); ++i)
+            plot.regions.push_back(report::stretch(i == 0 ? captionOf(roleName(kind)) : report::Caption(), whole[i],
+                                                   report::ColourRole::Mark));
     }
 }
 
@@ -246,21 +289,13 @@ std::vector<Vector2d> contourOf(const RecognizedRow& row, bool bore)
     ContourPiece piece;
     piece.from_mm = {row.z_start_mm, row.start_diameter_mm / 2};
     piece.to_mm = {row.z_end_mm, row.end_diameter_mm / 2};
-    std::vector<Vector2d> points{piece.from_mm};
     const double chord_mm = (piece.to_mm - piece.from_mm).norm();
     if (row.arc_radius_mm && chord_mm > 0 && 2 * std::abs(*row.arc_radius_mm) > chord_mm) {
         // Of a bore, > 0 bulges into the hole: to the right of its way along z.
         const bool along = row.z_end_mm >= row.z_start_mm;
         piece.arc_radius_mm = bore && along ? -*row.arc_radius_mm : *row.arc_radius_mm;
-        const Vector2d centre = piece.centre_mm();
-        const auto [from, to] = piece.arcAngles();
-        for (int i = 1; i < kPiecesOfArc; ++i) {
-            const double angle = from + (to - from) * i / kPiecesOfArc;
-            points.push_back(centre + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle)));
-        }
     }
-    points.push_back(piece.to_mm);
-    return points;
+    return pointsOf(piece);
 }
 
 report::Plot meridianPlot(const Recognition& result, const Language& language)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "engine/core/texts.h"
 #include "engine/features/recognition_plots.h"
@@ -277,6 +278,30 @@ report::Table stepsTable(const std::vector<PaperStep>& steps)
     return table;
 }
 
+namespace {
+
+/// Some columns of a table, for the width of a sheet; no value is parted from its uncertainty.
+report::Table columnsOf(const report::Table& table, report::Caption title, std::initializer_list<std::size_t> columns)
+{
+    static const std::regex before(" ± ");
+    report::Table part;
+    part.title = std::move(title);
+    for (const std::size_t column : columns) {
+        part.columns.push_back(table.columns[column]);
+        part.decimals.push_back(table.decimalsOf(column));
+    }
+    for (const std::vector<Value>& row : table.rows) {
+        std::vector<Value>& cells = part.rows.emplace_back();
+        for (const std::size_t column : columns) {
+            const auto* words = std::get_if<std::string>(&row[column]);
+            cells.push_back(words ? Value(std::regex_replace(*words, before, "\u00a0±\u00a0")) : row[column]);
+        }
+    }
+    return part;
+}
+
+}  // namespace
+
 report::Section recognitionSummary(const Recognition& result, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result), rowsTable(result, language)}};
@@ -295,6 +320,11 @@ report::Document recognitionReport(const Recognition& result, const std::vector<
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections.push_back(recognitionSummary(result, language));
+    std::vector<report::Block>& blocks = document.sections.back().blocks;
+    const auto rows = std::get<report::Table>(blocks[1]);
+    blocks[1] = columnsOf(rows, rows.title, {0, 1, 2, 4, 5, 6});
+    blocks.insert(blocks.begin() + 2,
+                  columnsOf(rows, LT_TEXT("Engine", "Nominal sizes and fit of the rows"), {0, nominalColumn, 7, 8}));
     document.sections.push_back(
         {LT_TEXT("Engine", "Meridian"), {meridianPlot(result, language), residualPlot(result)}});
     report::Section fit{

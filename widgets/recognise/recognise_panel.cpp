@@ -88,22 +88,24 @@ RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
       last_(std::make_shared<LastRecognition>())
 {
     setViews(views_, views_->heroes());
-    connect(views_->rows(), &RowsView::sizeAccepted, this, &RecognisePanel::toggle);
+    connect(views_->rows(), &RowsView::sizesAccepted, this, &RecognisePanel::toggle);
     connect(views_->rows(), &RowsView::allAccepted, this, &RecognisePanel::acceptAll);
     connect(views_, &RecogniseViews::shaftWanted, this, &RecognisePanel::keepShaft);
     connect(views_, &RecogniseViews::notWritten, this, &RecognisePanel::sayNotWritten);
 }
 
-/// Accepts a size, or takes that back.
-void RecognisePanel::toggle(const features::AcceptedSize& size)
+/// Accepts the sizes of a suggestion, or takes that back.
+void RecognisePanel::toggle(const std::vector<features::AcceptedSize>& sizes)
 {
     const auto picture = result();
-    if (!picture) return;
+    if (!picture || sizes.empty()) return;
     std::vector<features::AcceptedSize> accepted = picture->accepted;
-    const bool again = std::erase(accepted, size) > 0;
-    if (!again) accepted.push_back(size);
+    std::size_t taken_back = 0;
+    for (const features::AcceptedSize& size : sizes) taken_back += std::erase(accepted, size);
+    if (taken_back == 0) accepted.insert(accepted.end(), sizes.begin(), sizes.end());
+    const std::int64_t row = sizes.front().row;
     editState(
-        again ? tr("Take back the size of row %1").arg(size.row) : tr("Accept the size of row %1").arg(size.row),
+        taken_back > 0 ? tr("Take back the size of row %1").arg(row) : tr("Accept the size of row %1").arg(row),
         [&](project::PanelState& state) { lathelier::set(state.parameters, acceptedKey, features::textOf(accepted)); });
 }
 

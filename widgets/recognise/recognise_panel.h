@@ -32,7 +32,7 @@ protected:
     void retranslate() override;
 
 private:
-    void toggle(const features::AcceptedSize& size);
+    void toggle(const std::vector<features::AcceptedSize>& sizes);
     void acceptAll();
     void keepShaft();
 

@@ -64,6 +64,18 @@ bool RowsView::isAccepted(const features::AcceptedSize& size) const
     return std::find(accepted.begin(), accepted.end(), size) != accepted.end();
 }
 
+/// What is accepted with a suggestion: all sizes of a row that one standard gives.
+std::vector<features::AcceptedSize> RowsView::together(int row, const features::Suggestion& suggestion) const
+{
+    std::vector<features::AcceptedSize> sizes;
+    for (const features::Suggestion& other : picture_->result->segments[static_cast<std::size_t>(row)].suggestions)
+        if (other.quantity == suggestion.quantity ||
+            (!suggestion.designation.empty() && other.designation == suggestion.designation))
+            sizes.push_back({row + 1, other.quantity});
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
+}
+
 /// One button for each suggestion: pressed when it is accepted.
 void RowsView::addChips(int row, int column)
 {
@@ -72,24 +84,30 @@ void RowsView::addChips(int row, int column)
     auto* chips = new QWidget;
     auto* layout = new QHBoxLayout(chips);
     layout->setContentsMargins(2, 0, 2, 0);
-    std::vector<std::string> offered;
+    std::vector<features::AcceptedSize> offered;
     for (const features::Suggestion& suggestion : measured.suggestions) {
         // Of several tapers that are as near the first is the one that is put in place.
-        if (std::find(offered.begin(), offered.end(), suggestion.quantity) != offered.end()) continue;
-        offered.push_back(suggestion.quantity);
         const features::AcceptedSize size{row + 1, suggestion.quantity};
+        if (std::find(offered.begin(), offered.end(), size) != offered.end()) continue;
+        const std::vector<features::AcceptedSize> sizes = together(row, suggestion);
+        offered.insert(offered.end(), sizes.begin(), sizes.end());
         auto* chip = new QToolButton;
-        chip->setText(QString::fromStdString(suggestionText(suggestion, screenLanguage())));
+        const QString said = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
+        chip->setText(said.left(said.indexOf(" (")));
         chip->setCheckable(true);
         chip->setChecked(isAccepted(size));
         chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest);
         chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
-                             .arg(chip->text(), screenNumber(suggestion.chance_percent, 0)));
-        connect(chip, &QToolButton::clicked, this, [this, size] { emit sizeAccepted(size); });
+                             .arg(said, screenNumber(suggestion.chance_percent, 0)));
+        chip->setAccessibleName(said);
+        connect(chip, &QToolButton::clicked, this, [this, sizes] { emit sizesAccepted(sizes); });
         layout->addWidget(chip);
     }
     layout->addStretch();
+    table_->item(row, column)->setForeground(Qt::transparent);  // is there to be copied
     table_->setCellWidget(row, column, chips);
+    for (QToolButton* chip : chips->findChildren<QToolButton*>()) chip->ensurePolished();
+    layout->invalidate();
     table_->setColumnWidth(column, std::max(table_->columnWidth(column), chips->sizeHint().width()));
     table_->setRowHeight(row, std::max(table_->rowHeight(row), chips->sizeHint().height()));
 }
@@ -99,7 +117,7 @@ void RowsView::acceptFirst(int row)
     if (!picture_ || row < 0 || row >= static_cast<int>(picture_->result->segments.size())) return;
     if (picture_->result->parameters.snap != features::Snap::Suggest) return;
     const auto& suggestions = picture_->result->segments[static_cast<std::size_t>(row)].suggestions;
-    if (!suggestions.empty()) emit sizeAccepted({row + 1, suggestions.front().quantity});
+    if (!suggestions.empty()) emit sizesAccepted(together(row, suggestions.front()));
 }
 
 void RowsView::markRow(std::optional<std::size_t> row)

@@ -22,13 +22,15 @@ public:
 
 signals:
     void rowPointedAt(int row);  ///< of the outside, from 0; -1: none, or a row of a bore
-    void sizeAccepted(const lathelier::features::AcceptedSize& size);
+    /// Those of one suggestion: a standard's sizes go together.
+    void sizesAccepted(const std::vector<lathelier::features::AcceptedSize>& sizes);
     void allAccepted();
 
 private:
     void show();
     void addChips(int row, int column);
     void acceptFirst(int row);
+    std::vector<features::AcceptedSize> together(int row, const features::Suggestion& suggestion) const;
     bool isAccepted(const features::AcceptedSize& size) const;
 
     std::shared_ptr<const RecognisePicture> picture_;

@@ -39,7 +39,7 @@ Answers byVicinity(const std::vector<Vector3d>& reference, const std::vector<Vec
                    const Progress& progress)
 {
     constexpr double nearby = 2.5, patch = 40;  // in spacings of the points
-    constexpr double further = 4;              // times as far, those without an answer
+    constexpr double further = 4;               // times as far, those without an answer
     const double spacing_mm = roughSpacing_mm(reference, progress);
     if (!(spacing_mm > 0)) return byIndex(reference, queries, max_distance_mm, progress);
     Answers answers;

@@ -2,6 +2,7 @@
 // kept for other panels, files written.
 #include <QFile>
 #include <QLocale>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -9,6 +10,7 @@
 #include <QUndoStack>
 
 #include "engine/core/shaft_item.h"
+#include "engine/features/recognition_report.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/sample/sample.h"
 #include "tests/widgets/core/drop_files.h"
@@ -136,19 +138,54 @@ private slots:
     void sizesAreAccepted()
     {
         const auto before = panel_->result();
-        emit panel_->views().rows()->sizeAccepted({1, "diameter_mm"});
+        const auto chip = [this] {
+            const QWidget* cell = child<QTableWidget>("rows")->cellWidget(0, features::nominalColumn);
+            return cell ? cell->findChild<QToolButton*>() : nullptr;
+        };
+        QVERIFY(chip() && !chip()->isChecked());
+        QCOMPARE(chip()->text(), QString("⌀ 30"));
+        chip()->click();
         settle();
         QVERIFY(panel_->result()->result == before->result);  // nothing is recognised again
-        QCOMPARE(panel_->result()->accepted.size(), std::size_t{1});
-        emit panel_->views().rows()->sizeAccepted({1, "diameter_mm"});
+        QVERIFY(chip()->isChecked());
+        const ShaftSegment& first = panel_->result()->shaft.segments.front();
+        QCOMPARE(first.start_diameter_mm, 30.0);
+        QCOMPARE(*first.measured->start_diameter_mm, recognised().segments.front().start_diameter_mm);
+        chip()->click();
         settle();
-        QVERIFY(panel_->result()->accepted.empty());
-        emit panel_->views().rows()->allAccepted();
+        QVERIFY(panel_->result()->accepted.empty() && panel_->result()->shaft == before->shaft);
+
+        child<QTableWidget>("rows")->setCurrentCell(1, 0);
+        child<QPushButton>("acceptSize")->click();
+        settle();
+        QCOMPARE(panel_->result()->accepted, (std::vector<features::AcceptedSize>{{2, "diameter_mm"}}));
+    }
+
+    void allSizesAreAcceptedAtOnce()
+    {
+        child<QPushButton>("acceptAll")->click();
         settle();
         QVERIFY(recognised().parameters.snap == features::Snap::Apply);
+        QVERIFY(!child<QPushButton>("acceptAll")->isEnabled());
+        const std::vector<features::PaperStep>& steps = panel_->result()->steps;  // the published table, to its digits
+        QCOMPARE(steps.size(), std::size_t{3});
+        QCOMPARE(steps[0].radius_mm, 15.0);
+        QCOMPARE(steps[1].radius_mm, 18.5);
+        QVERIFY(std::abs(steps[2].radius_mm - 16.9) < 1e-9 && std::abs(steps[2].chamfer_end_mm - 5) < 1e-9);
+        QVERIFY(std::abs(steps[2].z_end_mm - 183) < 1e-9);
         session_->undoStack().undo();
         settle();
         QVERIFY(recognised().parameters.snap == features::Snap::Suggest);
+    }
+
+    void thePublishedMethodShowsItsOwnSteps()
+    {
+        set("method", std::string("paper"));
+        settle();
+        QCOMPARE(recognised().method_used, std::string("paper"));
+        QVERIFY(!panel_->result()->steps.empty());
+        QCOMPARE(child<QTableWidget>("steps")->rowCount(), static_cast<int>(panel_->result()->steps.size()));
+        QCOMPARE(recognised().segments.size(), std::size_t{4});  // beside the rows of the robust one
     }
 
     void theShaftIsKeptForOtherPanels()

@@ -90,19 +90,21 @@ std::vector<const ComparedRow*> notWithin(const std::vector<ComparedRow>& rows)
     return found;
 }
 
-/// The verdict of both where it is not the surface's, and the sizes that make it.
+/// The verdict of both where it is not the surface's, and the sizes that are not within.
 void addSizes(const ShaftComparison& result, report::Section& summary)
 {
     constexpr std::size_t most_findings = 3;
     const std::optional<Verdict> sizes = worstVerdict(result.rows);
     if (!sizes || summary.blocks.empty()) return;
     auto* const answer = std::get_if<report::Answer>(&summary.blocks.front());
-    if (!answer || result.verdict == result.surface.verdict) return;
-    answer->verdict = result.verdict;
-    switch (*sizes) {
-        case Verdict::Pass: answer->verdict_words = LT_TEXT("Engine", "✓ sizes within tolerance"); break;
-        case Verdict::Fail: answer->verdict_words = LT_TEXT("Engine", "✗ sizes out of tolerance"); break;
-        case Verdict::Undecided: answer->verdict_words = LT_TEXT("Engine", "? sizes not decided"); break;
+    if (!answer) return;
+    if (result.verdict != result.surface.verdict) {
+        answer->verdict = result.verdict;
+        switch (*sizes) {
+            case Verdict::Pass: answer->verdict_words = LT_TEXT("Engine", "✓ sizes within tolerance"); break;
+            case Verdict::Fail: answer->verdict_words = LT_TEXT("Engine", "✗ sizes out of tolerance"); break;
+            case Verdict::Undecided: answer->verdict_words = LT_TEXT("Engine", "? sizes not decided"); break;
+        }
     }
     std::vector<report::Finding> findings;
     for (const ComparedRow* row : notWithin(result.rows)) findings.push_back(findingOf(*row));

@@ -362,13 +362,23 @@ std::optional<Verdict> worstVerdict(const std::vector<ComparedRow>& rows)
     return worst;
 }
 
+Text quantityName(const ComparedRow& row)
+{
+    if (row.quantity == "diameter") return LT_TEXT("Engine", "diameter");
+    if (row.quantity == "start_diameter") return LT_TEXT("Engine", "diameter at the start");
+    if (row.quantity == "end_diameter") return LT_TEXT("Engine", "diameter at the end");
+    if (row.quantity == "length") return LT_TEXT("Engine", "length");
+    return LT_TEXT("Engine", "radius");
+}
+
 const std::vector<QuantityOf<ComparedRow>>& quantitiesOf(const ComparedRow*)
 {
     using C = ComparedRow;
     static const std::vector<QuantityOf<C>> all{
         quantity<C>("row", &C::row, {LT_TEXT("Engine", "Row")}),
         quantity<C>("bore", &C::bore, {LT_TEXT("Engine", "Bore")}),
-        quantity<C>("quantity", &C::quantity, {LT_TEXT("Engine", "Quantity")}),
+        quantity<C>("quantity", &C::quantity),
+        quantity<C>("named", quantityName, {LT_TEXT("Engine", "Quantity"), {}, 0, false}),
         quantity<C>("nominal_mm", &C::nominal_mm, {LT_TEXT("Engine", "Nominal"), mm, 3}),
         quantity<C>("measured_mm", &C::measured_mm, {LT_TEXT("Engine", "Measured"), mm, 4}),
         quantity<C>("smallest_mm", &C::smallest_mm, {LT_TEXT("Engine", "Smallest"), mm, 4}),

@@ -46,6 +46,9 @@ std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& me
 /// The worst verdict of the rows; none: nothing has a limit.
 std::optional<Verdict> worstVerdict(const std::vector<ComparedRow>& rows);
 
+/// The quantity for people: "diameter at the start".
+Text quantityName(const ComparedRow& row);
+
 const std::vector<QuantityOf<ComparedRow>>& quantitiesOf(const ComparedRow*);
 
 }  // namespace lathelier::features

@@ -1,6 +1,7 @@
 #include "engine/features/shaft_comparison.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <variant>
@@ -46,10 +47,70 @@ Value nameOf(const std::optional<Verdict>& verdict)
     return verdict ? Value(name(*verdict)) : Value();
 }
 
-void setVerdict(const ShaftComparison& result, report::Section& summary)
+report::Finding findingOf(const ComparedRow& row)
 {
-    for (report::Block& block : summary.blocks)
-        if (auto* const answer = std::get_if<report::Answer>(&block)) answer->verdict = result.verdict;
+    report::Finding said;
+    said.verdict = row.verdict;
+    said.values = {{"row", row.row}, {"quantity", quantityName(row)}};
+    if (row.bore) said.values.emplace_back("bore", *row.bore);
+    if (!row.deviation_mm) {
+        said.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity}: not measured")
+                                : LT_TEXT("Engine", "Row {row}, {quantity}: not measured");
+        return said;
+    }
+    said.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity} {deviation_mm:+3} mm")
+                            : LT_TEXT("Engine", "Row {row}, {quantity} {deviation_mm:+3} mm");
+    said.values.emplace_back("deviation_mm", *row.deviation_mm);
+    return said;
+}
+
+/// How far a size is beyond its limits.
+double excess_mm(const ComparedRow& row)
+{
+    double excess = -std::numeric_limits<double>::infinity();
+    for (const auto& size : {row.measured_mm, row.smallest_mm, row.largest_mm}) {
+        if (!size) continue;
+        if (row.upper_mm) excess = std::max(excess, *size - row.nominal_mm - *row.upper_mm);
+        if (row.lower_mm) excess = std::max(excess, *row.lower_mm - (*size - row.nominal_mm));
+    }
+    return excess;
+}
+
+/// The sizes that are out, the worst first, then those that are not decided.
+std::vector<const ComparedRow*> notWithin(const std::vector<ComparedRow>& rows)
+{
+    std::vector<const ComparedRow*> found;
+    for (const Verdict verdict : {Verdict::Fail, Verdict::Undecided}) {
+        const std::size_t before = found.size();
+        for (const ComparedRow& row : rows)
+            if (row.verdict == verdict) found.push_back(&row);
+        std::stable_sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(),
+                         [](const ComparedRow* a, const ComparedRow* b) { return excess_mm(*a) > excess_mm(*b); });
+    }
+    return found;
+}
+
+/// The verdict of both where it is not the surface's, and the sizes that are not within.
+void addSizes(const ShaftComparison& result, report::Section& summary)
+{
+    constexpr std::size_t most_findings = 3;
+    const std::optional<Verdict> sizes = worstVerdict(result.rows);
+    if (!sizes || summary.blocks.empty()) return;
+    auto* const answer = std::get_if<report::Answer>(&summary.blocks.front());
+    if (!answer) return;
+    if (result.verdict != result.surface.verdict) {
+        answer->verdict = result.verdict;
+        switch (*sizes) {
+            case Verdict::Pass: answer->verdict_words = LT_TEXT("Engine", "✓ sizes within tolerance"); break;
+            case Verdict::Fail: answer->verdict_words = LT_TEXT("Engine", "✗ sizes out of tolerance"); break;
+            case Verdict::Undecided: answer->verdict_words = LT_TEXT("Engine", "? sizes not decided"); break;
+        }
+    }
+    std::vector<report::Finding> findings;
+    for (const ComparedRow* row : notWithin(result.rows)) findings.push_back(findingOf(*row));
+    findings.insert(findings.end(), answer->findings.begin(), answer->findings.end());
+    if (findings.size() > most_findings) findings.resize(most_findings);
+    answer->findings = std::move(findings);
 }
 
 }  // namespace
@@ -88,7 +149,7 @@ report::Section sizesSection(const ShaftComparison& result)
     verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), nameOf(result.surface.verdict), {}});
     verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), nameOf(worstVerdict(result.rows)), {}});
     verdicts.rows.push_back({LT_TEXT("Engine", "Together"), nameOf(result.verdict), {}});
-    std::vector<const char*> keys{"row", "quantity", "nominal_mm", "measured_mm", "deviation_mm", "uncertainty_mm"};
+    std::vector<const char*> keys{"row", "named", "nominal_mm", "measured_mm", "deviation_mm", "uncertainty_mm"};
     const auto& rows = result.rows;
     if (std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) { return row.bore.has_value(); }))
         keys.insert(keys.begin() + 1, "bore");
@@ -102,7 +163,7 @@ report::Section sizesSection(const ShaftComparison& result)
 report::Section surfaceSummary(const ShaftComparison& result)
 {
     report::Section summary = compareSummary(result.surface);
-    setVerdict(result, summary);
+    addSizes(result, summary);
     return summary;
 }
 
@@ -110,7 +171,7 @@ report::Document shaftReport(const ShaftComparison& result, const std::vector<In
 {
     report::Document document = compareReport(result.surface, inputs);
     document.title = LT_TEXT("Engine", "Comparison of a part with its drawing");
-    if (!document.sections.empty()) setVerdict(result, document.sections.front());
+    if (!document.sections.empty()) addSizes(result, document.sections.front());
     document.sections.insert(document.sections.begin() + (document.sections.empty() ? 0 : 1), sizesSection(result));
     return document;
 }

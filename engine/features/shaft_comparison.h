@@ -31,7 +31,7 @@ Json toJson(const ShaftComparison& result);
 /// The verdict of surface and sizes, and the sizes as a table.
 report::Section sizesSection(const ShaftComparison& result);
 
-/// The summary of the comparison of two scans, whose answer has the verdict of both.
+/// The summary of the comparison of two scans; its answer has the verdict of both, and the sizes that are not within.
 report::Section surfaceSummary(const ShaftComparison& result);
 
 /// The report of the comparison of two scans with the sizes behind its first section.

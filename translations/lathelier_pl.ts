@@ -10619,6 +10619,50 @@
         <source>Comparison of a part with its drawing</source>
         <translation>Porównanie części z jej rysunkiem</translation>
     </message>
+    <message>
+        <source>diameter at the start</source>
+        <translation>średnica na początku</translation>
+    </message>
+    <message>
+        <source>diameter at the end</source>
+        <translation>średnica na końcu</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>długość</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>promień</translation>
+    </message>
+    <message>
+        <source>Bore {bore}, row {row}, {quantity}: not measured</source>
+        <translation>Otwór {bore}, wiersz {row}, {quantity}: nie zmierzono</translation>
+    </message>
+    <message>
+        <source>Row {row}, {quantity}: not measured</source>
+        <translation>Wiersz {row}, {quantity}: nie zmierzono</translation>
+    </message>
+    <message>
+        <source>Bore {bore}, row {row}, {quantity} {deviation_mm:+3} mm</source>
+        <translation>Otwór {bore}, wiersz {row}, {quantity} {deviation_mm:+3} mm</translation>
+    </message>
+    <message>
+        <source>Row {row}, {quantity} {deviation_mm:+3} mm</source>
+        <translation>Wiersz {row}, {quantity} {deviation_mm:+3} mm</translation>
+    </message>
+    <message>
+        <source>✓ sizes within tolerance</source>
+        <translation>✓ wymiary w tolerancji</translation>
+    </message>
+    <message>
+        <source>✗ sizes out of tolerance</source>
+        <translation>✗ wymiary poza tolerancją</translation>
+    </message>
+    <message>
+        <source>? sizes not decided</source>
+        <translation>? wymiary nierozstrzygnięte</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::AnswerStrip</name>

@@ -1,0 +1,67 @@
+// Curves over the axis made of lines and arcs, x = f(u): upper envelopes, and the distance of points from them.
+// u in mm from the free end toward the chuck, x the radius in mm; in a curve vertical pieces join what jumps.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lathelier::cam {
+
+/// What of the part a piece of a curve goes back to.
+enum class Touch : std::uint8_t {
+    Element,  ///< a line or an arc of the contour, which the nose touches all along
+    Vertex,   ///< a corner of the contour, around which the nose rolls
+    BackRay,  ///< the back edge lies against a place before
+    LeadRay,  ///< the main edge lies against a place behind
+    Bridge,   ///< the floor of a blade lies on a summit
+    Join      ///< a vertical move between what jumps
+};
+
+/// A line, or an arc that is a function of u, from smaller to larger u (a Join stays at one u).
+struct CurvePiece {
+    Eigen::Vector2d from = Eigen::Vector2d::Zero();    ///< where it begins (u, x)
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();      ///< where it ends
+    double radius_mm = 0;                              ///< 0: a line; > 0 the upper, < 0 the lower half of its circle
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle
+    Touch touch = Touch::Element;                      ///< what it goes back to
+    std::int32_t source = -1;                          ///< piece of the contour, or the corner before that piece
+
+    bool isArc() const { return radius_mm != 0; }
+    double at(double u_mm) const;  ///< its height
+    double length_mm() const;
+    /// A point at this share of the way, by angle on arcs.
+    Eigen::Vector2d point(double share) const;
+    double distanceTo(const Eigen::Vector2d& point) const;
+};
+
+using Curve = std::vector<CurvePiece>;
+
+/// The highest of all pieces at each u, merged and joined. Breaks are ends and crossings (closed forms); those nearer
+/// than 1e-9 mm are one. Where no piece reaches there is none, so all shall overlap. O(n log n + crossings).
+Curve upperEnvelope(Curve pieces);
+
+/// Height of a curve; at a jump the higher side. Outside, that of its end. Precondition: not empty.
+double heightAt(const Curve& curve, double u_mm);
+
+/// The part within [from, to], joints at its ends included.
+Curve clipped(const Curve& curve, double from_mm, double to_mm);
+Curve shifted(Curve curve, const Eigen::Vector2d& by);
+/// u becomes length - u.
+Curve mirrored(const Curve& curve, double length_mm);
+
+/// Shortest distance of a point from the curve. `guess_mm`: nothing farther is looked for; larger where there is none.
+double distanceTo(const Curve& curve, const Eigen::Vector2d& point, double guess_mm);
+
+/// Where f(u) < level: maximal intervals within the curve, ascending. Jumps count with both sides.
+struct Stretch {
+    double from_mm = 0, to_mm = 0;  ///< in u
+};
+std::vector<Stretch> stretchesBelow(const Curve& curve, double level_mm);
+
+/// Smallest and largest height.
+double lowestOf(const Curve& curve);
+double highestOf(std::span<const CurvePiece> curve);
+
+}  // namespace lathelier::cam

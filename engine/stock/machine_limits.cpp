@@ -19,18 +19,28 @@ ConvexPolygon regionOf(const ChuckBody& chuck, double stock_length_mm)
     return {{face_mm, -radius_mm}, {endless_mm, -radius_mm}, {endless_mm, radius_mm}, {face_mm, radius_mm}};
 }
 
-ConvexPolygon regionOf(const TailstockBody& tailstock)
+std::vector<ConvexPolygon> regionsOf(const TailstockBody& tailstock)
 {
+    if (!tailstock.outline.empty()) {
+        std::vector<ConvexPolygon> regions;
+        for (std::size_t i = 1; i < tailstock.outline.size(); ++i) {
+            const Corner &a = tailstock.outline[i - 1], &b = tailstock.outline[i];
+            const double a_mm = std::abs(a.x_mm), b_mm = std::abs(b.x_mm);
+            if (a.z_mm != b.z_mm)
+                regions.push_back(hullOf({{a.z_mm, -a_mm}, {a.z_mm, a_mm}, {b.z_mm, -b_mm}, {b.z_mm, b_mm}}));
+        }
+        return regions;
+    }
     const double end_mm = tailstock.end_z_mm;
     const double hole_mm = tailstock.centre_hole_mm / 2;
     const double quill_mm = std::max(hole_mm, tailstock.quill_diameter_mm / 2);
     const double cone_mm = (quill_mm - hole_mm) / std::tan(tailstock.cone_angle_deg * std::numbers::pi / 360);
-    return hullOf({{end_mm, -hole_mm},
-                   {end_mm, hole_mm},
-                   {end_mm - cone_mm, quill_mm},
-                   {-endless_mm, quill_mm},
-                   {-endless_mm, -quill_mm},
-                   {end_mm - cone_mm, -quill_mm}});
+    return {hullOf({{end_mm, -hole_mm},
+                    {end_mm, hole_mm},
+                    {end_mm - cone_mm, quill_mm},
+                    {-endless_mm, quill_mm},
+                    {-endless_mm, -quill_mm},
+                    {end_mm - cone_mm, -quill_mm}})};
 }
 
 const std::vector<Field<ChuckBody>>& fieldsOf(const ChuckBody*)

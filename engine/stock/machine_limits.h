@@ -26,6 +26,8 @@ struct TailstockBody {
     double centre_hole_mm = 5;      ///< largest diameter of the centre hole: of the cone at the end of the work
     double cone_angle_deg = 60;     ///< included
     double quill_diameter_mm = 50;  ///< of the centre's body or the quill
+    /// Its own outline instead of cone and quill: everything between these corners and the axis. Empty: cone and quill.
+    std::vector<Corner> outline;
     friend bool operator==(const TailstockBody&, const TailstockBody&) = default;
 };
 
@@ -33,6 +35,7 @@ const std::vector<Field<ChuckBody>>& fieldsOf(const ChuckBody*);
 const std::vector<Field<TailstockBody>>& fieldsOf(const TailstockBody*);
 
 ConvexPolygon regionOf(const ChuckBody& chuck, double stock_length_mm);
-ConvexPolygon regionOf(const TailstockBody& tailstock);
+/// A stated outline is cut into trapezoids.
+std::vector<ConvexPolygon> regionsOf(const TailstockBody& tailstock);
 
 }  // namespace lathelier::stock

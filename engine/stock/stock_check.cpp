@@ -35,7 +35,9 @@ public:
     {
         if (parameters.chuck)
             regions_.push_back({FindingKind::Chuck, regionOf(*parameters.chuck, stock_.length_mm()), true});
-        if (parameters.tailstock) regions_.push_back({FindingKind::Tailstock, regionOf(*parameters.tailstock), false});
+        if (parameters.tailstock)
+            for (ConvexPolygon& region : regionsOf(*parameters.tailstock))
+                regions_.push_back({FindingKind::Tailstock, std::move(region), false});
     }
 
     void run(std::span<const gcode::Move> moves, const Progress& progress)

@@ -102,7 +102,8 @@ report::Plot stockPlot(const StockResult& result, const StockPlotParts& parts, c
     if (result.parameters.chuck)
         addRegion(plot, LT_TEXT("Engine", "chuck"), regionOf(*result.parameters.chuck, result.length_mm));
     if (result.parameters.tailstock)
-        addRegion(plot, LT_TEXT("Engine", "tailstock"), regionOf(*result.parameters.tailstock));
+        for (const ConvexPolygon& region : regionsOf(*result.parameters.tailstock))
+            addRegion(plot, LT_TEXT("Engine", "tailstock"), region);
     plot.curves.push_back(outlineCurve(std::string(), result.before));
     addPasses(plot, result, kept, language);
     if (parts.path)

@@ -32,6 +32,11 @@ bool JsonCursor::isObject() const
     return json_->is_object();
 }
 
+bool JsonCursor::isList() const
+{
+    return json_->is_array();
+}
+
 std::string JsonCursor::string() const
 {
     if (!json_->is_string()) reject(LT_TEXT("Engine", "a text"));

@@ -22,6 +22,7 @@ public:
 
     bool isNull() const;
     bool isObject() const;
+    bool isList() const;
     std::string string() const;  ///< Error malformed for what is no text; so with the others
     double number() const;
     std::int64_t integer() const;

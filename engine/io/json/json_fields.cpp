@@ -25,6 +25,18 @@ public:
         return std::move(values_);
     }
 
+    /// A row as a list: a value for each field, in their order.
+    Values readList(const JsonCursor& list)
+    {
+        std::size_t count = 0;
+        list.items(fields_.size(), [&](const JsonCursor& item) {
+            const FieldInfo& info = fields_[count++];
+            set(values_, info.key, valueOf(item, info));
+        });
+        if (count < fields_.size()) list.reject(LT_TEXT("Engine", "a longer list"));
+        return std::move(values_);
+    }
+
 private:
     bool isGroupThere(const FieldInfo& info) const
     {
@@ -101,7 +113,8 @@ private:
         }
         Rows rows;
         member.items(mostRows, [&](const JsonCursor& item) {
-            rows.rows.push_back({FieldReader(info.columns, notes_).read(item, {})});
+            FieldReader reader(info.columns, notes_);
+            rows.rows.push_back({item.isList() ? reader.readList(item) : reader.read(item, {})});
         });
         return rows;
     }

@@ -1,4 +1,5 @@
-// Parameter structs as JSON objects, by their description: groups are objects within objects, rows lists of objects.
+// Parameter structs as JSON objects, by their description: groups are objects within objects, rows lists of
+// objects. A row may be a list of its values, in the order of the columns ("holder": [[0, 20], [5, 20]]).
 #pragma once
 
 #include <string>

@@ -86,10 +86,14 @@ void forgetEmpty(Json& json)
 Shaft readShaft(const std::string& json, Notes& notes)
 {
     const JsonDocument document{json};
-    const JsonCursor root = document.root();
-    checkSchema(root);
+    return readShaft(document.root(), notes);
+}
+
+Shaft readShaft(const JsonCursor& object, Notes& notes)
+{
+    checkSchema(object);
     // Length and volume follow from the rows; files that state them for people are no mistakes.
-    return readFields<Shaft>(root, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
+    return readFields<Shaft>(object, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
 }
 
 Material readMaterial(const std::string& json, Notes& notes)

@@ -13,12 +13,16 @@
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/core/shaft.h"
+#include "engine/io/json/json_document.h"
 
 namespace lathelier::io {
 
 /// Errors with line and column: malformed (also a schema that is not this one), keyMissing, keyOutOfRange. Notes:
 /// unknownKey. What checkShaft() looks at is not looked at here.
 Shaft readShaft(const std::string& json, Notes& notes);
+
+/// The same of a shaft within another document.
+Shaft readShaft(const JsonCursor& object, Notes& notes);
 
 /// {"name"?, "elastic_modulus_MPa", "poisson_ratio", "density_kg_m3", "loss_factor"}; what is missing is that of steel.
 /// Errors and notes as above.

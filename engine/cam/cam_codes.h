@@ -1,0 +1,52 @@
+// What turning programs are refused for or remarked on: codes with their English patterns. {name} is replaced by the
+// named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+// The job.
+
+inline constexpr ErrorCode jobWithoutShaft{
+    "job_without_shaft", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The part is not stated: neither a shaft was given nor does the job hold one.")};
+
+inline constexpr ErrorCode stockSmallerThanPart{
+    "stock_smaller_than_part", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "The part does not fit into the stock at z = {z_mm} mm: {missing_mm} mm of {quantity} are missing.")};
+
+inline constexpr ErrorCode segmentImpossible{
+    "segment_impossible", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Segment {segment} of the part cannot be turned: {quantity} is {found}; expected {expected}.")};
+
+// Tools.
+
+inline constexpr ErrorCode toolNumberTwice{"tool_number_twice", ErrorKind::InputRejected,
+                                           LT_TEXT("Engine", "The number {tool} is that of two tools.")};
+
+inline constexpr ErrorCode toolIncomplete{"tool_incomplete", ErrorKind::InputRejected,
+                                          LT_TEXT("Engine", "Tool {tool} ({use}) does not state its {quantity}.")};
+
+inline constexpr ErrorCode toolMissing{"tool_missing", ErrorKind::InputRejected,
+                                       LT_TEXT("Engine", "The job has no tool for {use}.")};
+
+inline constexpr ErrorCode toolTooShort{
+    "tool_too_short", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Blade {tool} reaches {reach_mm} mm; parting off needs {needed_mm} mm.")};
+
+}  // namespace errors
+
+namespace notes {
+
+// The job.
+
+inline constexpr NoteCode speedNotLimited{"speed_not_limited", Severity::Info,
+                                          LT_TEXT("Engine", "The job states no highest speed of the spindle.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

@@ -1,0 +1,143 @@
+// JOB.json: what a part is turned from, on what, with which tools and data.
+// Units: mm, mm/rev, m/min, rpm, degrees. Every z from the free end of the finished part toward the chuck.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/fields.h"
+#include "engine/core/shaft.h"
+#include "engine/stock/turning_insert.h"
+
+namespace lathelier::cam {
+
+/// The bar.
+struct JobStock {
+    double diameter_mm = 0;           ///< of the bar
+    std::optional<double> length_mm;  ///< of the bar from its raw end; none: up to the chuck's face and into it
+    double face_allowance_mm = 0;     ///< the raw end stands so far before the finished one
+    friend bool operator==(const JobStock&, const JobStock&) = default;
+};
+
+/// A corner of what a tool must keep out of.
+struct KeepOutCorner {
+    double z_mm = 0;  ///< negative beyond the free end
+    double x_mm = 0;  ///< radius
+    friend bool operator==(const KeepOutCorner&, const KeepOutCorner&) = default;
+};
+
+/// The tailstock at the free end.
+struct JobTailstock {
+    double centre_hole_mm = 5;            ///< largest diameter of the centre hole
+    std::vector<KeepOutCorner> keep_out;  ///< its outline; everything between outline and axis. Empty: a 60° centre
+    friend bool operator==(const JobTailstock&, const JobTailstock&) = default;
+};
+
+/// How the work is held.
+struct JobSetup {
+    double chuck_face_z_mm = 0;             ///< of chuck or jaws
+    std::optional<double> jaw_diameter_mm;  ///< none: everything beyond the face is the chuck
+    std::optional<double> grip_length_mm;   ///< the least length to be held; none: not looked at
+    std::optional<JobTailstock> tailstock;  ///< none: free end
+    friend bool operator==(const JobSetup&, const JobSetup&) = default;
+};
+
+enum class ToolUse : std::uint8_t { Rough, Finish, FinishBack, Groove, PartOff, CentreDrill };
+
+/// "rough", "finish", "finish_back", "groove", "part_off", "centre_drill".
+const char* key(ToolUse use);
+Text nameOf(ToolUse use);
+
+enum class Hand : std::uint8_t { TowardChuck, FromChuck };
+
+inline constexpr double usualBackMargin_deg = 2;  ///< JobTool::back_margin_deg where it is not stated
+
+/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), or a centre drill.
+struct JobTool {
+    int number = 0;                                ///< T of the program
+    ToolUse use = ToolUse::Rough;                  ///< what it is for
+    std::string name;                              ///< of insert and holder, for people
+    std::optional<double> nose_radius_mm;          ///< r of an insert
+    std::optional<double> entering_angle_deg;      ///< κ of an insert, from the direction of its feed
+    std::optional<double> tip_angle_deg;           ///< ε of an insert; the point of a drill
+    std::optional<double> edge_length_mm;          ///< of an insert
+    double back_margin_deg = usualBackMargin_deg;  ///< what a plan keeps below the back angle
+    Hand hand = Hand::TowardChuck;                 ///< direction of its feed
+    std::optional<double> width_mm;                ///< of a blade; diameter of a drill
+    double corner_radius_mm = 0;                   ///< of both corners of a blade
+    std::optional<double> max_depth_mm;            ///< how deep a blade reaches, radially
+    std::optional<double> feed_mm_rev;             ///< none: that of the cutting data
+    std::vector<stock::HolderCorner> holder;       ///< its hull is the holder; empty: the insert alone
+    friend bool operator==(const JobTool&, const JobTool&) = default;
+
+    bool isDrill() const { return use == ToolUse::CentreDrill; }
+    bool isBlade() const { return width_mm.has_value() && !isDrill(); }
+    bool isProfile() const { return !isDrill() && !isBlade(); }  ///< an insert
+    double radius_mm() const;                                    ///< of the nose, or of the corners of a blade
+    double backAngle_deg() const;                                ///< κ' = 180° - κ - ε of an insert; 90 of a blade
+};
+
+/// Data of roughing.
+struct RoughCutting {
+    double depth_mm = 0;             ///< largest, radial
+    double feed_mm_rev = 0;          ///< per revolution
+    double cutting_speed_m_min = 0;  ///< v_c
+    double allowance_mm = 0.3;       ///< left for the finish, normal to the surface
+    friend bool operator==(const RoughCutting&, const RoughCutting&) = default;
+};
+
+/// Data of finishing.
+struct FinishCutting {
+    double feed_mm_rev = 0;          ///< per revolution
+    double cutting_speed_m_min = 0;  ///< v_c
+    friend bool operator==(const FinishCutting&, const FinishCutting&) = default;
+};
+
+struct JobCutting {
+    std::string material;  ///< of the work; empty: not stated
+    RoughCutting rough;    ///< of roughing, facing and grooves
+    FinishCutting finish;  ///< of the contour
+    friend bool operator==(const JobCutting&, const JobCutting&) = default;
+};
+
+/// Speed of the finish up to a place.
+struct SpeedSection {
+    double to_z_mm = 0;  ///< from the end of the section before, or the free end
+    double rpm = 0;      ///< of the spindle
+    friend bool operator==(const SpeedSection&, const SpeedSection&) = default;
+};
+
+struct Job {
+    std::string title;                   ///< of the program; may be empty
+    std::optional<Shaft> shaft;          ///< the part; none: stated elsewhere
+    JobStock stock;                      ///< the bar
+    JobSetup setup;                      ///< chuck and tailstock
+    std::vector<JobTool> tools;          ///< each number once
+    JobCutting cutting;                  ///< feeds, speeds, depths
+    std::optional<double> max_rpm;       ///< none: no limit is stated
+    std::vector<SpeedSection> sections;  ///< ascending; empty: speeds are not stated
+    bool part_off = false;               ///< the part is cut off at its end toward the chuck
+    double edge_break_mm = 0;            ///< chamfer of sharp edges; 0: they stay sharp
+    friend bool operator==(const Job&, const Job&) = default;
+
+    const JobTool* tool(int number) const;      ///< null: there is none
+    const JobTool* toolFor(ToolUse use) const;  ///< the first of this use; null: there is none
+    /// The blade that parts off: one for it, else one for grooves; null: there is none.
+    const JobTool* partingBlade() const;
+};
+
+const std::vector<Field<JobStock>>& fieldsOf(const JobStock*);
+const std::vector<Field<KeepOutCorner>>& fieldsOf(const KeepOutCorner*);
+const std::vector<Field<JobTailstock>>& fieldsOf(const JobTailstock*);
+const std::vector<Field<JobSetup>>& fieldsOf(const JobSetup*);
+const std::vector<Field<JobTool>>& fieldsOf(const JobTool*);
+const std::vector<Field<RoughCutting>>& fieldsOf(const RoughCutting*);
+const std::vector<Field<FinishCutting>>& fieldsOf(const FinishCutting*);
+const std::vector<Field<JobCutting>>& fieldsOf(const JobCutting*);
+const std::vector<Field<SpeedSection>>& fieldsOf(const SpeedSection*);
+/// All of it but the shaft, which is an item of its own.
+const std::vector<Field<Job>>& fieldsOf(const Job*);
+
+}  // namespace lathelier::cam

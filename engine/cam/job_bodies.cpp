@@ -1,0 +1,79 @@
+#include "engine/cam/job_bodies.h"
+
+#include <algorithm>
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double leastGrip_mm = 10;  ///< of a bar whose length is not stated
+
+}  // namespace
+
+double stockEnd_mm(const Job& job)
+{
+    if (job.stock.length_mm) return *job.stock.length_mm - job.stock.face_allowance_mm;
+    return job.setup.chuck_face_z_mm + std::max(leastGrip_mm, job.setup.grip_length_mm.value_or(0));
+}
+
+Shaft stockOf(const Job& job)
+{
+    Shaft bar;
+    bar.segments.push_back(
+        {stockEnd_mm(job) + job.stock.face_allowance_mm, job.stock.diameter_mm, job.stock.diameter_mm, 0, {}, ""});
+    return bar;
+}
+
+stock::TurningTool turningTool(const JobTool& tool, const Job& job)
+{
+    stock::TurningTool result;
+    result.number = tool.number;
+    result.name = tool.name;
+    result.holder = tool.holder;
+    result.tip = tool.hand == Hand::FromChuck && tool.isProfile() ? 4 : 3;
+    if (tool.isDrill()) {
+        result.shape = stock::ToolShape::Drill;
+        result.width_mm = tool.width_mm.value_or(job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : 5);
+        result.tip_angle_deg = tool.tip_angle_deg.value_or(60);
+        result.edge_length_mm = tool.edge_length_mm;
+    } else if (tool.isBlade()) {
+        result.shape = stock::ToolShape::Blade;
+        result.width_mm = tool.width_mm;
+        result.corner_radius_mm = tool.corner_radius_mm;
+        result.edge_length_mm = tool.max_depth_mm;
+    } else {
+        result.corner_radius_mm = tool.nose_radius_mm;
+        result.entering_angle_deg = tool.entering_angle_deg;
+        result.tip_angle_deg = tool.tip_angle_deg;
+        result.edge_length_mm = tool.edge_length_mm;
+    }
+    return result;
+}
+
+stock::StockParameters stockParameters(const Job& job)
+{
+    const double zero_mm = job.stock.face_allowance_mm;
+    stock::StockParameters parameters;
+    parameters.z_zero_mm = zero_mm;
+    for (const JobTool& tool : job.tools) parameters.tools.push_back(turningTool(tool, job));
+    parameters.chuck = stock::ChuckBody{job.setup.chuck_face_z_mm + zero_mm, job.setup.jaw_diameter_mm.value_or(0) / 2};
+    if (const auto& tailstock = job.setup.tailstock) {
+        stock::TailstockBody body;
+        body.end_z_mm = zero_mm;
+        body.centre_hole_mm = tailstock->centre_hole_mm;
+        for (const KeepOutCorner& corner : tailstock->keep_out)
+            body.outline.push_back({corner.z_mm + zero_mm, corner.x_mm});
+        parameters.tailstock = body;
+    }
+    return parameters;
+}
+
+Shaft mirrored(const Shaft& part)
+{
+    Shaft result = part;
+    std::reverse(result.segments.begin(), result.segments.end());
+    for (ShaftSegment& segment : result.segments) std::swap(segment.start_diameter_mm, segment.end_diameter_mm);
+    for (ShaftBore& bore : result.bores) bore.from = bore.from == ShaftEnd::Free ? ShaftEnd::Chuck : ShaftEnd::Free;
+    return result;
+}
+
+}  // namespace lathelier::cam

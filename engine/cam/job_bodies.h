@@ -1,0 +1,27 @@
+// A job as bodies of the meridian plane: bar, tools, chuck and tailstock for engine/stock, and the part turned round.
+//
+// The stock's own z counts from its raw end: z of the stock = z of the part + JobStock::face_allowance_mm.
+#pragma once
+
+#include "engine/cam/job.h"
+#include "engine/stock/stock_check.h"
+
+namespace lathelier::cam {
+
+/// z of the bar's end in the chuck, from the free end of the finished part.
+double stockEnd_mm(const Job& job);
+
+/// The bar, as the simulation of stock wants it.
+Shaft stockOf(const Job& job);
+
+/// A tool about its imaginary tip: an insert as Fanuc's tip 3 (from_chuck: 4), a blade about its corner toward the
+/// chuck, as deep as it reaches.
+stock::TurningTool turningTool(const JobTool& tool, const Job& job);
+
+/// Zero, tools, chuck and tailstock, for a program whose Z0 is the free end of the finished part.
+stock::StockParameters stockParameters(const Job& job);
+
+/// The part seen from its other end, for the second clamping: z becomes length - z.
+Shaft mirrored(const Shaft& part);
+
+}  // namespace lathelier::cam

@@ -1,0 +1,34 @@
+// JOB.json: the described fields of Job and the shaft within, with line and column for whatever does not fit.
+#pragma once
+
+#include <string>
+
+#include "engine/cam/job.h"
+#include "engine/core/error.h"
+#include "engine/io/file_kind.h"
+
+namespace lathelier::cam {
+
+/// Corners ("holder", "keep_out") may be lists of two numbers. Errors with line and column: malformed, keyMissing
+/// (stock.diameter_mm, setup.chuck_face_z_mm, tools, cutting.rough, cutting.finish), keyOutOfRange. Notes: unknownKey.
+/// What job_rules.h looks at is not looked at here.
+Job readJob(const std::string& json, Notes& notes);
+
+/// The text of a file that readJob() reads to the same bits.
+std::string jobText(const Job& job);
+
+/// A job with what was understood of its file.
+struct JobFile {
+    Job job;              ///< as read
+    io::FileFacts facts;  ///< as jobFiles() has them
+    Notes notes;          ///< of the reading, with the path
+};
+
+/// In any encoding. Errors of readJob() and fileEmpty, with the path.
+JobFile loadJob(const io::FileToRead& file);
+
+/// JOB.json. facts: format "job_json"; details "title", "tools" (count), "segments" (of its shaft, or null),
+/// "stock_diameter_mm".
+const io::FileKind& jobFiles();
+
+}  // namespace lathelier::cam

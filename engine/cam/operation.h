@@ -1,0 +1,75 @@
+// An operation of a plan: moves of the imaginary tip, exact, before any post rounds them.
+// Places are (z, x): z from the free end toward the chuck, x the radius, both in mm.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/cam/curve.h"
+#include "engine/cam/job.h"
+#include "engine/gcode/move.h"
+
+namespace lathelier::cam {
+
+enum class OperationKind : std::uint8_t { Face, CentreDrill, Rough, SemiFinish, Finish, FinishBack, Groove, PartOff };
+
+/// "face", "centre_drill", "rough", "semi_finish", "finish", "finish_back", "groove", "part_off".
+const char* key(OperationKind kind);
+Text nameOf(OperationKind kind);
+
+enum class CutKind : std::uint8_t { Rapid, Line, Arc };
+
+/// One move to a place.
+struct CutMove {
+    CutKind kind = CutKind::Rapid;                       ///< how
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();        ///< of the tip
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();    ///< of an arc of the tip
+    bool clockwise = false;                              ///< of an arc: G2, seen with Z to the right and X upward
+    double feed_mm_rev = 0;                              ///< of feed moves
+    std::optional<double> speed_rpm{};                   ///< from this move on, where it changes
+};
+
+struct Operation {
+    OperationKind kind = OperationKind::Rough;  ///< what for
+    int tool = 0;                               ///< number
+    double cutting_speed_m_min = 0;             ///< v_c that is selected
+    std::optional<double> speed_rpm;            ///< fixed speed at its start; none: constant cutting speed
+    std::string reason;                         ///< of a fixed speed, for the program's comment
+    std::vector<CutMove> moves;                 ///< the first is rapid, from the change point
+    bool stops_before = false;                  ///< the program stops first: the tailstock comes
+};
+
+/// From the centre of the nose (of a blade: of its corner toward the chuck) to the imaginary tip.
+Eigen::Vector2d tipOffset(const JobTool& tool);
+
+/// Builds the moves of an operation. Places are those of the tip; moves of no length are left out.
+class MoveList {
+public:
+    explicit MoveList(const Eigen::Vector2d& tip_offset) : offset_(tip_offset) {}
+
+    void rapid(const Eigen::Vector2d& tip);
+    void rapidX(double x_mm) { rapid({at_.x(), x_mm}); }
+    void rapidZ(double z_mm) { rapid({z_mm, at_.y()}); }
+    void line(const Eigen::Vector2d& tip, double feed_mm_rev);
+    /// Along a curve of the centre, from its start or, `backwards`, from its end; first in a line to that place.
+    void follow(const Curve& curve, double feed_mm_rev, bool backwards = false);
+
+    const Eigen::Vector2d& at() const { return at_; }
+    const Eigen::Vector2d& offset() const { return offset_; }
+    bool isEmpty() const { return moves_.empty(); }
+    std::vector<CutMove> taken() { return std::move(moves_); }
+    std::vector<CutMove>& moves() { return moves_; }
+
+private:
+    std::vector<CutMove> moves_;
+    Eigen::Vector2d offset_;
+    Eigen::Vector2d at_ = Eigen::Vector2d::Zero();
+};
+
+/// The path of an arc move as chords, its start left out.
+std::vector<Eigen::Vector2d> chordsOf(const Eigen::Vector2d& from, const CutMove& move, double chord_mm);
+
+}  // namespace lathelier::cam

@@ -1,0 +1,93 @@
+// What planning a turning program and its posts refuse or remark: codes with their English patterns. {name} is replaced
+// by the named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode noSetupPossible{
+    "no_setup_possible", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The part cannot be clamped so: {reason}; {missing_mm} mm are missing.")};
+
+inline constexpr ErrorCode programRefused{
+    "program_refused", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "The check of the written program found {findings} collisions and a gouge of {gouge_um} µm; no program was "
+            "written.")};
+
+inline constexpr ErrorCode postUnknown{
+    "post_unknown", ErrorKind::WrongUsage,
+    LT_TEXT("Engine", "There is no post “{found}”; expected a file or one of: {expected}.")};
+
+inline constexpr ErrorCode postCannot{"post_cannot", ErrorKind::NoAnswer,
+                                      LT_TEXT("Engine", "The post {post} cannot {what}.")};
+
+inline constexpr ErrorCode feedBeyondNose{
+    "tool_feed_beyond_nose", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "Tool {tool}: a feed of {feed_mm_rev} mm per revolution is more than its nose of {nose_radius_mm} mm "
+            "allows; expected at most {most_mm_rev}.")};
+
+inline constexpr ErrorCode workMaterialUnknown{
+    "work_material_unknown", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The material “{found}” is not in the library; expected one of: {expected}.")};
+
+}  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode speedLimitAssumed{
+    "speed_limit_assumed", Severity::Warning,
+    LT_TEXT("Engine", "The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit.")};
+
+inline constexpr NoteCode restCannot{
+    "rest_operation_refused", Severity::Info,
+    LT_TEXT("Engine", "Tool {tool} could reach the rest at z = {z_start_mm} … {z_end_mm} mm, but {reason}.")};
+
+inline constexpr NoteCode cuttingDataAssumed{
+    "cutting_data_assumed", Severity::Info,
+    LT_TEXT("Engine", "Assumed, from {source}: specific cutting force {k_c11_N_mm2} N/mm², exponent {m_c}.")};
+
+inline constexpr NoteCode materialForPowerMissing{
+    "material_for_power_missing", Severity::Info,
+    LT_TEXT("Engine", "The job states no material from the library, so no power is computed.")};
+
+inline constexpr NoteCode noStableSpeedHere{
+    "no_stable_speed", Severity::Warning,
+    LT_TEXT("Engine",
+            "No stable speed for z = {z_start_mm} … {z_end_mm} mm within the cutting speeds; {speed_rpm} 1/min is "
+            "kept. Stable there up to {relative_depth} times the least limiting depth.")};
+
+inline constexpr NoteCode secondClampingAssumed{
+    "second_clamping_assumed", Severity::Warning,
+    LT_TEXT("Engine",
+            "Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from "
+            "the new free end; {face_allowance_mm} mm are faced off there.")};
+
+inline constexpr NoteCode softJaws{
+    "soft_jaws", Severity::Info,
+    LT_TEXT("Engine", "The cylinder that is gripped in the second clamping carries a tolerance: use soft jaws.")};
+
+inline constexpr NoteCode twoClampingsNoBetter{
+    "two_clampings_no_better", Severity::Info,
+    LT_TEXT("Engine", "Two clampings were tried: they leave {left_mm} mm, one leaves {left_one_mm} mm.")};
+
+inline constexpr NoteCode finishCutsDeep{
+    "finish_cuts_deep", Severity::Warning,
+    LT_TEXT("Engine",
+            "The finishing tool {tool} reaches where roughing does not and cuts up to {depth_mm} mm there, near z = "
+            "{z_mm} mm.")};
+
+inline constexpr NoteCode threadNotPlanned{
+    "thread_not_planned", Severity::Warning,
+    LT_TEXT("Engine", "The thread {designation} is not cut: its body is turned to the drawn diameter.")};
+
+inline constexpr NoteCode boresNotPlanned{"bores_not_planned", Severity::Warning,
+                                          LT_TEXT("Engine", "Bores of the part are not in the program.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

@@ -1,0 +1,249 @@
+#include "engine/cam/rest_operations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lathelier::cam {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kOverlap_mm = 0.5;       // onto what is finished, on both sides of a rest
+constexpr double kAboveFloor_mm = 0.05;   // left by plunges
+constexpr double kPlungeShare = 0.7;      // of a blade's width between plunges
+constexpr double kBladeShare = 0.6;       // of the cutting speed of roughing
+constexpr double kBladeFeed_mm_rev = 0.06;
+constexpr double kAbove_mm = 1;           // of rapid moves over what is approached
+constexpr double kSteep = 1.0;            // slope of a drawn shoulder, at least
+constexpr double kSame_mm = 1e-6;
+
+/// Rapid over a place of the tip and as far down as the stock allows, never lower than `x_mm`.
+void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, int tool, double z_mm, double x_mm)
+{
+    if (moves.isEmpty())
+        moves.rapid({z_mm, frame.safe_x_mm});
+    else
+        moves.rapidX(frame.safe_x_mm);
+    moves.rapidZ(z_mm);
+    moves.rapidX(std::min(frame.safe_x_mm, stock.reachableFromAbove_mm(tool, z_mm, x_mm, frame.safe_x_mm)));
+}
+
+/// Is the corner that the interval holds one between the turned surface and a wall?
+bool isAtShoulder(const WorkFrame& frame, const RestInterval& rest)
+{
+    const Contour& pieces = frame.contour.pieces;
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+        if ((pieces[i].to_mm - Vector2d(rest.z_most_mm, rest.x_most_mm)).norm() > 1e-3) continue;
+        return std::abs(endSlope(pieces[i])) > kSteep || std::abs(startSlope(pieces[i + 1])) > kSteep;
+    }
+    return false;
+}
+
+/// Cuts what was laid from move `first` on.
+void cutNow(MoveList& moves, std::size_t first, int tool, WorkStock& stock)
+{
+    Operation laid;
+    laid.tool = tool;
+    laid.moves.assign(moves.moves().begin() + static_cast<std::ptrdiff_t>(first), moves.moves().end());
+    stock.run(laid);
+}
+
+/// The lowest places of a blade's curve.
+struct Floor {
+    double from_mm = 0, to_mm = 0;  // in z
+    double x_mm = 0;
+    double middle_mm() const { return (from_mm + to_mm) / 2; }
+};
+
+Floor floorOf(const Curve& part)
+{
+    Floor floor{part.front().from.x(), part.front().from.x(), lowestOf(part)};
+    bool is_found = false;
+    for (const CurvePiece& piece : part)
+        for (const Vector2d& end : {piece.from, piece.to}) {
+            if (end.y() > floor.x_mm + kSame_mm) continue;
+            if (!is_found) floor.from_mm = end.x();
+            is_found = true;
+            floor.to_mm = end.x();
+        }
+    if (is_found) return floor;
+    for (const CurvePiece& piece : part)  // the lowest place is within a hollow arc
+        if (piece.radius_mm < 0) floor.from_mm = floor.to_mm = piece.centre.x();
+    return floor;
+}
+
+/// Places of plunges: both ends of the floor and between them, then outward as far as the curve goes.
+std::vector<double> plungesFor(const Curve& part, const Floor& floor, double step_mm)
+{
+    std::vector<double> places;
+    const double from = floor.from_mm + kAboveFloor_mm, to = floor.to_mm - kAboveFloor_mm;
+    if (to > from) {
+        const int count = std::max(1, static_cast<int>(std::ceil((to - from) / step_mm)));
+        for (int i = 0; i <= count; ++i) places.push_back(from + (to - from) * i / count);
+    } else {
+        places.push_back(floor.middle_mm());
+    }
+    for (double z = floor.from_mm - step_mm; z > part.front().from.x(); z -= step_mm) places.push_back(z);
+    for (double z = floor.to_mm + step_mm; z < part.back().to.x(); z += step_mm) places.push_back(z);
+    return places;
+}
+
+/// Levels above the curve within the stretch, where the stock stands higher than one depth.
+void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, const Curve& part, WorkStock& stock,
+                double feed)
+{
+    const double depth = frame.job->cutting.rough.depth_mm, r = tool.radius_mm();
+    const double low = lowestOf(part);
+    const double from = part.front().from.x(), to = part.back().to.x();
+    const double top = std::min(stock.topBetween_mm(from, to), frame.stock_radius_mm) + r;
+    const int steps = static_cast<int>(std::ceil((top - low) / depth - 1e-9));
+    std::size_t done = 0;
+    for (int i = 1; i < steps; ++i) {
+        const double level = top - (top - low) * i / steps;
+        for (const Stretch& stretch : stretchesBelow(part, level)) {
+            if (stretch.to_mm - stretch.from_mm < 0.2) continue;
+            // Only where stock stands above the level.
+            if (stock.topBetween_mm(stretch.from_mm, stretch.to_mm) < level - r + kAboveFloor_mm) continue;
+            const double x = level + moves.offset().y(), begin = stretch.to_mm + moves.offset().x(),
+                         end = stretch.from_mm + moves.offset().x();
+            approach(moves, frame, stock, tool.number, begin, x + kAbove_mm);
+            // Down along the curve, which is no steeper than the back edge.
+            const double before = level + (top - low) / steps;
+            Curve way = clipped(part, stretch.to_mm, to);
+            double until = to;
+            for (const Stretch& below : stretchesBelow(way, before))
+                if (below.from_mm <= stretch.to_mm + kSame_mm) until = below.to_mm;
+            way = clipped(part, stretch.to_mm, until);
+            if (!way.empty()) {
+                approach(moves, frame, stock, tool.number, until + moves.offset().x(),
+                         way.back().to.y() + moves.offset().y() + kAbove_mm);
+                moves.line(way.back().to + moves.offset(), slowShare * feed);
+                moves.follow(way, slowShare * feed, true);
+            }
+            moves.line({begin, x}, slowShare * feed);
+            moves.line({end, x}, feed);
+            moves.line({end + retract_mm, x + retract_mm}, feed);
+            moves.rapidX(frame.safe_x_mm);
+            cutNow(moves, done, tool.number, stock);
+            done = moves.moves().size();
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool, const ToolReach& reach,
+                                     const RestInterval& rest, const WorkStock& stock)
+{
+    const double r = tool.radius_mm();
+    const double from = std::max(rest.z_start_mm - kOverlap_mm - r, reach.curve.front().from.x());
+    const double to = std::min(rest.z_end_mm + kOverlap_mm + r, reach.curve.back().to.x());
+    const Curve part = clipped(reach.curve, from, to);
+    if (part.empty()) return {};
+    const RoughCutting& rough = frame.job->cutting.rough;
+    const FinishCutting& finish = frame.job->cutting.finish;
+    const double feed = tool.feed_mm_rev.value_or(finish.feed_mm_rev);
+    Operation result{OperationKind::FinishBack, tool.number, finish.cutting_speed_m_min, {}, {}, {}};
+    MoveList moves(tipOffset(tool));
+    WorkStock worked = stock;
+    if (rest.left_mm > rough.depth_mm) levelsDown(moves, frame, tool, part, worked, feed);
+    const Vector2d start = part.back().to + moves.offset();
+    approach(moves, frame, worked, tool.number, start.x(), start.y() + kAbove_mm);
+    moves.line(start, feed);
+    moves.follow(part, feed, true);
+    moves.line({moves.at().x(), moves.at().y() + retract_mm}, 2 * feed);
+    moves.rapidX(frame.safe_x_mm);
+    result.moves = moves.taken();
+    return result;
+}
+
+std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, const ToolReach& reach,
+                                  const RestInterval& rest, const WorkStock& stock)
+{
+    const double c = reach.radius_mm, span = reach.span_mm, width = *blade.width_mm;
+    const double from = std::max(rest.z_start_mm - c - kOverlap_mm, reach.curve.front().from.x());
+    const double to = std::min(rest.z_end_mm + span + c + kOverlap_mm, reach.curve.back().to.x());
+    const Curve part = clipped(reach.curve, from, to);
+    if (part.empty()) return {};
+    const Floor floor = floorOf(part);
+    const double feed = blade.feed_mm_rev.value_or(kBladeFeed_mm_rev);
+    Operation result{
+        OperationKind::Groove, blade.number, kBladeShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
+    MoveList moves(tipOffset(blade));
+    const Vector2d offset = moves.offset();
+    WorkStock worked = stock;
+    for (const double z : plungesFor(part, floor, kPlungeShare * width)) {
+        const double x = heightAt(part, z) + kAboveFloor_mm + offset.y();
+        const double top = worked.topBetween_mm(z - span - c, z + c);
+        if (top < x + kAboveFloor_mm) continue;
+        const std::size_t done = moves.moves().size();
+        approach(moves, frame, worked, blade.number, z + offset.x(), std::min(top + kAbove_mm / 2, frame.safe_x_mm));
+        moves.line({z + offset.x(), x}, feed);
+        moves.rapidX(frame.safe_x_mm);
+        cutNow(moves, done, blade.number, worked);
+    }
+    const auto wall = [&](Curve way, bool backwards) {
+        // Where the floor is a point, each wall ends there.
+        const auto is_away = [](const CurvePiece& piece, bool up) {
+            return piece.touch == Touch::Join && (piece.to.y() > piece.from.y()) == up;
+        };
+        while (!backwards && !way.empty() && is_away(way.back(), true)) way.pop_back();
+        while (backwards && !way.empty() && is_away(way.front(), false)) way.erase(way.begin());
+        if (way.empty()) return;
+        const Vector2d start = (backwards ? way.back().to : way.front().from) + offset;
+        const std::size_t done = moves.moves().size();
+        approach(moves, frame, worked, blade.number, start.x(), start.y() + kAbove_mm / 2);
+        moves.line(start, feed);
+        moves.follow(way, feed, backwards);
+        moves.line(moves.at() + Vector2d(0, retract_mm / 5), feed);
+        moves.rapidX(frame.safe_x_mm);
+        cutNow(moves, done, blade.number, worked);
+    };
+    wall(clipped(part, from, floor.middle_mm()), false);
+    wall(clipped(part, floor.middle_mm(), to), true);
+    result.moves = moves.taken();
+    return result;
+}
+
+double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock& stock)
+{
+    double deepest = 0;
+    for (const CutMove& move : grooving.moves)
+        if (move.kind != CutKind::Rapid)
+            deepest = std::max(deepest, stock.topBetween_mm(move.to.x() - *blade.width_mm, move.to.x()) - move.to.y());
+    return deepest;
+}
+
+std::vector<RestInterval> worthwhile(const WorkFrame& frame, const std::vector<RestInterval>& rest,
+                                     const std::vector<ToolReach>& so_far, const ToolReach& tool)
+{
+    std::vector<RestInterval> found;
+    for (const RestInterval& interval : rest) {
+        if (interval.cause == RestCause::NoseRadius && isAtShoulder(frame, interval)) continue;
+        double gain = 0;
+        double way = 0;
+        for (const ContourPiece& piece : frame.contour.pieces) {
+            const double length = piece.length_mm(), low = std::max(0.0, interval.path_from_mm - way),
+                         high = std::min(length, interval.path_to_mm - way);
+            way += length;
+            if (!(high >= low)) continue;
+            constexpr int kPlaces = 64;
+            for (int i = 0; i <= kPlaces; ++i) {
+                const double share = length > 0 ? (low + (high - low) * i / kPlaces) / length : 0;
+                Vector2d point = piece.from_mm + share * (piece.to_mm - piece.from_mm);
+                if (piece.isArc()) {
+                    const auto [start, end] = piece.arcAngles();
+                    const double angle = start + share * (end - start);
+                    point = piece.centre_mm() +
+                            std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
+                }
+                const double left = leftAt_mm(point, so_far, 1e4);
+                gain = std::max(gain, left - std::max(0.0, tool.left_mm(point, left)));
+            }
+        }
+        if (gain > leastGain_mm) found.push_back(interval);
+    }
+    return found;
+}
+
+}  // namespace lathelier::cam

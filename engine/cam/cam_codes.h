@@ -47,6 +47,17 @@ namespace notes {
 inline constexpr NoteCode speedNotLimited{"speed_not_limited", Severity::Info,
                                           LT_TEXT("Engine", "The job states no highest speed of the spindle.")};
 
+// The check of a program.
+
+inline constexpr NoteCode toolNotInJob{
+    "tool_not_in_job", Severity::Warning,
+    LT_TEXT("Engine",
+            "Line {line}: tool {tool} is not in the job. What it leaves is not measured, and its shape is assumed.")};
+
+inline constexpr NoteCode secondChuckUnknown{
+    "second_chuck_unknown", Severity::Info,
+    LT_TEXT("Engine", "Where the chuck stands in the second clamping is not stated; it is not looked at.")};
+
 }  // namespace notes
 
 }  // namespace lathelier

@@ -157,6 +157,21 @@ MeridianStock::MeridianStock(const Shaft& shaft, double step_mm)
     }
 }
 
+MeridianStock MeridianStock::turnedRound(double length_mm) const
+{
+    const double count = std::clamp(std::round(length_mm / step_mm_), 0.0, static_cast<double>(columns_.size()));
+    MeridianStock turned;
+    turned.step_mm_ = step_mm_;
+    turned.columns_.assign(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(count));
+    std::reverse(turned.columns_.begin(), turned.columns_.end());
+    turned.block_tops_.assign((turned.columns_.size() + blockColumns - 1) / blockColumns, 0);
+    for (std::size_t i = 0; i < turned.columns_.size(); ++i) {
+        double& top = turned.block_tops_[i / blockColumns];
+        top = std::max(top, turned.columns_[i].outer.high_mm);
+    }
+    return turned;
+}
+
 std::vector<RadialSpan> MeridianStock::spans(std::size_t column) const
 {
     std::vector<RadialSpan> result;

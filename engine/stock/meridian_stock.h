@@ -50,6 +50,9 @@ public:
     /// stockSegmentImpossible.
     MeridianStock(const Shaft& shaft, double step_mm);
 
+    /// The first `length_mm` of it, seen from its other end: z becomes length - z. Shorter where there is less of it.
+    MeridianStock turnedRound(double length_mm) const;
+
     double length_mm() const { return static_cast<double>(columns_.size()) * step_mm_; }
     double step_mm() const { return step_mm_; }  ///< width of a column
     std::size_t columns() const { return columns_.size(); }

@@ -316,7 +316,30 @@ private:
     bool is_thread_noted_ = false, is_drilling_noted_ = false;
 };
 
+void simulate(const ToolSet& tools, const StockSteps& steps, MeridianStock columns, std::span<const gcode::Move> moves,
+              const StockParameters& parameters, const Progress& progress, StockResult& result)
+{
+    result.step_mm = columns.step_mm();
+    result.length_mm = columns.length_mm();
+    result.volume_before_mm3 = columns.volume_mm3();
+    result.before = outlineOf(columns, outlineTolerance_mm);
+    const std::size_t every = countRuns(moves) / mostOutlines + 1;
+    Simulation(tools, parameters, steps, std::move(columns), every, result).run(moves, progress);
+}
+
 }  // namespace
+
+StockResult simulateStock(MeridianStock columns, std::span<const gcode::Move> moves, const StockParameters& parameters,
+                          const Progress& progress)
+{
+    StockResult result;
+    result.parameters = parameters;
+    const ToolSet tools(moves, parameters.tools, smallClearance_mm, result.notes);
+    StockSteps steps = stepsFor(columns.length_mm(), moves, tools.width_mm(), parameters);
+    steps.column_mm = columns.step_mm();
+    simulate(tools, steps, std::move(columns), moves, parameters, progress, result);
+    return result;
+}
 
 StockResult simulateStock(const Shaft& stock, std::span<const gcode::Move> moves, const StockParameters& parameters,
                           const Progress& progress)
@@ -330,12 +353,7 @@ StockResult simulateStock(const Shaft& stock, std::span<const gcode::Move> moves
         result.notes.push_back(
             {notes::stockStepWidened,
              {{"step_mm", columns.step_mm()}, {"asked_mm", parameters.step_mm}, {"feed_step_mm", steps.feed_mm}}});
-    result.step_mm = columns.step_mm();
-    result.length_mm = columns.length_mm();
-    result.volume_before_mm3 = columns.volume_mm3();
-    result.before = outlineOf(columns, outlineTolerance_mm);
-    const std::size_t every = countRuns(moves) / mostOutlines + 1;
-    Simulation(tools, parameters, steps, std::move(columns), every, result).run(moves, progress);
+    simulate(tools, steps, std::move(columns), moves, parameters, progress, result);
     return result;
 }
 

@@ -106,6 +106,10 @@ inline constexpr double outlineTolerance_mm = 0.005;  ///< of what is kept
 inline constexpr double smallClearance_mm = 0.1;      ///< a rapid move that passes nearer is noted
 inline constexpr double airCut_mm = 2;                ///< a feed move above the stock that is longer is noted
 
+/// As below, of stock that an earlier program left; its columns are as wide as they are.
+StockResult simulateStock(MeridianStock stock, std::span<const gcode::Move> moves,
+                          const StockParameters& parameters = {}, const Progress& progress = {});
+
 /// Errors of MeridianStock and outlineOf(). Columns and steps are widened until the work is bounded (note
 /// stockStepWidened): 1e5 moves take a few seconds. Throws Cancelled.
 StockResult simulateStock(const Shaft& stock, std::span<const gcode::Move> moves,

@@ -1,0 +1,63 @@
+#include "engine/cam/check/correction_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/json/json_document.h"
+
+namespace lathelier::cam {
+namespace {
+
+constexpr std::size_t mostNodes = 1000000;
+constexpr double step_mm = 1e-6;  ///< between both sides of a jump
+
+/// Lays a run over those before it.
+void lay(StatedCorrection& all, const StatedCorrection& run)
+{
+    if (!run.isAny()) return;
+    StatedCorrection merged;
+    const double begin = run.z_mm.front(), end = run.z_mm.back();
+    const auto add = [&merged](double z, double radius) {
+        if (!merged.z_mm.empty() && z <= merged.z_mm.back()) z = merged.z_mm.back() + step_mm;
+        merged.z_mm.push_back(z);
+        merged.radius_mm.push_back(radius);
+    };
+    for (std::size_t i = 0; i < all.z_mm.size() && all.z_mm[i] < begin; ++i) add(all.z_mm[i], all.radius_mm[i]);
+    if (all.isAny() && all.z_mm.front() < begin) add(begin - step_mm, all.at_mm(begin - step_mm));
+    for (std::size_t i = 0; i < run.z_mm.size(); ++i) add(run.z_mm[i], run.radius_mm[i]);
+    if (all.isAny() && all.z_mm.back() > end) {
+        add(end + step_mm, all.at_mm(end + step_mm));
+        for (std::size_t i = 0; i < all.z_mm.size(); ++i)
+            if (all.z_mm[i] > end + step_mm) add(all.z_mm[i], all.radius_mm[i]);
+    }
+    all = std::move(merged);
+}
+
+}  // namespace
+
+StatedCorrection readCorrection(const std::string& json)
+{
+    const io::JsonDocument document{json};
+    const Text number = LT_TEXT("Engine", "a number");
+    StatedCorrection all, run;
+    const io::JsonCursor nodes =
+        document.root().at("nodes", LT_TEXT("Engine", "the corners that deflection --compensate states"));
+    nodes.items(mostNodes, [&](const io::JsonCursor& node) {
+        const double z = node.at("z_mm", number).number();
+        const double radius = node.at("x_mm", number).number() - node.at("programmed_mm", number).number();
+        if (run.isAny() && z < run.z_mm.back()) {
+            lay(all, run);
+            run = {};
+        }
+        if (run.isAny() && z == run.z_mm.back()) {
+            run.radius_mm.back() = radius;
+            return;
+        }
+        run.z_mm.push_back(z);
+        run.radius_mm.push_back(radius);
+    });
+    lay(all, run);
+    return all;
+}
+
+}  // namespace lathelier::cam

@@ -1,0 +1,97 @@
+#include "engine/cam/check/rest_cause.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double touch_mm = 0.001;
+constexpr std::size_t mostTries = 24;   ///< points of one stretch
+constexpr std::size_t mostSeen = 4000;  ///< points of the drawing that are tried against a placed tool
+
+struct Named {
+    const char* key;
+    Text name;
+};
+
+const std::array<Named, 7>& names()
+{
+    static const std::array<Named, 7> all{{{"nose_radius", LT_TEXT("Engine", "nose radius")},
+                                           {"back_angle", LT_TEXT("Engine", "back angle")},
+                                           {"leading_angle", LT_TEXT("Engine", "entering angle")},
+                                           {"blade", LT_TEXT("Engine", "blade")},
+                                           {"holder", LT_TEXT("Engine", "holder")},
+                                           {"chuck", LT_TEXT("Engine", "chuck")},
+                                           {"not_cut", LT_TEXT("Engine", "not cut")}}};
+    return all;
+}
+
+double dot(const Corner& a, const Corner& b)
+{
+    return a.z_mm * b.z_mm + a.x_mm * b.x_mm;
+}
+
+/// What hinders an insert whose nose touches the drawing at a place.
+RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnContour& drawing, const JobTool& tool,
+                      double feed)
+{
+    const double r = tool.radius_mm();
+    const Corner centre = place + r * normal;
+    const double kappa = tool.entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) * degree;
+    const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg) * degree;
+    const Corner of_main{feed * std::sin(kappa), -std::cos(kappa)}, of_back{-feed * std::sin(back), -std::cos(back)};
+    const std::vector<DrawnPoint>& points = drawing.points();
+    const std::size_t every = points.size() / mostSeen + 1;
+    RestCause found = RestCause::Uncut;
+    for (std::size_t i = 0; i < points.size(); i += every) {
+        const Corner off = points[i].at - centre;
+        if (dot(off, of_main) > r - touch_mm || dot(off, of_back) > r - touch_mm) continue;
+        if (dot(off, off) < (r - touch_mm) * (r - touch_mm)) {
+            found = RestCause::NoseRadius;
+            continue;
+        }
+        // Between both edges but before the nose: in front of the centre, toward the axis.
+        const double along = feed * off.z_mm;
+        if (along < 0 && dot(off, {-feed * std::cos(back), std::sin(back)}) > 0) return RestCause::BackAngle;
+        if (along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0) return RestCause::LeadingAngle;
+    }
+    return found;
+}
+
+}  // namespace
+
+const char* key(RestCause cause)
+{
+    return names().at(static_cast<std::size_t>(cause)).key;
+}
+
+Text nameOf(RestCause cause)
+{
+    return names().at(static_cast<std::size_t>(cause)).name;
+}
+
+RestCause causeOf(const LeftStretch& stretch, const DrawnContour& drawing, const AllStrokes& all, const Job& job)
+{
+    if (stretch.nearest < 0) return RestCause::Uncut;
+    const JobTool* tool = job.tool(all.strokes[static_cast<std::size_t>(stretch.nearest)].tool);
+    if (!tool) return RestCause::Uncut;
+    if (tool->isBlade()) return RestCause::Blade;
+    const bool was_before = static_cast<std::size_t>(stretch.nearest) >= all.own;
+    const double feed = (tool->hand == Hand::FromChuck ? -1 : 1) * (was_before ? -1 : 1);
+    RestCause cause = RestCause::Uncut;
+    const std::size_t count = stretch.last - stretch.first + 1;
+    const std::size_t tries = std::min(count, mostTries);
+    for (std::size_t k = 0; k < tries; ++k) {
+        const DrawnPoint& point = drawing.points()[stretch.first + (tries > 1 ? k * (count - 1) / (tries - 1) : 0)];
+        const RestCause here = hindranceAt(point.at, drawing.normalAt(point.piece, point.t), drawing, *tool, feed);
+        if (here == RestCause::BackAngle || here == RestCause::LeadingAngle) return here;
+        if (here == RestCause::NoseRadius) cause = here;
+    }
+    return cause;
+}
+
+}  // namespace lathelier::cam

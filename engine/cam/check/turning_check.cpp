@@ -1,0 +1,300 @@
+#include "engine/cam/check/turning_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/cam/cam_codes.h"
+#include "engine/cam/check/insert_check.h"
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/job_rules.h"
+#include "engine/core/field_within.h"
+#include "engine/stock/stock_codes.h"
+
+namespace lathelier::cam {
+namespace {
+
+struct Named {
+    const char* key;
+    Text name;
+};
+
+const std::array<Named, 5>& names()
+{
+    static const std::array<Named, 5> all{{{"rapid_through_stock", LT_TEXT("Engine", "rapid move through stock")},
+                                           {"holder_in_stock", LT_TEXT("Engine", "holder in stock")},
+                                           {"insert_below_drawing", LT_TEXT("Engine", "insert below the drawing")},
+                                           {"chuck", LT_TEXT("Engine", "chuck")},
+                                           {"tailstock", LT_TEXT("Engine", "tailstock")}}};
+    return all;
+}
+
+CheckKind kindOf(stock::FindingKind kind)
+{
+    switch (kind) {
+        case stock::FindingKind::RapidThroughStock: return CheckKind::RapidThroughStock;
+        case stock::FindingKind::HolderInStock: return CheckKind::HolderInStock;
+        case stock::FindingKind::Chuck: return CheckKind::Chuck;
+        case stock::FindingKind::Tailstock: return CheckKind::Tailstock;
+    }
+    return CheckKind::RapidThroughStock;
+}
+
+gcode::Noses nosesOf(const Job& job)
+{
+    gcode::Noses noses;
+    for (const JobTool& tool : job.tools)
+        if (tool.isProfile()) noses[tool.number] = {tool.radius_mm(), tool.hand == Hand::FromChuck ? 4 : 3};
+    return noses;
+}
+
+/// A program of one clamping with its moves.
+struct ReadProgram {
+    gcode::Program program;
+    gcode::Toolpath path;
+};
+
+ReadProgram readText(std::string text, const Job& job, const CheckParameters& parameters, const Progress& progress)
+{
+    ReadProgram read;
+    read.program = gcode::readProgram(std::move(text), parameters.program.dialect, progress.part(0, 0.5));
+    read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
+    return read;
+}
+
+/// What belongs to one clamping: part, bar, bodies.
+struct Clamping {
+    Shaft part;
+    stock::StockParameters bodies;
+    std::optional<stock::MeridianStock> bar;  ///< none: as the job states it
+    BarLimits limits;
+    std::vector<CutterStroke> before;  ///< of the program that ran in the first clamping
+};
+
+class Check {
+public:
+    Check(const Shaft& part, const Job& job, const CheckParameters& parameters, const CheckInputs& inputs,
+          const Progress& progress)
+        : part_(part), job_(job), parameters_(parameters), inputs_(inputs), progress_(progress)
+    {
+        result_.parameters = parameters;
+    }
+
+    CheckResult run(std::string text)
+    {
+        ReadProgram read =
+            readText(std::move(text), job_, parameters_, progress_.part(0, 0.1, LT_TEXT("Engine", "Reading")));
+        result_.program = std::move(read.program);
+        result_.path = std::move(read.path);
+        if (result_.path.has_errors) return std::move(result_);
+        Clamping clamping = clampingOf();
+        checkSurface(clamping);
+        checkBodies(clamping);
+        sortFindings();
+        const bool is_clean = result_.findings.empty() && result_.rest.empty();
+        result_.verdict = is_clean ? Verdict::Pass : Verdict::Fail;
+        progress_.report(1);
+        return std::move(result_);
+    }
+
+private:
+    Clamping clampingOf()
+    {
+        Clamping clamping;
+        clamping.bodies = stockParameters(job_);
+        clamping.bodies.dog_leg = parameters_.dog_leg;
+        result_.stock_zero_mm = job_.stock.face_allowance_mm;
+        clamping.limits = {job_.stock.diameter_mm / 2, -job_.stock.face_allowance_mm};
+        const bool is_second = parameters_.setup == 2;
+        if (is_second) {
+            clamping.bodies.chuck.reset();
+            clamping.bodies.tailstock.reset();
+        }
+        clamping.part = is_second ? mirrored(part_) : part_;
+        if (is_second) turnRound(clamping);
+        if (parameters_.chuck_face_z_mm)
+            clamping.bodies.chuck = stock::ChuckBody{*parameters_.chuck_face_z_mm + result_.stock_zero_mm,
+                                                     job_.setup.jaw_diameter_mm.value_or(0) / 2};
+        else if (is_second)
+            result_.notes.push_back({notes::secondChuckUnknown, {}});
+        clamping.bodies.z_zero_mm = result_.stock_zero_mm + parameters_.z_zero_mm;
+        return clamping;
+    }
+
+    /// The bar as the first program leaves it, cut off where the second face gets its allowance.
+    void turnRound(Clamping& clamping)
+    {
+        const double length = part_.length_mm(), zero = result_.stock_zero_mm;
+        stock::MeridianStock bar(stockOf(job_), clamping.bodies.step_mm);
+        if (inputs_.before) {
+            CheckParameters first = parameters_;
+            first.z_zero_mm = 0;
+            const ReadProgram read = readText(*inputs_.before, job_, first, progress_.part(0.1, 0.15));
+            if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
+            stock::StockParameters bodies = stockParameters(job_);
+            bodies.chuck.reset();
+            bodies.dog_leg = parameters_.dog_leg;
+            bar = stock::simulateStock(std::move(bar), read.path.moves, bodies, progress_.part(0.15, 0.3)).left;
+            clamping.before = cutterPath(read.path.moves, job_, {0, true, length}, result_.notes);
+        }
+        clamping.bar = bar.turnedRound(length + 2 * zero);
+        result_.stock_zero_mm = std::max(0.0, clamping.bar->length_mm() - length - zero);
+        clamping.limits.end_z_mm = -result_.stock_zero_mm;
+    }
+
+    static std::optional<Error> firstErrorOf(const gcode::Toolpath& path)
+    {
+        for (const gcode::Diagnostic& diagnostic : path.diagnostics)
+            if (diagnostic.error) return diagnostic.error;
+        return {};
+    }
+
+    std::optional<Interval> lookedAt(double length) const
+    {
+        if (!parameters_.finished_from_mm && !parameters_.finished_to_mm) return {};
+        return Interval{parameters_.finished_from_mm.value_or(-1), parameters_.finished_to_mm.value_or(length + 1)};
+    }
+
+    void checkSurface(const Clamping& clamping)
+    {
+        const DrawnContour drawing(clamping.part, inputs_.correction);
+        AllStrokes all;
+        all.strokes = cutterPath(result_.path.moves, job_, {parameters_.z_zero_mm, false, 0}, result_.notes);
+        all.own = all.strokes.size();
+        all.strokes.insert(all.strokes.end(), clamping.before.begin(), clamping.before.end());
+        const SurfaceDeviation found =
+            surfaceDeviation(drawing, all, clamping.limits, lookedAt(clamping.part.length_mm()), gougeLimit_mm,
+                             leftLimit_mm, progress_.part(0.3, 0.5, LT_TEXT("Engine", "Measuring the surface")));
+        result_.gouge_um = 1000 * found.gouge_mm;
+        if (found.gouge_line > 0) {
+            result_.gouge_z_mm = found.gouge_at.z_mm;
+            result_.gouge_line = found.gouge_line;
+        }
+        result_.left_max_mm = found.left_max_mm;
+        for (const LeftStretch& stretch : found.left) addRest(stretch, drawing, all);
+        for (const InsertBelow& below :
+             insertsBelow(result_.path.moves, job_, drawing, parameters_.z_zero_mm, progress_.part(0.5, 0.6)))
+            add({below.line, CheckKind::InsertBelowDrawing, below.at.z_mm, below.at.x_mm, below.depth_mm});
+        for (const BlockGouge& block : found.blocks)
+            add({block.line, CheckKind::InsertBelowDrawing, block.at.z_mm, block.at.x_mm, block.depth_mm});
+    }
+
+    void addRest(const LeftStretch& stretch, const DrawnContour& drawing, const AllStrokes& all)
+    {
+        RestInterval rest;
+        rest.z_start_mm = stretch.z_start_mm;
+        rest.z_end_mm = stretch.z_end_mm;
+        rest.left_mm = stretch.left_mm;
+        rest.cause = causeOf(stretch, drawing, all, job_);
+        if (stretch.nearest >= 0) {
+            const CutterStroke& nearest = all.strokes[static_cast<std::size_t>(stretch.nearest)];
+            rest.tool = nearest.tool;
+            if (static_cast<std::size_t>(stretch.nearest) < all.own) rest.line = nearest.line;
+            if (rest.cause == RestCause::NoseRadius) rest.nose_radius_mm = nearest.radius_mm;
+        }
+        if (const ContourPiece& piece = drawing.pieces()[stretch.piece]; rest.nose_radius_mm && piece.arc_radius_mm < 0)
+            rest.corner_radius_mm = -piece.arc_radius_mm;
+        result_.rest.push_back(rest);
+    }
+
+    void checkBodies(Clamping& clamping)
+    {
+        const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
+        const std::vector<gcode::Move>& moves = result_.path.moves;
+        result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
+                                     : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);
+        const stock::StockResult& met = *result_.stock;
+        const double zero = result_.stock_zero_mm;
+        for (const stock::StockFinding& found : met.findings)
+            add({found.line, kindOf(found.kind), found.z_mm - zero, found.x_mm, found.depth_mm});
+        result_.findings_not_listed += met.findings_not_listed;
+        for (Note note : met.notes) {
+            if (const Value* z = lathelier::find(note.values, "z_mm"))
+                if (const double* number = std::get_if<double>(z)) set(note.values, "z_mm", *number - zero);
+            result_.notes.push_back(std::move(note));
+        }
+    }
+
+    /// The deepest of a block and kind.
+    void add(const CheckFinding& finding)
+    {
+        for (CheckFinding& other : result_.findings)
+            if (other.line == finding.line && other.kind == finding.kind) {
+                if (finding.depth_mm > other.depth_mm) other = finding;
+                return;
+            }
+        if (result_.findings.size() < stock::mostFindings)
+            result_.findings.push_back(finding);
+        else
+            ++result_.findings_not_listed;
+    }
+
+    void sortFindings()
+    {
+        std::stable_sort(result_.findings.begin(), result_.findings.end(),
+                         [](const CheckFinding& a, const CheckFinding& b) { return a.line < b.line; });
+    }
+
+    const Shaft& part_;
+    const Job& job_;
+    const CheckParameters& parameters_;
+    const CheckInputs& inputs_;
+    const Progress& progress_;
+    CheckResult result_;
+};
+
+}  // namespace
+
+const char* key(CheckKind kind)
+{
+    return names().at(static_cast<std::size_t>(kind)).key;
+}
+
+Text nameOf(CheckKind kind)
+{
+    return names().at(static_cast<std::size_t>(kind)).name;
+}
+
+const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
+{
+    using P = CheckParameters;
+    const Text mm = LT_TEXT("Engine", "mm");
+    const Range place{-1e5, 1e5};
+    static const auto all = described<P>(
+        within(&P::program, "dialect"), foldedWithin(&P::program, "integer_words"),
+        field("setup", &P::setup, {1, 2},
+              Label{LT_TEXT("Engine", "Clamping"),
+                    LT_TEXT("Engine", "2: the part is turned round, and z counts from its other end.")}),
+        field("z_zero_mm", &P::z_zero_mm, place,
+              Label{LT_TEXT("Engine", "z of the program's zero"),
+                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."), mm}),
+        field("finished_from_mm", &P::finished_from_mm, place,
+              Label{LT_TEXT("Engine", "Finished from z"),
+                    LT_TEXT("Engine", "What is left counts from here; empty: from the free end."), mm}),
+        field("finished_to_mm", &P::finished_to_mm, place,
+              Label{LT_TEXT("Engine", "Finished up to z"),
+                    LT_TEXT("Engine", "What is left counts up to here; empty: to the end of the part."), mm}),
+        field("chuck_face_z_mm", &P::chuck_face_z_mm, place,
+              Label{LT_TEXT("Engine", "z of the chuck face"),
+                    LT_TEXT("Engine",
+                            "In this clamping; empty: as the job states for the first, not looked at in the "
+                            "second."),
+                    mm}),
+        field("dog_leg", &P::dog_leg,
+              Label{LT_TEXT("Engine", "Dog-leg"),
+                    LT_TEXT("Engine", "Try the dog-leg of rapid moves besides the straight line."),
+                    {},
+                    true}));
+    return all;
+}
+
+CheckResult checkTurning(std::string text, const Shaft& part, const Job& job, const CheckParameters& parameters,
+                         const CheckInputs& inputs, const Progress& progress)
+{
+    checkPart(part);
+    checkStock(job, part);
+    checkTools(job);
+    return Check(part, job, parameters, inputs, progress).run(std::move(text));
+}
+
+}  // namespace lathelier::cam

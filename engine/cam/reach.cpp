@@ -31,7 +31,7 @@ class RestSearch {
 public:
     RestSearch(const HeightContour& contour, const std::vector<ToolReach>& tools) : contour_(contour), tools_(tools) {}
 
-    std::vector<RestInterval> run()
+    std::vector<Unreached> run()
     {
         double way = 0;
         for (std::size_t i = 0; i < contour_.pieces.size(); ++i) {
@@ -95,7 +95,7 @@ private:
         if (!is_open_) return;
         is_open_ = false;
         refineMost();
-        RestInterval rest;
+        Unreached rest;
         const Vector2d a = pointOf(contour_.pieces[start_.piece], start_.share);
         const Vector2d b = pointOf(contour_.pieces[end.piece], end.share);
         const Vector2d most = pointOf(contour_.pieces[most_.piece], most_.share);
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    void explain(RestInterval& rest, const Vector2d& most, const Place& end) const
+    void explain(Unreached& rest, const Vector2d& most, const Place& end) const
     {
         const ToolReach* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
@@ -170,27 +170,13 @@ private:
 
     const HeightContour& contour_;
     const std::vector<ToolReach>& tools_;
-    std::vector<RestInterval> found_;
+    std::vector<Unreached> found_;
     bool is_open_ = false, has_last_ = false;
     Place start_, most_, last_;
     double most_left_ = 0;
 };
 
 }  // namespace
-
-const char* key(RestCause cause)
-{
-    static constexpr const char* keys[]{"nose_radius", "back_angle", "leading_angle", "blade", "holder", "chuck"};
-    return keys[static_cast<std::size_t>(cause)];
-}
-
-Text nameOf(RestCause cause)
-{
-    static const Text names[]{LT_TEXT("Engine", "nose radius"),   LT_TEXT("Engine", "back angle"),
-                              LT_TEXT("Engine", "leading angle"), LT_TEXT("Engine", "blade"),
-                              LT_TEXT("Engine", "holder"),        LT_TEXT("Engine", "chuck")};
-    return names[static_cast<std::size_t>(cause)];
-}
 
 double ToolReach::left_mm(const Vector2d& point, double most_mm) const
 {
@@ -217,7 +203,7 @@ double leftAt_mm(const Vector2d& point, const std::vector<ToolReach>& tools, dou
     return least;
 }
 
-std::vector<RestInterval> restOf(const HeightContour& contour, const std::vector<ToolReach>& tools)
+std::vector<Unreached> restOf(const HeightContour& contour, const std::vector<ToolReach>& tools)
 {
     return RestSearch(contour, tools).run();
 }

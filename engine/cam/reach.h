@@ -9,17 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/cam/check/rest_cause.h"
 #include "engine/cam/contour.h"
 #include "engine/cam/curve.h"
 
 namespace lathelier::cam {
-
-/// Why material is left.
-enum class RestCause : std::uint8_t { NoseRadius, BackAngle, LeadingAngle, Blade, Holder, Chuck };
-
-/// "nose_radius", "back_angle", "leading_angle", "blade", "holder", "chuck".
-const char* key(RestCause cause);
-Text nameOf(RestCause cause);
 
 /// How far one tool gets.
 struct ToolReach {
@@ -31,8 +25,8 @@ struct ToolReach {
     double left_mm(const Eigen::Vector2d& point, double most_mm) const;
 };
 
-/// Material that stays, where it is and why.
-struct RestInterval {
+/// Material that no tool reaches, where it is and why.
+struct Unreached {
     double z_start_mm = 0;                     ///< first place of the drawing with more than leastRest_mm
     double z_end_mm = 0;                       ///< last one
     double left_mm = 0;                        ///< the most, normal to the surface
@@ -50,7 +44,7 @@ inline constexpr double restSpacing_mm = 0.02;    ///< of points along the drawi
 
 /// The intervals where every tool leaves more than leastRest_mm, within [0, length] of the drawing, in its order.
 /// Ends and maxima are refined to 1e-5 mm. O(length / spacing · log pieces · tools).
-std::vector<RestInterval> restOf(const HeightContour& contour, const std::vector<ToolReach>& tools);
+std::vector<Unreached> restOf(const HeightContour& contour, const std::vector<ToolReach>& tools);
 
 /// left = min over tools at a point of the drawing, no more than `most_mm`.
 double leftAt_mm(const Eigen::Vector2d& point, const std::vector<ToolReach>& tools, double most_mm);

@@ -29,7 +29,7 @@ void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, i
 }
 
 /// Is the corner that the interval holds one between the turned surface and a wall?
-bool isAtShoulder(const WorkFrame& frame, const RestInterval& rest)
+bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
 {
     const Contour& pieces = frame.contour.pieces;
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
@@ -133,7 +133,7 @@ void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, co
 }  // namespace
 
 std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool, const ToolReach& reach,
-                                     const RestInterval& rest, const WorkStock& stock)
+                                     const Unreached& rest, const WorkStock& stock)
 {
     const double r = tool.radius_mm();
     const double from = std::max(rest.z_start_mm - kOverlap_mm - r, reach.curve.front().from.x());
@@ -158,7 +158,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
 }
 
 std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, const ToolReach& reach,
-                                  const RestInterval& rest, const WorkStock& stock)
+                                  const Unreached& rest, const WorkStock& stock)
 {
     const double c = reach.radius_mm, span = reach.span_mm, width = *blade.width_mm;
     const double from = std::max(rest.z_start_mm - c - kOverlap_mm, reach.curve.front().from.x());
@@ -214,11 +214,11 @@ double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock&
     return deepest;
 }
 
-std::vector<RestInterval> worthwhile(const WorkFrame& frame, const std::vector<RestInterval>& rest,
+std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unreached>& rest,
                                      const std::vector<ToolReach>& so_far, const ToolReach& tool)
 {
-    std::vector<RestInterval> found;
-    for (const RestInterval& interval : rest) {
+    std::vector<Unreached> found;
+    for (const Unreached& interval : rest) {
         if (interval.cause == RestCause::NoseRadius && isAtShoulder(frame, interval)) continue;
         double gain = 0;
         double way = 0;

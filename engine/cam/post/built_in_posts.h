@@ -1,0 +1,18 @@
+// Files of resources/ that the engine carries within itself, so that the command line needs none beside it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lathelier::cam {
+
+/// A file by its name without extension.
+struct BuiltInText {
+    const char* name;  ///< "fanuc_a"
+    std::string text;  ///< as it was when the engine was built
+};
+
+const std::vector<BuiltInText>& builtInPosts();      ///< resources/posts, by name
+const std::vector<BuiltInText>& builtInLibraries();  ///< resources/library: work_materials
+
+}  // namespace lathelier::cam

@@ -1,0 +1,257 @@
+#include "engine/cam/post/post.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/cam/plan_codes.h"
+#include "engine/cam/post/built_in_posts.h"
+#include "engine/io/io_codes.h"
+#include "engine/io/json/json_document.h"
+
+namespace lathelier::cam {
+namespace {
+
+using io::JsonCursor;
+
+constexpr std::size_t kMostLines = 100;
+constexpr std::size_t kMostKeys = 200;
+constexpr std::size_t kLongestTemplate = 200;
+constexpr int kMostDecimals = 6;
+
+const Text textExpected = LT_TEXT("Engine", "a text");
+const Text listExpected = LT_TEXT("Engine", "a list of texts");
+
+/// A text of one line that a program may hold.
+std::string oneLine(const JsonCursor& cursor)
+{
+    const std::string text = cursor.string();
+    if (text.size() > kLongestTemplate) cursor.reject(LT_TEXT("Engine", "a text of at most 200 characters"));
+    for (const char c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
+            cursor.reject(LT_TEXT("Engine", "printable ASCII characters"));
+    return text;
+}
+
+/// A template: every brace names a value that the writer has.
+std::string oneTemplate(const JsonCursor& cursor)
+{
+    const std::string text = oneLine(cursor);
+    for (std::size_t at = 0; (at = text.find_first_of("{}", at)) != std::string::npos;) {
+        const std::size_t end = text.find('}', at);
+        static constexpr const char* known[]{"title", "number", "tool", "tool2", "max_rpm", "vc", "rpm"};
+        const bool is_named =
+            text[at] == '{' && end != std::string::npos &&
+            std::any_of(std::begin(known), std::end(known),
+                        [&](const char* name) { return text.substr(at + 1, end - at - 1) == name; });
+        if (!is_named)
+            cursor.reject(LT_TEXT("Engine", "braces around title, number, tool, tool2, max_rpm, vc or rpm"));
+        at = end + 1;
+    }
+    return text;
+}
+
+class Reader {
+public:
+    explicit Reader(const JsonCursor& root) : root_(root) {}
+
+    Post run(Notes& notes)
+    {
+        post_.name = root_.at("name", textExpected).string();
+        if (const auto dialect = root_.member("dialect")) post_.dialect = dialectOf(*dialect);
+        static const std::pair<const char*, Templates Post::*> demanded[]{
+            {"program_start", &Post::program_start}, {"header_comments", &Post::header_comments},
+            {"safe_start", &Post::safe_start},       {"tool_start", &Post::tool_start},
+            {"tool_end", &Post::tool_end},           {"spindle_css", &Post::spindle_css},
+            {"spindle_rpm", &Post::spindle_rpm},     {"speed_change", &Post::speed_change},
+            {"coolant_on", &Post::coolant_on},       {"program_end", &Post::program_end}};
+        for (const auto& [key, member] : demanded) post_.*member = templates(root_.at(key, listExpected));
+        static const std::pair<const char*, Templates Post::*> offered[]{
+            {"stop", &Post::stop},
+            {"tool_start_tailstock", &Post::tool_start_tailstock},
+            {"program_end_tailstock", &Post::program_end_tailstock}};
+        for (const auto& [key, member] : offered)
+            if (const auto list = root_.member(key)) post_.*member = templates(*list);
+        static const std::pair<const char*, std::string Post::*> words[]{{"rapid", &Post::rapid},
+                                                                         {"line", &Post::line},
+                                                                         {"arc_cw", &Post::arc_cw},
+                                                                         {"arc_ccw", &Post::arc_ccw}};
+        for (const auto& [key, member] : words) {
+            const JsonCursor cursor = root_.at(key, textExpected);
+            if ((post_.*member = oneLine(cursor)).empty()) cursor.reject(LT_TEXT("Engine", "a word such as G1"));
+        }
+        post_.arc = static_cast<ArcWords>(
+            choice(root_.at("arc", textExpected), {"ik", "r", "cr"}, LT_TEXT("Engine", "ik, r or cr")));
+        readWords(root_.at("words", LT_TEXT("Engine", "an object with X, Z, F and style")));
+        if (const auto modal = root_.member("modal")) post_.modal = modal->flag();
+        if (const auto feed = root_.member("feed"))
+            post_.feed_per_min =
+                choice(*feed, {"per_rev", "per_min"}, LT_TEXT("Engine", "per_rev or per_min")) == 1;
+        if (const auto css = root_.member("css")) post_.css = css->flag();
+        if (const auto numbers = root_.member("block_numbers"))
+            post_.block_numbers = BlockNumbers{whole(numbers->at("start", LT_TEXT("Engine", "a number")), 0, 99999),
+                                               whole(numbers->at("step", LT_TEXT("Engine", "a number")), 1, 1000)};
+        readComment(root_.at("comment", LT_TEXT("Engine", "an object with open and close")));
+        if (const auto end = root_.member("end_of_line"))
+            post_.end_of_line = choice(*end, {"lf", "crlf"}, LT_TEXT("Engine", "lf or crlf")) == 0 ? "\n" : "\r\n";
+        if (post_.css && post_.spindle_css.empty())
+            root_.at("spindle_css", listExpected).reject(LT_TEXT("Engine", "lines, or css false"));
+        noteUnknown(notes);
+        return std::move(post_);
+    }
+
+private:
+    static int choice(const JsonCursor& cursor, std::initializer_list<const char*> keys, Text expected)
+    {
+        const std::string found = cursor.string();
+        int index = 0;
+        for (const char* key : keys) {
+            if (found == key) return index;
+            ++index;
+        }
+        cursor.reject(expected);
+    }
+
+    static gcode::Dialect dialectOf(const JsonCursor& cursor)
+    {
+        const std::string found = cursor.string();
+        const auto& choices = gcode::dialectChoices();
+        for (std::size_t i = 1; i < choices.size(); ++i)
+            if (choices[i].key == found) return static_cast<gcode::Dialect>(i);
+        cursor.reject(LT_TEXT("Engine", "a dialect that toolpath reads, such as fanuc"));
+    }
+
+    static int whole(const JsonCursor& cursor, int least, int most)
+    {
+        const std::int64_t value = cursor.integer();
+        if (value < least || value > most) {
+            const io::JsonPlace place = cursor.place();
+            throw Error(errors::keyOutOfRange, {{"key", LT_TEXT("Engine", "the number")},
+                                                {"line", place.line},
+                                                {"column", place.column},
+                                                {"found", value},
+                                                {"minimum", std::int64_t{least}},
+                                                {"maximum", std::int64_t{most}}});
+        }
+        return static_cast<int>(value);
+    }
+
+    static Templates templates(const JsonCursor& list)
+    {
+        Templates result;
+        list.items(kMostLines, [&](const JsonCursor& item) { result.push_back(oneTemplate(item)); });
+        return result;
+    }
+
+    void readWords(const JsonCursor& words)
+    {
+        const Text number = LT_TEXT("Engine", "a number of decimals");
+        const JsonCursor x = words.at("X", LT_TEXT("Engine", "an object with diameter and decimals"));
+        post_.x_is_diameter = x.at("diameter", LT_TEXT("Engine", "true or false")).flag();
+        post_.x_decimals = whole(x.at("decimals", number), leastDecimals, kMostDecimals);
+        const Text object = LT_TEXT("Engine", "an object with decimals");
+        post_.z_decimals = whole(words.at("Z", object).at("decimals", number), leastDecimals, kMostDecimals);
+        post_.f_decimals = whole(words.at("F", object).at("decimals", number), 0, kMostDecimals);
+        if (const auto style = words.member("style"))
+            post_.decimal_point = choice(*style, {"point", "plain"}, LT_TEXT("Engine", "point or plain")) == 0;
+    }
+
+    void readComment(const JsonCursor& comment)
+    {
+        const JsonCursor open = comment.at("open", textExpected);
+        if ((post_.comment_open = oneLine(open)).empty()) open.reject(LT_TEXT("Engine", "how a comment begins"));
+        post_.comment_close = oneLine(comment.at("close", textExpected));
+        if (const auto length = comment.member("max_length")) post_.comment_length = whole(*length, 8, 200);
+    }
+
+    void noteUnknown(Notes& notes) const
+    {
+        static constexpr const char* known[]{
+            "name",        "dialect",       "program_start",        "header_comments",       "safe_start", "tool_start",
+            "tool_end",    "spindle_css",   "spindle_rpm",          "speed_change",          "coolant_on", "program_end",
+            "stop",        "rapid",         "tool_start_tailstock", "program_end_tailstock", "line",       "arc_cw",
+            "arc_ccw",     "arc",           "words",                "modal",                 "feed",       "css",
+            "comment",     "block_numbers", "end_of_line",          "cycles",                "about",      "source"};
+        root_.members(kMostKeys, [&](const std::string& key, const JsonCursor& value) {
+            if (std::any_of(std::begin(known), std::end(known), [&](const char* name) { return key == name; })) return;
+            const io::JsonPlace place = value.place();
+            notes.push_back({notes::unknownKey, {{"key", key}, {"line", place.line}, {"column", place.column}}});
+        });
+    }
+
+    const JsonCursor& root_;
+    Post post_;
+};
+
+}  // namespace
+
+Post readPost(const std::string& json, Notes& notes)
+{
+    const io::JsonDocument document{json};
+    return Reader(document.root()).run(notes);
+}
+
+std::string postText(const Post& post)
+{
+    Json json;
+    json["name"] = post.name;
+    if (post.dialect) json["dialect"] = gcode::key(*post.dialect);
+    json["program_start"] = post.program_start;
+    json["header_comments"] = post.header_comments;
+    json["safe_start"] = post.safe_start;
+    json["tool_start"] = post.tool_start;
+    json["tool_start_tailstock"] = post.tool_start_tailstock;
+    json["tool_end"] = post.tool_end;
+    json["spindle_css"] = post.spindle_css;
+    json["spindle_rpm"] = post.spindle_rpm;
+    json["speed_change"] = post.speed_change;
+    json["coolant_on"] = post.coolant_on;
+    json["stop"] = post.stop;
+    json["program_end"] = post.program_end;
+    json["program_end_tailstock"] = post.program_end_tailstock;
+    json["rapid"] = post.rapid;
+    json["line"] = post.line;
+    json["arc_cw"] = post.arc_cw;
+    json["arc_ccw"] = post.arc_ccw;
+    static constexpr const char* arcs[]{"ik", "r", "cr"};
+    json["arc"] = arcs[static_cast<std::size_t>(post.arc)];
+    json["words"]["X"]["diameter"] = post.x_is_diameter;
+    json["words"]["X"]["decimals"] = post.x_decimals;
+    json["words"]["Z"]["decimals"] = post.z_decimals;
+    json["words"]["F"]["decimals"] = post.f_decimals;
+    json["words"]["style"] = post.decimal_point ? "point" : "plain";
+    json["modal"] = post.modal;
+    json["feed"] = post.feed_per_min ? "per_min" : "per_rev";
+    json["css"] = post.css;
+    json["block_numbers"] = nullptr;
+    if (post.block_numbers) {
+        json["block_numbers"]["start"] = post.block_numbers->start;
+        json["block_numbers"]["step"] = post.block_numbers->step;
+    }
+    json["comment"]["open"] = post.comment_open;
+    json["comment"]["close"] = post.comment_close;
+    json["comment"]["max_length"] = post.comment_length;
+    json["end_of_line"] = post.end_of_line == "\n" ? "lf" : "crlf";
+    return json.dump(1) + "\n";
+}
+
+std::vector<std::string> postNames()
+{
+    std::vector<std::string> names;
+    for (const BuiltInText& post : builtInPosts()) names.emplace_back(post.name);
+    return names;
+}
+
+Post postNamed(const std::string& name)
+{
+    std::string all;
+    for (const BuiltInText& post : builtInPosts()) {
+        if (name == post.name) {
+            Notes none;
+            return readPost(post.text, none);
+        }
+        all += (all.empty() ? "" : ", ") + std::string(post.name);
+    }
+    throw Error(errors::postUnknown, {{"found", name}, {"expected", all}});
+}
+
+}  // namespace lathelier::cam

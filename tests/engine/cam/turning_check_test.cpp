@@ -1,0 +1,189 @@
+// Programs of which the truth is known: nothing is found in sound ones, every planted fault is, at its line.
+#include "engine/cam/check/turning_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cam_data.h"
+#include "engine/cam/cam_codes.h"
+
+namespace lathelier::cam {
+namespace {
+
+void expectRest(const CheckResult& result, double from, double to, double left, RestCause cause)
+{
+    const RestInterval* rest = restAt(result, (from + to) / 2);
+    ASSERT_TRUE(rest) << from;
+    EXPECT_NEAR(rest->z_start_mm, from, 0.05);
+    EXPECT_NEAR(rest->z_end_mm, to, 0.05);
+    EXPECT_NEAR(rest->left_mm, left, 0.002);
+    EXPECT_EQ(rest->cause, cause) << key(rest->cause);
+}
+
+TEST(TurningCheck, SoundProgramsHaveNothingButTheirCorners)
+{
+    const CheckResult contour = checked(textOf("contour_fanuc_a.nc"), jobOf("contour"));
+    EXPECT_TRUE(contour.findings.empty());
+    EXPECT_TRUE(contour.rest.empty());
+    EXPECT_LT(contour.gouge_um, 1.5);
+    EXPECT_EQ(contour.verdict, Verdict::Pass);
+
+    const CheckResult shaft = checked(textOf("paper_s1_fanuc_a.nc"), jobOf("paper_s1"));
+    EXPECT_TRUE(shaft.findings.empty());
+    ASSERT_EQ(shaft.rest.size(), 1U);
+    expectRest(shaft, 97.65, 98, 0.1657, RestCause::NoseRadius);
+    EXPECT_EQ(shaft.verdict, Verdict::Fail);
+
+    const CheckResult neck = checked(textOf("neck_all_fanuc_a.nc"), jobOf("neck_all"));
+    EXPECT_TRUE(neck.findings.empty());
+    ASSERT_EQ(neck.rest.size(), 4U);
+    expectRest(neck, 27, 27.16, 0.0828, RestCause::Blade);
+    expectRest(neck, 29.84, 30, 0.0828, RestCause::Blade);
+    expectRest(neck, 88.99, 89.02, 0.0052, RestCause::NoseRadius);
+    EXPECT_NEAR(neck.rest[3].left_mm, 0.0126, 0.002);
+    EXPECT_LT(neck.gouge_um, 1.5);
+}
+
+TEST(TurningCheck, SmallProgramIsSound)
+{
+    const CheckResult result = checked(textOf("small.nc"), jobOf("small"));
+    EXPECT_TRUE(result.findings.empty()) << result.findings.front().line << key(result.findings.front().kind);
+    EXPECT_TRUE(result.rest.empty()) << result.rest.front().z_start_mm << ' ' << result.rest.front().left_mm;
+    EXPECT_LT(result.gouge_um, 1.5);
+    EXPECT_LT(result.left_max_mm, 0.003);
+}
+
+TEST(TurningCheck, ContourWithoutCompensationLeavesItsChamfer)
+{
+    // The nominal contour run with the imaginary tip leaves r (√2 - 1) on a cone of 45°.
+    std::string text = textOf("small.nc");
+    text = replaced(text, "N320 G3 X17.766 Z-0.117 I0. K-0.4", "N320 G1 X18.");
+    text = replaced(text, "N330 G1 X19.766 Z-1.117", "N330 G1 X20. Z-1.");
+    text = replaced(text, "N340 G3 X20. Z-1.4 I-0.283 K-0.283", "N340 G1 Z-1.4");
+    const CheckResult result = checked(text, jobOf("small"));
+    EXPECT_TRUE(result.findings.empty());
+    EXPECT_NEAR(result.left_max_mm, 0.4 * (std::sqrt(2.0) - 1), 0.001);
+    ASSERT_EQ(result.rest.size(), 1U);
+    EXPECT_EQ(result.rest.front().cause, RestCause::Uncut);
+    EXPECT_EQ(result.verdict, Verdict::Fail);
+}
+
+/// One word changed; what is to be found, at which block.
+struct Planted {
+    const char* words;
+    const char* by;
+    CheckKind kind;
+    const char* block;  ///< of the fault or its consequence
+};
+
+TEST(TurningCheck, FaultsInOneWordAreFoundAtTheirLines)
+{
+    const std::string sound = textOf("small.nc");
+    const Job job = jobOf("small");
+    for (const Planted& fault : {Planted{"G3 X20. Z-1.4", "G3 X19.97 Z-1.4", CheckKind::InsertBelowDrawing, "N350"},
+                                 Planted{"N120 X30.6", "N120 X26.6", CheckKind::InsertBelowDrawing, "N130"},
+                                 Planted{"N170 G1 Z-17.7", "N170 G0 Z-17.7", CheckKind::RapidThroughStock, "N170"},
+                                 Planted{"N360 G2", "N360 G3", CheckKind::InsertBelowDrawing, "N360"},
+                                 Planted{"N130 G1 Z-30.3", "N130 G1 Z-63.3", CheckKind::Chuck, "N130"}}) {
+        const std::string text = replaced(sound, fault.words, fault.by);
+        const CheckResult result = checked(text, job);
+        const std::int64_t line = lineOf(text, fault.block);
+        bool is_found = false;
+        for (const CheckFinding& finding : result.findings) {
+            is_found = is_found || (finding.kind == fault.kind && std::abs(finding.line - line) <= 1);
+            EXPECT_LE(std::abs(finding.line - line), 1) << fault.by << ' ' << finding.line << key(finding.kind);
+        }
+        EXPECT_TRUE(is_found) << fault.by;
+    }
+}
+
+TEST(TurningCheck, DepthOfAFaultIsThatOfTheFault)
+{
+    const std::string text = replaced(textOf("small.nc"), "G3 X20. Z-1.4", "G3 X19.97 Z-1.4");
+    const CheckResult result = checked(text, jobOf("small"));
+    EXPECT_NEAR(result.gouge_um, 15, 1);
+    ASSERT_TRUE(result.gouge_line);
+    EXPECT_NEAR(static_cast<double>(*result.gouge_line), static_cast<double>(lineOf(text, "N350")), 1);
+    const CheckResult deep = checked(replaced(textOf("small.nc"), "N120 X30.6", "N120 X26.6"), jobOf("small"));
+    ASSERT_FALSE(deep.findings.empty());
+    EXPECT_NEAR(deep.findings.front().depth_mm, 1.7, 0.01);
+}
+
+TEST(TurningCheck, AnotherNoseAndAnotherInsertAreFound)
+{
+    Job job = jobOf("small");
+    job.tools[1].nose_radius_mm = 0.8;
+    const CheckResult nose = checked(textOf("small.nc"), job);
+    EXPECT_FALSE(nose.findings.empty() && nose.rest.empty());
+    EXPECT_GT(nose.gouge_um + 1000 * nose.left_max_mm, 100);
+
+    // An edge that leads at 75° cannot turn a face: the nose stays off the drawing, the edge does not.
+    job = jobOf("small");
+    job.tools[1].entering_angle_deg = 75;
+    job.tools[1].tip_angle_deg = 90;
+    const CheckResult insert = checked(textOf("small.nc"), job);
+    EXPECT_LT(insert.gouge_um, 1.5);
+    ASSERT_FALSE(insert.findings.empty());
+    for (const CheckFinding& finding : insert.findings) EXPECT_EQ(finding.kind, CheckKind::InsertBelowDrawing);
+    EXPECT_NEAR(static_cast<double>(insert.findings.front().line),
+                static_cast<double>(lineOf(textOf("small.nc"), "N350")), 1);
+}
+
+TEST(TurningCheck, RapidIntoStockOfAPracticeProgram)
+{
+    const CheckResult result = checked(textOf("rapid_into_stock_fanuc_a.nc"), jobOf("paper_s1"));
+    ASSERT_EQ(result.findings.size(), 1U);
+    EXPECT_EQ(result.findings.front().kind, CheckKind::RapidThroughStock);
+    EXPECT_EQ(result.findings.front().line, 22);
+    EXPECT_NEAR(result.findings.front().depth_mm, 1.62, 0.02);
+}
+
+TEST(TurningCheck, CorrectedProgramIsCheckedAgainstDrawingAndCorrection)
+{
+    const std::string text =
+        replaced(replaced(textOf("small.nc"), "X20. Z-1.4", "X19.98 Z-1.4"), "N350 G1 Z-16.4", "N350 G1 X19.96 Z-16.4");
+    const Job job = jobOf("small");
+    const CheckResult plain = checked(text, job);
+    EXPECT_NEAR(plain.gouge_um, 20, 2);
+    CheckInputs inputs;
+    inputs.correction.z_mm = {0, 1.39, 1.4, 16.4, 16.5, 28};
+    inputs.correction.radius_mm = {0, 0, -0.01, -0.02, 0, 0};
+    const CheckResult corrected = checked(text, job, {}, inputs);
+    EXPECT_LT(corrected.gouge_um, plain.gouge_um / 2);
+}
+
+TEST(TurningCheck, SecondClampingStandsOnWhatTheFirstLeft)
+{
+    // The same small part, turned round: an empty second program leaves the chuck's side as it is.
+    const Job job = jobOf("small");
+    CheckParameters second;
+    second.setup = 2;
+    CheckInputs inputs;
+    inputs.before = textOf("small.nc");
+    const CheckResult result = checked("%\nO2\nN10 G21 G18 G40 G99\nM30\n%\n", job, second, inputs);
+    EXPECT_TRUE(result.findings.empty());
+    ASSERT_EQ(result.rest.size(), 1U);  // the second face
+    EXPECT_NEAR(result.rest.front().z_start_mm, 0, 1e-6);
+    EXPECT_NEAR(result.rest.front().left_mm, 1, 0.02);
+    EXPECT_TRUE(contains(result.notes, notes::secondChuckUnknown));
+    // Facing it is air no more and leaves nothing; a rapid move there meets what is left.
+    const std::string face =
+        "%\nO2\nN10 G21 G18 G40 G99\nT0202\nG96 S190 M3\nG0 X38. Z0.\nG1 X-0.8 F0.1\nZ2.\nG0 X38.\nM30\n%\n";
+    const CheckResult faced = checked(face, job, second, inputs);
+    EXPECT_TRUE(faced.findings.empty());
+    EXPECT_TRUE(faced.rest.empty());
+    const CheckResult rapid = checked(replaced(face, "G1 X-0.8 F0.1", "G0 X-0.8"), job, second, inputs);
+    ASSERT_FALSE(rapid.findings.empty());
+    EXPECT_EQ(rapid.findings.front().kind, CheckKind::RapidThroughStock);
+}
+
+TEST(TurningCheck, ProgramWithErrorsHasNoVerdict)
+{
+    const CheckResult result = checked("G1 Z-5.\nM30\n", jobOf("small"));
+    EXPECT_TRUE(result.path.has_errors);
+    EXPECT_FALSE(result.verdict);
+}
+
+}  // namespace
+}  // namespace lathelier::cam

@@ -19,6 +19,7 @@ room(deflection USES core io report beam receptance cutting gcode stock LINKS fm
 room(features USES core io report registration LINKS fmt::fmt)
 room(drawing USES core report LINKS fmt::fmt)
 room(cad USES core io registration drawing LINKS fmt::fmt OpenCASCADE::Step)
+room(chain USES core io report LINKS fmt::fmt)
 room(verify USES core report form registration receptance stability deflection LINKS fmt::fmt)
 room(project USES core io)
 room(sample USES core io form registration receptance deflection project LINKS fmt::fmt)

@@ -19,6 +19,7 @@ Verb simulateVerb();
 Verb toolpathVerb();
 Verb checkVerb();
 Verb deflectionVerb();
+Verb remanufactureVerb();
 Verb recognizeVerb();
 Verb drawVerb();
 Verb verifyVerb();

@@ -1,0 +1,89 @@
+#include "app/cli/verb_answer.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/run.h"
+#include "engine/core/texts.h"
+#include "engine/io/text/units.h"
+#include "engine/report/result_json.h"
+
+namespace lathelier::cli {
+namespace {
+
+int exitCode(ErrorKind kind)
+{
+    switch (kind) {
+        case ErrorKind::WrongUsage: return exitWrongUsage;
+        case ErrorKind::InputRejected: return exitInputRejected;
+        case ErrorKind::NoAnswer: return exitNoAnswer;
+        case ErrorKind::OutputFailed: return exitOutputFailed;
+    }
+    return exitNoAnswer;
+}
+
+/// The file that an error of a computation is about: the operand whose name is its role ("reference", "copy"), else the
+/// last one of those that are named one by one.
+void blame(Error& error, const Verb& verb, const Request& request)
+{
+    const ErrorKind kind = error.code().kind;
+    if (kind != ErrorKind::InputRejected && kind != ErrorKind::NoAnswer) return;
+    const std::vector<Operand>& operands = verb.operands;
+    const std::vector<std::string>& paths = request.operands;
+    if (operands.empty() || operands.back().is_output || paths.empty()) return;
+    if (operands.back().repeated && paths.size() > 1) return;  // the verb itself knows which
+    std::size_t which = paths.size() - 1;
+    if (const Value* role = find(error.values(), "role"))
+        for (std::size_t i = 0; i < operands.size(); ++i)
+            if (io::lowerCase(operands[i].name) == text(*role)) which = i;
+    error.with("path", paths.at(which));
+}
+
+}  // namespace
+
+Answer ask(const Verb& verb, const Request& request, io::InputFiles& inputs, const Progress& progress)
+{
+    Answer answer;
+    gather(answer, [&] { verb.run(request, inputs, progress, answer); });
+    for (Error& error : answer.errors) blame(error, verb, request);
+    return answer;
+}
+
+Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, const Answer& answer)
+{
+    Json result = report::resultHead(verb.name, inputs.list(), request.parameters);
+    Json notes = toJson(answer.notes);
+    if (answer.json) result.update(answer.json());
+    if (!answer.errors.empty()) {
+        result["error"] = toJson(answer.errors.front());
+        // Why there is no answer is a note as well: scripts that collect notes find it beside the others.
+        if (answer.errors.front().code().kind == ErrorKind::NoAnswer) notes.push_back(result["error"]);
+    }
+    if (answer.errors.size() > 1)
+        for (const Error& error : answer.errors) result["errors"].push_back(toJson(error));
+    result["notes"] = std::move(notes);
+    return result;
+}
+
+int exitCode(const Answer& answer, bool strict)
+{
+    if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
+    return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
+}
+
+Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,
+                  std::map<std::string, std::string> outputs)
+{
+    Request request;
+    request.operands = std::move(operands);
+    request.outputs = std::move(outputs);
+    request.in_full = true;
+    const std::vector<Option> reading = readingOptions(verb);
+    for (const auto* options : {&verb.parameters, &reading})
+        for (const Option& option : *options) {
+            const Value* const value = find(given, option.info.key);
+            set(request.parameters, option.info.key, value ? *value : option.standard);
+        }
+    return request;
+}
+
+}  // namespace lathelier::cli

@@ -1,0 +1,39 @@
+// What the chain refuses or remarks: codes with their English patterns. {name} is replaced by the named value.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode chainInputMissing{"chain_input_missing", ErrorKind::NoAnswer,
+                                             LT_TEXT("Engine", "Not given: {what}.")};
+
+}  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode measuredSizesCut{
+    "measured_sizes_cut", Severity::Warning,
+    LT_TEXT("Engine",
+            "The drawing has the sizes of the worn part as they were measured. Suggested nominal sizes are in {file}: "
+            "take them with --snap apply, or state a drawing.")};
+
+inline constexpr NoteCode correctionRefused{
+    "correction_refused", Severity::Warning,
+    LT_TEXT("Engine", "The program cannot be corrected for deflection: {reason}")};
+
+inline constexpr NoteCode firstClampingOnly{
+    "first_clamping_only", Severity::Warning,
+    LT_TEXT("Engine", "Deflection is predicted for the first of {count} clampings.")};
+
+inline constexpr NoteCode predictionDisagrees{
+    "prediction_disagrees", Severity::Warning,
+    LT_TEXT("Engine",
+            "The copy's diameters disagree with the prediction by more than both uncertainties: largest normalized "
+            "error {normalized_error}.")};
+
+}  // namespace notes
+
+}  // namespace lathelier

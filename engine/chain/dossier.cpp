@@ -1,0 +1,222 @@
+#include "engine/chain/dossier.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/file.h"
+#include "engine/io/json/json_document.h"
+
+namespace lathelier::chain {
+namespace {
+
+Json toJson(const std::vector<InputFile>& files)
+{
+    Json list = Json::array();
+    for (const InputFile& file : files)
+        list.push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+    return list;
+}
+
+Json toJson(const ChainStep& step)
+{
+    Json json = {{"step", step.id},
+                 {"state", key(step.state)},
+                 {"result", step.result.empty() ? Json(nullptr) : Json(step.result)},
+                 {"inputs", toJson(step.inputs)},
+                 {"outputs", toJson(step.outputs)},
+                 {"parameters", lathelier::toJson(step.parameters)}};
+    if (step.error) json["error"] = lathelier::toJson(*step.error);
+    return json;
+}
+
+Json toJson(const TracedNumber& number)
+{
+    return {
+        {"step", number.step},
+        {"key", number.key},
+        {"value", lathelier::number(number.value)},
+        {"file", number.file},
+        {"pointer", number.pointer},
+        {"uncertainty", lathelier::number(number.uncertainty)},
+        {"uncertainty_pointer", number.uncertainty_pointer.empty() ? Json(nullptr) : Json(number.uncertainty_pointer)}};
+}
+
+/// A note that somebody has to confirm: what was not stated and had to be assumed.
+bool saysAssumed(const Note& note)
+{
+    const std::string code = note.code.key;
+    return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos;
+}
+
+/// The files of a dossier on the disk, each read once.
+class FilesOnDisk {
+public:
+    FilesOnDisk(std::filesystem::path folder, const Progress& progress)
+        : folder_(std::move(folder)), progress_(progress)
+    {
+    }
+
+    /// Digest of a file; empty: it is not there.
+    const std::string& sha256(const std::string& path)
+    {
+        const auto [found, is_new] = digests_.try_emplace(path);
+        if (is_new) {
+            progress_.check();
+            try {
+                found->second = io::fileSha256((folder_ / path).string(), progress_);
+            } catch (const Error&) {
+                found->second.clear();
+            }
+        }
+        return found->second;
+    }
+
+    std::int64_t count() const { return static_cast<std::int64_t>(digests_.size()); }
+
+    /// The value at a place of a JSON file; null: it is not there, or the file is no JSON.
+    const Json* value(const std::string& path, const std::string& pointer)
+    {
+        auto found = documents_.find(path);
+        if (found == documents_.end()) {
+            found = documents_.emplace(path, nullptr).first;
+            try {
+                const io::FileBytes bytes((folder_ / path).string(), progress_);
+                found->second = Json::parse(bytes.view(), nullptr, false);
+            } catch (const Error&) {
+                return nullptr;
+            }
+        }
+        if (found->second.is_discarded() || pointer.empty() || pointer.front() != '/') return nullptr;
+        try {
+            const Json::json_pointer place(pointer);
+            return found->second.contains(place) ? &found->second.at(place) : nullptr;
+        } catch (const nlohmann::json::exception&) {
+            return nullptr;
+        }
+    }
+
+private:
+    std::filesystem::path folder_;
+    const Progress& progress_;
+    std::map<std::string, std::string> digests_;
+    std::map<std::string, Json> documents_;
+};
+
+constexpr std::size_t mostItems = 100000;
+
+/// A list of the object here; nothing happens where it is missing.
+void eachOf(const io::JsonCursor& object, const char* name, const std::function<void(const io::JsonCursor&)>& use)
+{
+    if (const auto list = object.member(name)) list->items(mostItems, use);
+}
+
+std::string stringAt(const io::JsonCursor& object, const char* name)
+{
+    return object.at(name, LT_TEXT("Engine", "a text")).string();
+}
+
+/// Digests of one step, and that what it took of the chain is what an earlier step made.
+void checkStep(const io::JsonCursor& step, FilesOnDisk& disk, std::map<std::string, std::string>& made,
+               DossierCheck& check)
+{
+    const std::string id = stringAt(step, "step");
+    const auto compare = [&](const io::JsonCursor& file, const char* what) {
+        const std::string path = stringAt(file, "path"), stated = stringAt(file, "sha256");
+        const auto earlier = made.find(path);
+        if (std::string(what) == "input" && earlier != made.end() && earlier->second != stated)
+            check.faults.push_back({id, what, path, {}, false});
+        const std::string& found = disk.sha256(path);
+        if (found != stated) check.faults.push_back({id, what, path, {}, found.empty()});
+        return std::pair{path, stated};
+    };
+    eachOf(step, "inputs", [&](const io::JsonCursor& file) { compare(file, "input"); });
+    eachOf(step, "outputs", [&](const io::JsonCursor& file) { made.insert(compare(file, "output")); });
+}
+
+void checkNumber(const io::JsonCursor& number, FilesOnDisk& disk, const std::map<std::string, std::string>& made,
+                 DossierCheck& check)
+{
+    ++check.numbers;
+    const std::string step = stringAt(number, "step"), file = stringAt(number, "file");
+    const auto look = [&](const char* value_name, const char* pointer_name) {
+        const auto stated = number.member(value_name);
+        if (!stated) return;
+        const std::string pointer = stringAt(number, pointer_name);
+        const Json* const found = made.count(file) ? disk.value(file, pointer) : nullptr;
+        const bool is_gone = !found || !found->is_number();
+        if (is_gone || found->get<double>() != stated->number())
+            check.faults.push_back({step, "number", file, pointer, is_gone});
+    };
+    look("value", "pointer");
+    look("uncertainty", "uncertainty_pointer");
+}
+
+}  // namespace
+
+const char* key(StepState state)
+{
+    constexpr const char* keys[] = {"done", "missing", "failed", "not_reached"};
+    return keys[static_cast<std::size_t>(state)];
+}
+
+Text nameOf(StepState state)
+{
+    switch (state) {
+        case StepState::Done: return LT_TEXT("Engine", "done");
+        case StepState::Missing: return LT_TEXT("Engine", "missing");
+        case StepState::Failed: return LT_TEXT("Engine", "failed");
+        case StepState::NotReached: break;
+    }
+    return LT_TEXT("Engine", "not reached");
+}
+
+void add(Dossier& dossier, ChainStep step, const Json& result)
+{
+    for (Note note : step.notes) {
+        lathelier::set(note.values, "step", step.id);
+        dossier.notes.push_back(std::move(note));
+    }
+    if (step.state == StepState::Done && !step.result.empty())
+        for (TracedNumber& number : numbersOf(step.id, result, step.result))
+            dossier.numbers.push_back(std::move(number));
+    dossier.steps.push_back(std::move(step));
+}
+
+Json toJson(const Dossier& dossier)
+{
+    Json steps = Json::array(), numbers = Json::array(), confirmed = Json::array();
+    Notes assumed;
+    for (const ChainStep& step : dossier.steps) steps.push_back(toJson(step));
+    for (const TracedNumber& number : dossier.numbers) numbers.push_back(toJson(number));
+    for (const Note& note : dossier.notes)
+        if (saysAssumed(note)) assumed.push_back(note);
+    for (const Confirmation& word : dossier.confirmed)
+        confirmed.push_back(
+            {{"what", word.what}, {"file", word.file}, {"by", word.by.empty() ? Json(nullptr) : Json(word.by)}});
+    return {{"schema", dossierSchema},
+            {"verdict", dossier.verdict ? Json(key(*dossier.verdict)) : Json(nullptr)},
+            {"steps", steps},
+            {"numbers", numbers},
+            {"assumed", lathelier::toJson(assumed)},
+            {"confirmed", confirmed}};
+}
+
+DossierCheck checkDossier(const std::string& path, const Progress& progress)
+{
+    const io::FileBytes bytes(path, progress);
+    const io::JsonDocument document{std::string(bytes.view())};
+    const io::JsonCursor root = document.root();
+    const Text schema = LT_TEXT("Engine", "the schema of a dossier");
+    if (root.at("schema", schema).string() != dossierSchema) root.at("schema", schema).reject(schema);
+    DossierCheck check;
+    FilesOnDisk disk(std::filesystem::path(path).parent_path(), progress);
+    std::map<std::string, std::string> made;
+    eachOf(root, "steps", [&](const io::JsonCursor& step) { checkStep(step, disk, made, check); });
+    eachOf(root, "numbers", [&](const io::JsonCursor& number) { checkNumber(number, disk, made, check); });
+    check.files = disk.count();
+    return check;
+}
+
+}  // namespace lathelier::chain

@@ -1,0 +1,89 @@
+// The dossier of a copied part: the steps from the scan of the worn original to the proof of the copy, the files that
+// each took and made with their SHA-256, and the numbers that stand in them, each with the place where it is written.
+//
+// A step takes files from outside, or files that earlier steps made; so every number leads back to files from outside
+// by the digests alone. checkDossier() follows them all again on the disk.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/chain/traced_numbers.h"
+#include "engine/core/conformity.h"
+#include "engine/core/error.h"
+#include "engine/core/input_file.h"
+#include "engine/core/json.h"
+#include "engine/core/progress.h"
+
+namespace lathelier::chain {
+
+enum class StepState : std::uint8_t {
+    Done,       ///< its files are there
+    Missing,    ///< what it needs was not given
+    Failed,     ///< it refused; what earlier steps made stays
+    NotReached  ///< an earlier step failed
+};
+
+/// "done", "missing", "failed", "not_reached".
+const char* key(StepState state);
+Text nameOf(StepState state);
+
+/// One step of the chain.
+struct ChainStep {
+    std::string id;                           ///< "recognise", "draw"…
+    StepState state = StepState::NotReached;  ///< how it ended
+    std::vector<InputFile> inputs;            ///< files of the chain by their path within its folder, others as given
+    std::vector<InputFile> outputs;           ///< by their path within the folder of the chain
+    std::string result;                       ///< which of the outputs is its result as JSON; empty: none
+    Values parameters;                        ///< all of them
+    Notes notes;                              ///< of the step
+    std::optional<Error> error;               ///< why it failed, or what is missing
+};
+
+/// Somebody's word for something that the chain does not compute.
+struct Confirmation {
+    std::string what;  ///< "drawing"
+    std::string file;  ///< that was confirmed
+    std::string by;    ///< name; empty: nobody is named
+};
+
+struct Dossier {
+    std::vector<ChainStep> steps;         ///< in order
+    std::vector<TracedNumber> numbers;    ///< in the order of steps
+    std::vector<Confirmation> confirmed;  ///< what people answer for
+    std::optional<Verdict> verdict;       ///< of the copy; none: no copy, or no limit
+    Notes notes;                          ///< of the steps, each with `step`
+};
+
+inline constexpr const char* dossierSchema = "lathelier-dossier";
+inline constexpr const char* dossierFile = "dossier.json";  ///< in the folder of the chain
+
+/// Adds a step: its notes, and where it is done the numbers of its result.
+void add(Dossier& dossier, ChainStep step, const Json& result);
+
+/// `schema`, `verdict`, `steps`, `numbers`, `assumed` (the notes that say so), `confirmed`.
+Json toJson(const Dossier& dossier);
+
+/// What differs from what a dossier states.
+struct DossierFault {
+    std::string step;      ///< id
+    std::string what;      ///< "input", "output", "number"
+    std::string path;      ///< of the file
+    std::string place;     ///< JSON pointer of a number; else empty
+    bool is_gone = false;  ///< file or number is not there; else it differs
+};
+
+struct DossierCheck {
+    std::int64_t files = 0;            ///< digests that were computed anew
+    std::int64_t numbers = 0;          ///< numbers that were looked up
+    std::vector<DossierFault> faults;  ///< in the order of the dossier
+};
+
+/// Reads the dossier at `path`, computes every digest anew, looks every number up in its file, and follows each file
+/// of the chain that a step took to the step that made it. Files from outside that lie no longer at their path are
+/// faults that are gone. Errors malformed, keyMissing (line, column), those of FileBytes for the dossier itself.
+/// Throws Cancelled.
+DossierCheck checkDossier(const std::string& path, const Progress& progress = {});
+
+}  // namespace lathelier::chain

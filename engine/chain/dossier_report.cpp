@@ -1,0 +1,115 @@
+#include "engine/chain/dossier_report.h"
+
+#include <algorithm>
+
+namespace lathelier::chain {
+namespace {
+
+constexpr std::size_t shownOfDigest = 12;
+
+Text titleOf(const std::string& step)
+{
+    if (step == "recognise") return LT_TEXT("Engine", "Recognise the scan");
+    if (step == "draw") return LT_TEXT("Engine", "Drawing and CAD");
+    if (step == "machine") return LT_TEXT("Engine", "Machine");
+    if (step == "speeds") return LT_TEXT("Engine", "Stable depths and speeds");
+    if (step == "program") return LT_TEXT("Engine", "Turning program");
+    if (step == "deflection") return LT_TEXT("Engine", "Deflection");
+    if (step == "corrected_check") return LT_TEXT("Engine", "Check of the corrected program");
+    if (step == "copy") return LT_TEXT("Engine", "Comparison of the copy");
+    return LT_TEXT("Engine", "Predicted and measured");
+}
+
+std::int64_t countOf(const Dossier& dossier, StepState state)
+{
+    return std::count_if(dossier.steps.begin(), dossier.steps.end(),
+                         [state](const ChainStep& step) { return step.state == state; });
+}
+
+}  // namespace
+
+report::Table stepsTable(const Dossier& dossier)
+{
+    report::Table table{LT_TEXT("Engine", "Steps"),
+                        {LT_TEXT("Engine", "Step"), LT_TEXT("Engine", "State"), LT_TEXT("Engine", "Made")},
+                        {},
+                        {}};
+    for (const ChainStep& step : dossier.steps) {
+        std::string made;
+        for (const InputFile& file : step.outputs) made += (made.empty() ? "" : ", ") + file.path;
+        table.rows.push_back({titleOf(step.id), nameOf(step.state), made});
+    }
+    return table;
+}
+
+report::Table filesTable(const Dossier& dossier)
+{
+    report::Table table{LT_TEXT("Engine", "Files of the chain"),
+                        {LT_TEXT("Engine", "Step"), LT_TEXT("Engine", "Taken or made"), LT_TEXT("Engine", "File"),
+                         LT_TEXT("Engine", "SHA-256, first digits")},
+                        {},
+                        {}};
+    for (const ChainStep& step : dossier.steps) {
+        for (const InputFile& file : step.inputs)
+            table.rows.push_back(
+                {titleOf(step.id), LT_TEXT("Engine", "taken"), file.path, file.sha256.substr(0, shownOfDigest)});
+        for (const InputFile& file : step.outputs)
+            table.rows.push_back(
+                {titleOf(step.id), LT_TEXT("Engine", "made"), file.path, file.sha256.substr(0, shownOfDigest)});
+    }
+    return table;
+}
+
+report::Table numbersTable(const Dossier& dossier)
+{
+    report::Table table{LT_TEXT("Engine", "Numbers and where they stand"),
+                        {LT_TEXT("Engine", "File"), LT_TEXT("Engine", "Place"), LT_TEXT("Engine", "Value"),
+                         LT_TEXT("Engine", "U (k = 2)"), LT_TEXT("Engine", "Place of U")},
+                        {},
+                        {0, 0, 4, 4, 0}};
+    for (const TracedNumber& number : dossier.numbers)
+        table.rows.push_back({number.file, number.pointer, number.value,
+                              number.uncertainty ? Value(*number.uncertainty) : Value(), number.uncertainty_pointer});
+    return table;
+}
+
+report::Answer answer(const Dossier& dossier)
+{
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Copy of a part");
+    answer.verdict = dossier.verdict;
+    answer.sentence = LT_TEXT("Engine", "{done} of {steps} steps done, {missing} missing, {failed} failed.");
+    answer.values = {{"done", countOf(dossier, StepState::Done)},
+                     {"steps", static_cast<std::int64_t>(dossier.steps.size())},
+                     {"missing", countOf(dossier, StepState::Missing)},
+                     {"failed", countOf(dossier, StepState::Failed) + countOf(dossier, StepState::NotReached)}};
+    for (const ChainStep& step : dossier.steps)
+        if (step.state == StepState::Failed && step.error)
+            answer.findings.push_back({LT_TEXT("Engine", "{step}: {error}"),
+                                       {{"step", titleOf(step.id)}, {"error", text(*step.error)}},
+                                       std::nullopt,
+                                       {}});
+    return answer;
+}
+
+report::Document dossierReport(const Dossier& dossier, std::vector<report::Section> steps)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Dossier of a copied part");
+    document.sections.push_back({LT_TEXT("Engine", "Answer"), {answer(dossier), stepsTable(dossier)}});
+    if (!dossier.notes.empty()) document.sections.back().blocks.emplace_back(dossier.notes);
+    if (!dossier.confirmed.empty()) {
+        report::Table words{LT_TEXT("Engine", "Confirmed"),
+                            {LT_TEXT("Engine", "What"), LT_TEXT("Engine", "File"), LT_TEXT("Engine", "By")},
+                            {},
+                            {}};
+        for (const Confirmation& word : dossier.confirmed) words.rows.push_back({word.what, word.file, word.by});
+        document.sections.back().blocks.emplace_back(std::move(words));
+    }
+    for (report::Section& section : steps) document.sections.push_back(std::move(section));
+    document.sections.push_back({LT_TEXT("Engine", "Where every number stands"), {numbersTable(dossier)}});
+    document.sections.push_back({LT_TEXT("Engine", "Files"), {filesTable(dossier)}});
+    return document;
+}
+
+}  // namespace lathelier::chain

@@ -12,7 +12,7 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),     compareVerb(),   roundnessVerb(), cylindricityVerb(),
                                 trajectoryVerb(), frfVerb(),       spindleVerb(),   lobesVerb(),
-                                speedVerb(),      simulateVerb(),  toolpathVerb(),  checkVerb(),
+                                speedVerb(),      simulateVerb(),  toolpathVerb(),  turnVerb(), checkVerb(),
                                 deflectionVerb(), recognizeVerb(), drawVerb(),      verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),

@@ -158,9 +158,16 @@ private:
         } else if (count > 1) {
             parameters.finished_to_mm = clamping.finished_to_mm;
         }
-        const bool b = inputs_.post.is_system_b;
+        const bool b = isSystemB(text);
         if (b && inputs.before) inputs.before = asSystemA(*inputs.before);
         return checkTurning(b ? asSystemA(text) : text, part_, job_, parameters, inputs, progress);
+    }
+
+    /// A post that names no dialect may write for a control that is recognized but not read.
+    bool isSystemB(const std::string& text) const
+    {
+        if (inputs_.post.dialect) return inputs_.post.is_system_b;
+        return gcode::detectDialect(text).not_read == "Fanuc (G code system B)";
     }
 
     void describe(const SetupOperations& planned, const WrittenProgram& written, SetupPlan& setup) const

@@ -1,6 +1,8 @@
 // The nose-centre curve and what it leaves, against closed forms and properties.
 #include "engine/cam/envelope.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "tests/engine/cam/plan_data.h"

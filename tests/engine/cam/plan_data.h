@@ -1,8 +1,9 @@
 // Jobs for plans, made here: tools of the trade, the papers' shaft, random shafts.
 #pragma once
 
-#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 

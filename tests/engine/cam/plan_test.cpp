@@ -1,7 +1,10 @@
 // Plans: written, read again and checked; what stays is what the curves say.
 #include "engine/cam/plan.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <cstdlib>
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/plan_codes.h"

@@ -1,6 +1,8 @@
 // Posts as data, and the text that they make of moves.
 #include "engine/cam/post/post.h"
 
+#include <gtest/gtest.h>
+
 #include "engine/cam/post/program_writer.h"
 #include "tests/engine/cam/plan_data.h"
 

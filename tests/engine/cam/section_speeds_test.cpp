@@ -1,6 +1,8 @@
 // Speeds by section of the papers' shaft: bar D40, overhang 200 mm, spindle 14 850 N/mm and 198.3e6 N mm/rad.
 #include "engine/cam/section_speeds.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "engine/cam/cutting_data.h"

@@ -11,9 +11,9 @@ const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{
-            sampleVerb(),     compareVerb(),   roundnessVerb(), cylindricityVerb(),  trajectoryVerb(), frfVerb(),
-            spindleVerb(),    lobesVerb(),     speedVerb(),     simulateVerb(),      toolpathVerb(),   checkVerb(),
-            deflectionVerb(), recognizeVerb(), drawVerb(),      remanufactureVerb(), verifyVerb()};
+            sampleVerb(),  compareVerb(),    roundnessVerb(),     cylindricityVerb(), trajectoryVerb(), frfVerb(),
+            spindleVerb(), lobesVerb(),      speedVerb(),         simulateVerb(),     toolpathVerb(),   turnVerb(),
+            checkVerb(),   deflectionVerb(), remanufactureVerb(), recognizeVerb(),    drawVerb(),       verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),
                             &io::frfFiles(),

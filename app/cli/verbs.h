@@ -17,6 +17,7 @@ Verb lobesVerb();
 Verb speedVerb();
 Verb simulateVerb();
 Verb toolpathVerb();
+Verb turnVerb();
 Verb checkVerb();
 Verb deflectionVerb();
 Verb remanufactureVerb();

@@ -15,7 +15,7 @@ inline constexpr ErrorCode noSetupPossible{
 inline constexpr ErrorCode programRefused{
     "program_refused", ErrorKind::NoAnswer,
     LT_TEXT("Engine",
-            "The check of the written program found {findings} collisions and a gouge of {gouge_um} µm; no program was "
+            "The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was "
             "written.")};
 
 inline constexpr ErrorCode postUnknown{
@@ -58,8 +58,7 @@ inline constexpr NoteCode materialForPowerMissing{
 inline constexpr NoteCode noStableSpeedHere{
     "no_stable_speed", Severity::Warning,
     LT_TEXT("Engine",
-            "No stable speed for z = {z_start_mm} … {z_end_mm} mm within the cutting speeds; {speed_rpm} 1/min is "
-            "kept. Stable there up to {relative_depth} times the least limiting depth.")};
+            "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.")};
 
 inline constexpr NoteCode secondClampingAssumed{
     "second_clamping_assumed", Severity::Warning,

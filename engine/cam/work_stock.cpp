@@ -15,7 +15,12 @@ constexpr double kLift_mm = 0.25;
 }  // namespace
 
 WorkStock::WorkStock(const Shaft& stock, const stock::StockParameters& parameters)
-    : columns_(stock, parameters.step_mm), parameters_(parameters)
+    : WorkStock(stock::MeridianStock(stock, parameters.step_mm), parameters)
+{
+}
+
+WorkStock::WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters)
+    : columns_(std::move(stock)), parameters_(parameters)
 {
     for (const stock::TurningTool& tool : parameters.tools) {
         stock::ToolOutline outline = stock::outlineOf(tool);

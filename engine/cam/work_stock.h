@@ -23,6 +23,8 @@ class WorkStock {
 public:
     /// `parameters`: as stockParameters(job) has them, tools among them. Errors of MeridianStock and outlineOf().
     WorkStock(const Shaft& stock, const stock::StockParameters& parameters);
+    /// From what is left of another clamping.
+    WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters);
 
     /// Cuts. None: nothing was met. What was met first is returned, and the stock is then as if it had been allowed.
     std::optional<Refusal> run(const Operation& operation);

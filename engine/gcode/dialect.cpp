@@ -241,8 +241,7 @@ const std::vector<FieldChoice>& dialectChoices()
                                               {"fanuc", LT_TEXT("Engine", "Fanuc, system A")},
                                               {"haas", LT_TEXT("Engine", "Haas")},
                                               {"sinumerik", LT_TEXT("Engine", "Sinumerik")},
-                                              {"linuxcnc", LT_TEXT("Engine", "LinuxCNC")},
-                                              {"fanuc_b", LT_TEXT("Engine", "Fanuc, system B")}};
+                                              {"linuxcnc", LT_TEXT("Engine", "LinuxCNC")}};
     return all;
 }
 

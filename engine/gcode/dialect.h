@@ -11,10 +11,9 @@ namespace lathelier::gcode {
 
 /// Auto is a wish only; a program that was read has one of the others.
 /// Fanuc: G code system A of turning. Haas: the same with one-block cycles. LinuxCNC: also what GRBL takes of it.
-/// FanucB: G code system B, read where it is asked for; a program that only looks like it is refused.
-enum class Dialect { Auto, Fanuc, Haas, Sinumerik, LinuxCnc, FanucB };
+enum class Dialect { Auto, Fanuc, Haas, Sinumerik, LinuxCnc };
 
-/// "auto", "fanuc", "haas", "sinumerik", "linuxcnc", "fanuc_b".
+/// "auto", "fanuc", "haas", "sinumerik", "linuxcnc".
 const char* key(Dialect dialect);
 
 /// Choices of a Choice field, in the order of the enumerators.
@@ -37,7 +36,7 @@ DialectFound detectDialect(std::string_view text);
 
 constexpr bool isFanucLike(Dialect dialect)
 {
-    return dialect == Dialect::Fanuc || dialect == Dialect::Haas || dialect == Dialect::FanucB;
+    return dialect == Dialect::Fanuc || dialect == Dialect::Haas;
 }
 
 }  // namespace lathelier::gcode

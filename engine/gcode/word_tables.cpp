@@ -72,23 +72,6 @@ Table fanuc(bool isHaas)
     return table;
 }
 
-Table fanucB()
-{
-    Table table = fanuc(false);
-    fill(table, {{500, G::NotModelled},
-                 {770, G::TurnCycle},
-                 {780, G::ThreadCycle},
-                 {790, G::FaceCycle},
-                 {900, G::Absolute},
-                 {910, G::Incremental},
-                 {920, G::SpeedLimit},
-                 {940, G::PerMinute},
-                 {950, G::PerRevolution},
-                 {980, G::NoEffect},
-                 {990, G::NoEffect}});
-    return table;
-}
-
 Table linuxCnc()
 {
     Table table = common();
@@ -156,11 +139,10 @@ Table sinumerik()
 
 const Table& tableOf(Dialect dialect)
 {
-    static const Table fanucTable = fanuc(false), haasTable = fanuc(true), fanucBTable = fanucB(), linuxTable = linuxCnc(),
+    static const Table fanucTable = fanuc(false), haasTable = fanuc(true), linuxTable = linuxCnc(),
                        sinumerikTable = sinumerik();
     switch (dialect) {
         case Dialect::Haas: return haasTable;
-        case Dialect::FanucB: return fanucBTable;
         case Dialect::LinuxCnc: return linuxTable;
         case Dialect::Sinumerik: return sinumerikTable;
         default: return fanucTable;

@@ -293,7 +293,7 @@ private:
             result_.notes.push_back(
                 {notes::startUnknown,
                  {{"line", first_unknown_line_}, {"count", static_cast<std::int64_t>(starts_unknown_)}}});
-        if (outline_every_ > 1)
+        if (outline_every_ > 1 && parameters_.most_outlines > 1)
             result_.notes.push_back({notes::outlinesThinned,
                                      {{"every", static_cast<std::int64_t>(outline_every_)},
                                       {"passes", static_cast<std::int64_t>(result_.passes.size())}}});
@@ -323,7 +323,8 @@ void simulate(const ToolSet& tools, const StockSteps& steps, MeridianStock colum
     result.length_mm = columns.length_mm();
     result.volume_before_mm3 = columns.volume_mm3();
     result.before = outlineOf(columns, outlineTolerance_mm);
-    const std::size_t every = countRuns(moves) / mostOutlines + 1;
+    const std::size_t most = std::max<std::size_t>(parameters.most_outlines, 1);
+    const std::size_t every = most > 1 ? countRuns(moves) / most + 1 : moves.size() + 1;
     Simulation(tools, parameters, steps, std::move(columns), every, result).run(moves, progress);
 }
 

@@ -35,6 +35,8 @@
 
 namespace lathelier::stock {
 
+inline constexpr std::size_t mostOutlines = 400;  ///< kept; beyond, those of every second pass, third…
+
 struct StockParameters {
     double z_zero_mm = 0;                    ///< z of the program's Z0: z = z_zero_mm - Z
     std::vector<TurningTool> tools;          ///< by number; a tool that is missing is one of number 0, or assumed
@@ -46,6 +48,8 @@ struct StockParameters {
     double step_mm = 0.02;                   ///< width of a column of stock
     double feed_step_mm = 1;                 ///< longest step of a feed move between two tests of the holder
     double touch_mm = 0.01;                  ///< what meets no deeper only touches
+    std::size_t most_outlines =
+        mostOutlines;  ///< kept after passes; 1: the last one alone. No field: nobody chooses it
     friend bool operator==(const StockParameters&, const StockParameters&) = default;
 };
 
@@ -101,7 +105,6 @@ struct StockResult {
 };
 
 inline constexpr std::size_t mostFindings = 1000;
-inline constexpr std::size_t mostOutlines = 400;      ///< kept; beyond, those of every second pass, third…
 inline constexpr double outlineTolerance_mm = 0.005;  ///< of what is kept
 inline constexpr double smallClearance_mm = 0.1;      ///< a rapid move that passes nearer is noted
 inline constexpr double airCut_mm = 2;                ///< a feed move above the stock that is longer is noted

@@ -43,6 +43,7 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
     const Corner centre = place + r * normal;
     const double kappa = tool.entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) * degree;
     const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg) * degree;
+    const bool leads = kappa < 90 * degree;
     const Corner of_main{feed * std::sin(kappa), -std::cos(kappa)}, of_back{-feed * std::sin(back), -std::cos(back)};
     const std::vector<DrawnPoint>& points = drawing.points();
     const std::size_t every = points.size() / mostSeen + 1;
@@ -57,7 +58,9 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
         // Between both edges but before the nose: in front of the centre, toward the axis.
         const double along = feed * off.z_mm;
         if (along < 0 && dot(off, {-feed * std::cos(back), std::sin(back)}) > 0) return RestCause::BackAngle;
-        if (along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0) return RestCause::LeadingAngle;
+        // No wall is steeper than 90°: an edge that leads at more meets none before the nose does.
+        if (leads && along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0)
+            return RestCause::LeadingAngle;
     }
     return found;
 }

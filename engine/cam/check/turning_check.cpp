@@ -103,6 +103,7 @@ private:
         Clamping clamping;
         clamping.bodies = stockParameters(job_);
         clamping.bodies.dog_leg = parameters_.dog_leg;
+        clamping.bodies.most_outlines = parameters_.keeps_outlines ? stock::mostOutlines : 1;
         result_.stock_zero_mm = job_.stock.face_allowance_mm;
         clamping.limits = {job_.stock.diameter_mm / 2, -job_.stock.face_allowance_mm};
         const bool is_second = parameters_.setup == 2;
@@ -134,6 +135,7 @@ private:
             stock::StockParameters bodies = stockParameters(job_);
             bodies.chuck.reset();
             bodies.dog_leg = parameters_.dog_leg;
+            bodies.most_outlines = 1;
             bar = stock::simulateStock(std::move(bar), read.path.moves, bodies, progress_.part(0.15, 0.3)).left;
             clamping.before = cutterPath(read.path.moves, job_, {0, true, length}, result_.notes);
         }

@@ -33,6 +33,7 @@ struct CheckParameters {
     std::optional<double> finished_to_mm;    ///< what is left counts up to this z; none: up to the end
     std::optional<double> chuck_face_z_mm;   ///< none: as the job states (setup 1), not looked at (setup 2)
     bool dog_leg = true;                     ///< test the dog-leg of rapid moves too
+    bool keeps_outlines = false;  ///< of the stock after each pass, not only the last; costs more than the check itself
 };
 
 const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*);

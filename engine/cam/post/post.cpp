@@ -1,6 +1,7 @@
 #include "engine/cam/post/post.h"
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "engine/cam/plan_codes.h"
@@ -57,7 +58,7 @@ public:
     Post run(Notes& notes)
     {
         post_.name = root_.at("name", textExpected).string();
-        if (const auto dialect = root_.member("dialect")) post_.dialect = dialectOf(*dialect);
+        if (const auto dialect = root_.member("dialect")) readDialect(*dialect);
         static const std::pair<const char*, Templates Post::*> demanded[]{
             {"program_start", &Post::program_start}, {"header_comments", &Post::header_comments},
             {"safe_start", &Post::safe_start},       {"tool_start", &Post::tool_start},
@@ -111,13 +112,21 @@ private:
         cursor.reject(expected);
     }
 
-    static gcode::Dialect dialectOf(const JsonCursor& cursor)
+    void readDialect(const JsonCursor& cursor)
     {
         const std::string found = cursor.string();
+        if (found == "fanuc_b") {
+            post_.dialect = gcode::Dialect::Fanuc;
+            post_.is_system_b = true;
+            return;
+        }
         const auto& choices = gcode::dialectChoices();
         for (std::size_t i = 1; i < choices.size(); ++i)
-            if (choices[i].key == found) return static_cast<gcode::Dialect>(i);
-        cursor.reject(LT_TEXT("Engine", "a dialect that toolpath reads, such as fanuc"));
+            if (choices[i].key == found) {
+                post_.dialect = static_cast<gcode::Dialect>(i);
+                return;
+            }
+        cursor.reject(LT_TEXT("Engine", "a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc"));
     }
 
     static int whole(const JsonCursor& cursor, int least, int most)
@@ -194,7 +203,7 @@ std::string postText(const Post& post)
 {
     Json json;
     json["name"] = post.name;
-    if (post.dialect) json["dialect"] = gcode::key(*post.dialect);
+    if (post.dialect) json["dialect"] = post.is_system_b ? "fanuc_b" : gcode::key(*post.dialect);
     json["program_start"] = post.program_start;
     json["header_comments"] = post.header_comments;
     json["safe_start"] = post.safe_start;
@@ -232,6 +241,32 @@ std::string postText(const Post& post)
     json["comment"]["max_length"] = post.comment_length;
     json["end_of_line"] = post.end_of_line == "\n" ? "lf" : "crlf";
     return json.dump(1) + "\n";
+}
+
+std::string asSystemA(const std::string& text)
+{
+    static constexpr std::pair<const char*, const char*> codes[]{{"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}};
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] == '(') {  // comments stay
+            const std::size_t end = std::min(text.find_first_of(")\n", at), text.size() - 1);
+            result += text.substr(at, end + 1 - at);
+            at = end + 1;
+            continue;
+        }
+        const bool is_word = at + 2 < text.size() && text[at] == 'G' &&
+                             (at + 3 >= text.size() || !std::isdigit(static_cast<unsigned char>(text[at + 3])));
+        const auto* code = std::find_if(std::begin(codes), std::end(codes), [&](const auto& pair) {
+            return is_word && text.compare(at, 3, pair.first) == 0;
+        });
+        if (code == std::end(codes)) {
+            result += text[at++];
+        } else {
+            result += code->second;
+            at += 3;
+        }
+    }
+    return result;
 }
 
 std::vector<std::string> postNames()

@@ -36,6 +36,7 @@ using Templates = std::vector<std::string>;
 struct Post {
     std::string name;                        ///< for people and file names
     std::optional<gcode::Dialect> dialect;   ///< that its programs are read in; none: what the text looks like
+    bool is_system_b = false;                ///< its programs use Fanuc's G code system B ("dialect": "fanuc_b")
     Templates program_start;                 ///< before everything, without block numbers
     Templates header_comments;               ///< comments at the top
     Templates safe_start;                    ///< modes
@@ -73,6 +74,10 @@ Post readPost(const std::string& json, Notes& notes);
 
 /// The text of a file that readPost() reads to the same value.
 std::string postText(const Post& post);
+
+/// The text with the codes of Fanuc's system B replaced by those of system A, line by line: G90 is left out, G92 S becomes
+/// G50 S, G94 and G95 become G98 and G99. What has no such counterpart (G91) stays, and is then read as system A has it.
+std::string asSystemA(const std::string& text);
 
 /// Names of the posts that are built in, and one of them. Error postUnknown naming them.
 std::vector<std::string> postNames();

@@ -1,0 +1,90 @@
+#include "engine/cam/cutting_data.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "engine/cam/post/built_in_posts.h"
+#include "engine/io/json/library_file.h"
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double kRad = 3.14159265358979323846 / 180;
+constexpr double kUm = 1000;
+constexpr double kPerKilowatt = 60000;
+
+std::string plain(const std::string& name)
+{
+    std::string result;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+}  // namespace
+
+const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*)
+{
+    using P = WorkMaterial;
+    static const auto all = [] {
+        Label force{LT_TEXT("Engine", "Specific cutting force"), LT_TEXT("Engine", "At a chip of 1 mm by 1 mm."),
+                    LT_TEXT("Engine", "N/mm²")};
+        force.required = true;
+        Label exponent{LT_TEXT("Engine", "Exponent"), LT_TEXT("Engine", "How the force falls with the thickness.")};
+        exponent.required = true;
+        return described<P>(
+            field("name", &P::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "As drawings state it.")}),
+            field("k_c11_N_mm2", &P::k_c11_N_mm2, {1, 1e5}, force), field("m_c", &P::m_c, {0, 0.9}, exponent),
+            field("standing", &P::standing,
+                  Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
+    }();
+    return all;
+}
+
+const std::vector<LibraryEntry<WorkMaterial>>& workMaterials()
+{
+    static const std::vector<LibraryEntry<WorkMaterial>> all =
+        io::readLibrary<WorkMaterial>(builtInLibraries().at(0).text, "work_materials");
+    return all;
+}
+
+const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name)
+{
+    for (const LibraryEntry<WorkMaterial>& entry : workMaterials())
+        if (plain(entry.key) == plain(name) || plain(entry.value.name) == plain(name)) return &entry;
+    return nullptr;
+}
+
+double cuttingPower_kW(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
+                       double cutting_speed_m_min)
+{
+    const double sine = std::sin(entering_angle_deg * kRad), h = feed_mm_rev * sine, b = depth_mm / sine;
+    if (!(h > 0) || !(b > 0)) return 0;
+    return material.k_c11_N_mm2 * b * std::pow(h, 1 - material.m_c) * cutting_speed_m_min / kPerKilowatt;
+}
+
+double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg)
+{
+    const double f = feed_mm_rev, r = nose_radius_mm, back = back_angle_deg * kRad;
+    const bool is_trimmed = back_angle_deg < 90 && f > 2 * r * std::sin(back);
+    if (!is_trimmed) {
+        if (f >= 2 * r) return std::numeric_limits<double>::quiet_NaN();
+        return kUm * (r - std::sqrt(r * r - f * f / 4));
+    }
+    // Height where the nose's circle, behind its deepest point, meets the back edge of the next revolution.
+    const double start = r - r * std::cos(back);
+    double low = start, high = std::min(r, start + f * std::tan(back));
+    constexpr int kHalvings = 60;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double h = (low + high) / 2;
+        const double circle = std::sqrt(std::max(0.0, r * r - (r - h) * (r - h)));
+        const double edge = f - r * std::sin(back) - (h - start) / std::tan(back);
+        (circle < edge ? low : high) = h;
+    }
+    return kUm * (low + high) / 2;
+}
+
+}  // namespace lathelier::cam

@@ -1,0 +1,395 @@
+#include "engine/cam/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/cam/check/check_quantities.h"
+#include "engine/cam/cutting_data.h"
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/job_rules.h"
+#include "engine/cam/plan_codes.h"
+#include "engine/cam/plan_head.h"
+#include "engine/cam/post/program_writer.h"
+#include "engine/cam/work_frame.h"
+#include "engine/gcode/program_time.h"
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double kAssumedLimit_rpm = 3000;
+constexpr double kSlenderBeam_mm = 0.1;  // least diameter that a beam takes
+constexpr double kUmPerMm = 1000;
+constexpr double kMm3PerCm3 = 1000;
+
+/// The finished part in a clamping, up to the chuck's face.
+Shaft bodyInClamping(const Shaft& part, const Clamping& clamping)
+{
+    const double face = clamping.job.setup.chuck_face_z_mm;
+    Shaft body = clamping.is_mirrored ? mirrored(part) : part;
+    body.bores.clear();
+    body.marks.clear();
+    if (body.length_mm() > face) return cutAt(body, face);
+    if (const double stub = face - body.length_mm(); stub > 1e-9) {
+        ShaftSegment bar;
+        bar.length_mm = stub;
+        bar.start_diameter_mm = bar.end_diameter_mm = clamping.job.stock.diameter_mm;
+        body.segments.push_back(bar);
+    }
+    for (ShaftSegment& row : body.segments)
+        for (double* diameter : {&row.start_diameter_mm, &row.end_diameter_mm})
+            *diameter = std::max(*diameter, kSlenderBeam_mm);
+    return body;
+}
+
+class Planner {
+public:
+    Planner(const Shaft& part, const Job& job, const TurningInputs& inputs, const TurningParameters& parameters)
+        : part_(part), job_(job), inputs_(inputs), parameters_(parameters)
+    {
+    }
+
+    TurningPlan plan(const std::vector<Clamping>& clampings, const Progress& progress)
+    {
+        TurningPlan plan;
+        plan.parameters = parameters_;
+        plan.part = part_;
+        plan.job = job_;
+        plan.post = inputs_.post.name;
+        if (!job_.max_rpm) plan.notes.push_back({notes::speedLimitAssumed, {{"max_rpm", kAssumedLimit_rpm}}});
+        std::optional<WorkStock> left;
+        const double share = 1.0 / static_cast<double>(clampings.size());
+        for (std::size_t i = 0; i < clampings.size(); ++i)
+            planClamping(clampings[i], i, clampings.size(), left, plan,
+                         progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
+        conclude(plan);
+        return plan;
+    }
+
+private:
+    void planClamping(const Clamping& clamping, std::size_t index, std::size_t count, std::optional<WorkStock>& left,
+                      TurningPlan& plan, const Progress& progress)
+    {
+        const WorkStock begin = left ? turnedRound(*left, clamping) : barOf(clamping);
+        SetupOperations planned = planSetup(clamping, begin, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
+        SetupPlan setup;
+        setup.clamping = clamping;
+        const std::vector<SectionSpeed> sections =
+            speeds(clamping, planned, begin, plan.notes, progress.part(0.4, 0.6, LT_TEXT("Engine", "Speeds")));
+        ProgramHead head;
+        head.title = job_.title.empty() ? part_.name : job_.title;
+        head.number = 100 + static_cast<int>(index);
+        head.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
+        head.has_tailstock = clamping.job.setup.tailstock.has_value();
+        head.comments = headComments(
+            {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
+        WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
+        setup.check = checked(written.text, clamping, count,
+                              plan.setups.empty() ? std::string() : plan.setups.front().text,
+                              progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
+        // The same number of lines, with the outcome in the head.
+        head.comments = headComments(
+            {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, checkLine(setup.check)},
+            inputs_.post);
+        setup.text = writeProgram(inputs_.post, head, planned.operations).text;
+        setup.predicted = planned.rest;
+        setup.refused = planned.refused;
+        describe(planned, written, setup);
+        setup.moves = std::move(planned.operations);
+        for (SectionSpeed section : sections) {
+            section.setup = static_cast<int>(index) + 1;
+            if (clamping.is_mirrored) {
+                const double from = section.z_start_mm;
+                section.z_start_mm = part_.length_mm() - section.z_end_mm;
+                section.z_end_mm = part_.length_mm() - from;
+            }
+            plan.sections.push_back(section);
+        }
+        plan.notes.insert(plan.notes.end(), planned.notes.begin(), planned.notes.end());
+        plan.notes.insert(plan.notes.end(), setup.check.notes.begin(), setup.check.notes.end());
+        plan.setups.push_back(std::move(setup));
+        left = std::move(planned.after);
+        progress.report(1);
+    }
+
+    WorkStock turnedRound(const WorkStock& left, const Clamping& clamping) const
+    {
+        const double length = part_.length_mm(), zero = job_.stock.face_allowance_mm;
+        stock::MeridianStock turned = left.columns().turnedRound(length + 2 * zero);
+        stock::StockParameters bodies = stockParameters(clamping.job);
+        bodies.z_zero_mm = std::max(0.0, turned.length_mm() - length - zero);
+        if (bodies.chuck) bodies.chuck->face_z_mm = clamping.job.setup.chuck_face_z_mm + bodies.z_zero_mm;
+        return WorkStock(std::move(turned), bodies);
+    }
+
+    std::vector<SectionSpeed> speeds(const Clamping& clamping, SetupOperations& planned, const WorkStock& begin,
+                                     Notes& notes, const Progress& progress) const
+    {
+        SpeedRequest request;
+        request.spindle = inputs_.spindle;
+        request.relation = parameters_.relation;
+        request.model = parameters_.part_model;
+        request.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
+        request.whole = bodyInClamping(part_, clamping);
+        std::vector<SectionSpeed> sections;
+        WorkStock work = begin;
+        for (Operation& operation : planned.operations) {
+            if (operation.kind == OperationKind::Rough)
+                setRoughSpeeds(operation, clamping, request, work, notes, progress.part(0, 0.5));
+            if (operation.kind == OperationKind::Finish) {
+                sections = finishSections(clamping, request, work, notes, progress.part(0.5, 1));
+                setFinishSpeeds(operation, sections);
+                break;
+            }
+            if (request.spindle) work.run(operation);
+        }
+        return sections;
+    }
+
+    CheckResult checked(const std::string& text, const Clamping& clamping, std::size_t count, const std::string& before,
+                        const Progress& progress) const
+    {
+        CheckParameters parameters;
+        parameters.program.dialect = inputs_.post.dialect.value_or(gcode::Dialect::Auto);
+        CheckInputs inputs;
+        if (clamping.is_mirrored) {
+            parameters.setup = 2;
+            inputs.before = before;
+            parameters.chuck_face_z_mm = clamping.job.setup.chuck_face_z_mm;
+        } else if (count > 1) {
+            parameters.finished_to_mm = clamping.finished_to_mm;
+        }
+        const bool b = isSystemB(text);
+        if (b && inputs.before) inputs.before = asSystemA(*inputs.before);
+        return checkTurning(b ? asSystemA(text) : text, part_, job_, parameters, inputs, progress);
+    }
+
+    /// A post that names no dialect may write for a control that is recognized but not read.
+    bool isSystemB(const std::string& text) const
+    {
+        if (inputs_.post.dialect) return inputs_.post.is_system_b;
+        return gcode::detectDialect(text).not_read == "Fanuc (G code system B)";
+    }
+
+    void describe(const SetupOperations& planned, const WrittenProgram& written, SetupPlan& setup) const
+    {
+        const LibraryEntry<WorkMaterial>* material = workMaterial(job_.cutting.material);
+        const std::vector<gcode::Move>& moves = setup.check.path.moves;
+        int tool = 0;
+        for (std::size_t i = 0; i < planned.operations.size(); ++i) {
+            const Operation& operation = planned.operations[i];
+            PlannedOperation described;
+            described.kind = operation.kind;
+            described.tool = operation.tool;
+            described.blocks = written.operations[i].blocks;
+            described.first_line = written.operations[i].first_line;
+            described.volume_cm3 = planned.removed_mm3[i] / kMm3PerCm3;
+            const std::int64_t end =
+                i + 1 < written.operations.size() ? written.operations[i + 1].first_line : INT64_MAX;
+            std::vector<gcode::Move> own;
+            for (const gcode::Move& move : moves)
+                if (move.line >= described.first_line && move.line < end && move.tool == operation.tool &&
+                    gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm))
+                    own.push_back(move);
+            const gcode::ProgramTimes times = gcode::timesOf(own);
+            described.feed_length_mm = times.all.feed_length_mm;
+            described.time_s = times.all.time_s();
+            if (material) described.power_max_kW = powerOf(*material, operation, planned.depth_mm[i]);
+            setup.time_s += described.time_s + (operation.tool != tool ? parameters_.tool_change_s : 0);
+            tool = operation.tool;
+            setup.operations.push_back(described);
+        }
+    }
+
+    double powerOf(const LibraryEntry<WorkMaterial>& material, const Operation& operation, double depth) const
+    {
+        const JobTool* tool = job_.tool(operation.tool);
+        double feed = 0, speed = operation.cutting_speed_m_min;
+        for (const CutMove& move : operation.moves) feed = std::max(feed, move.feed_mm_rev);
+        const double angle = tool && tool->isProfile() ? tool->entering_angle_deg.value_or(90) : 90;
+        return cuttingPower_kW(material.value, depth, feed, angle, speed);
+    }
+
+    void conclude(TurningPlan& plan) const
+    {
+        if (const auto* material = workMaterial(job_.cutting.material))
+            plan.notes.push_back({notes::cuttingDataAssumed,
+                                  {{"source", material->source},
+                                   {"k_c11_N_mm2", material->value.k_c11_N_mm2},
+                                   {"m_c", material->value.m_c}}});
+        else
+            plan.notes.push_back({notes::materialForPowerMissing, {}});
+        for (const ShaftMark& mark : part_.marks)
+            if (mark.kind == "thread")
+                plan.notes.push_back({notes::threadNotPlanned, {{"designation", mark.designation}}});
+        if (!part_.bores.empty()) plan.notes.push_back({notes::boresNotPlanned, {}});
+        // The last clamping's check has seen the cuts of both.
+        const SetupPlan& last = plan.setups.back();
+        for (RestInterval rest : last.check.rest) {
+            if (last.clamping.is_mirrored) {
+                const double from = rest.z_start_mm;
+                rest.z_start_mm = part_.length_mm() - rest.z_end_mm;
+                rest.z_end_mm = part_.length_mm() - from;
+            }
+            explain(rest, plan);
+            plan.rest.push_back(rest);
+        }
+        std::stable_sort(plan.rest.begin(), plan.rest.end(), [](const RestInterval& a, const RestInterval& b) {
+            return a.z_start_mm < b.z_start_mm;
+        });
+        for (const RestInterval& rest : plan.rest) plan.left_max_mm = std::max(plan.left_max_mm, rest.left_mm);
+        bool is_unstable = false;
+        for (const Note& note : plan.notes) is_unstable = is_unstable || note.code == notes::noStableSpeedHere;
+        for (const SetupPlan& setup : plan.setups)
+            plan.is_refused = plan.is_refused || setup.check.path.has_errors || !setup.check.findings.empty() ||
+                              setup.check.gouge_um > kUmPerMm * gougeLimit_mm;
+        plan.verdict = plan.is_refused || is_unstable || !plan.rest.empty() ? Verdict::Fail : Verdict::Pass;
+    }
+
+    /// A rest that a refused operation was for has that operation's reason.
+    void explain(RestInterval& rest, const TurningPlan& plan) const
+    {
+        for (const SetupPlan& setup : plan.setups)
+            for (const RefusedOperation& refused : setup.refused) {
+                double from = refused.rest.z_start_mm, to = refused.rest.z_end_mm;
+                if (setup.clamping.is_mirrored) {
+                    from = part_.length_mm() - refused.rest.z_end_mm;
+                    to = part_.length_mm() - refused.rest.z_start_mm;
+                }
+                if (rest.z_start_mm <= to && rest.z_end_mm >= from) rest.cause = refused.cause;
+            }
+    }
+
+    const Shaft& part_;
+    const Job& job_;
+    const TurningInputs& inputs_;
+    const TurningParameters& parameters_;
+};
+
+bool isOnlyCorners(const TurningPlan& plan)
+{
+    return !plan.is_refused && std::all_of(plan.rest.begin(), plan.rest.end(), [](const RestInterval& rest) {
+        return rest.cause == RestCause::NoseRadius || rest.cause == RestCause::Blade;
+    });
+}
+
+void checkFeeds(const Job& job)
+{
+    for (const ToolUse use : {ToolUse::Rough, ToolUse::Finish, ToolUse::FinishBack}) {
+        const JobTool* tool = job.toolFor(use);
+        if (!tool || !tool->isProfile()) continue;
+        const double feed = tool->feed_mm_rev.value_or(use == ToolUse::Rough ? job.cutting.rough.feed_mm_rev
+                                                                             : job.cutting.finish.feed_mm_rev);
+        if (feed >= 2 * tool->radius_mm())
+            throw Error(errors::feedBeyondNose, {{"tool", std::int64_t{tool->number}},
+                                                 {"feed_mm_rev", feed},
+                                                 {"nose_radius_mm", tool->radius_mm()},
+                                                 {"most_mm_rev", 2 * tool->radius_mm()}});
+    }
+}
+
+}  // namespace
+
+const CheckResult& TurningPlan::worstCheck() const
+{
+    const auto worse = [](const SetupPlan& a, const SetupPlan& b) {
+        return std::pair(a.check.findings.size(), a.check.gouge_um) <
+               std::pair(b.check.findings.size(), b.check.gouge_um);
+    };
+    return std::max_element(setups.begin(), setups.end(), worse)->check;
+}
+
+const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
+{
+    using P = TurningParameters;
+    const std::vector<FieldChoice> setups{{"auto", LT_TEXT("Engine", "two where one leaves more")},
+                                          {"1", LT_TEXT("Engine", "one")},
+                                          {"2", LT_TEXT("Engine", "two")}};
+    const std::vector<FieldChoice> relations{{"exact", LT_TEXT("Engine", "exact")},
+                                             {"published", LT_TEXT("Engine", "as published")}};
+    const std::vector<FieldChoice> models{{"finished", LT_TEXT("Engine", "the finished part")},
+                                          {"moment", LT_TEXT("Engine", "the work at that moment")}};
+    static const auto all = described<P>(
+        field("setups", &P::setups, setups,
+              Label{LT_TEXT("Engine", "Clampings"),
+                    LT_TEXT("Engine", "Auto turns the part round where that leaves less on the drawing.")}),
+        field("relation", &P::relation, relations,
+              Label{LT_TEXT("Engine", "Relation"), LT_TEXT("Engine", "Between lobes and speeds.")}),
+        field("part_model", &P::part_model, models,
+              Label{LT_TEXT("Engine", "Part for the speeds"),
+                    LT_TEXT("Engine", "Body whose dynamics decide the speeds of the finish.")}),
+        field("tool_change_s", &P::tool_change_s, {0, 600},
+              Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
+                    LT_TEXT("Engine", "s")}));
+    return all;
+}
+
+TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
+                        const TurningParameters& parameters, const Progress& progress)
+{
+    checkPart(part);
+    checkStock(job, part);
+    checkTools(job);
+    checkUses(job);
+    checkFeeds(job);
+    Planner planner(part, job, inputs, parameters);
+    std::optional<TurningPlan> one;
+    std::optional<Error> refusal;
+    if (parameters.setups != SetupChoice::Two) {
+        try {
+            one = planner.plan({wholeClamping(part, job)}, progress.part(0, parameters.setups == SetupChoice::One ? 1 : 0.4));
+        } catch (const Error& error) {
+            if (parameters.setups == SetupChoice::One || !(error.code() == errors::noSetupPossible)) throw;
+            refusal = error;
+        }
+        if (one && (parameters.setups == SetupChoice::One || isOnlyCorners(*one))) return *std::move(one);
+    }
+    const std::optional<double> split = splitOf(part);
+    double missing = 0;
+    const std::optional<Grip> grip = split ? gripBefore(part, job, *split, missing) : std::nullopt;
+    if (!grip) {
+        if (one) return *std::move(one);
+        if (refusal) throw Error(*refusal);
+        throw Error(errors::noSetupPossible,
+                    {{"reason", LT_TEXT("Engine", "no finished cylinder is long enough to grip the part by")},
+                     {"missing_mm", missing}});
+    }
+    try {
+        TurningPlan two = planner.plan(twoClampings(part, job, *split, *grip), progress.part(0.4, 1));
+        two.notes.push_back({notes::secondClampingAssumed,
+                             {{"grip_start_mm", grip->from_mm},
+                              {"grip_end_mm", grip->to_mm},
+                              {"chuck_face_z_mm", part.length_mm() - grip->to_mm},
+                              {"face_allowance_mm", job.stock.face_allowance_mm}}});
+        if (grip->has_tolerance) two.notes.push_back({notes::softJaws, {}});
+        if (!one || (!two.is_refused && (one->is_refused || two.left_max_mm < one->left_max_mm - leastRest_mm)))
+            return two;
+        one->notes.push_back(
+            {notes::twoClampingsNoBetter, {{"left_mm", two.left_max_mm}, {"left_one_mm", one->left_max_mm}}});
+    } catch (const Error& error) {
+        if (!one || !(error.code() == errors::noSetupPossible)) throw;
+    }
+    return *std::move(one);
+}
+
+void throwIfRefused(const TurningPlan& plan)
+{
+    if (!plan.is_refused) return;
+    Rows findings;
+    std::int64_t count = 0;
+    double gouge = 0;
+    for (std::size_t i = 0; i < plan.setups.size(); ++i) {
+        const CheckResult& check = plan.setups[i].check;
+        for (const gcode::Diagnostic& diagnostic : check.path.diagnostics)
+            if (diagnostic.error) throw Error(*diagnostic.error);
+        gouge = std::max(gouge, check.gouge_um);
+        for (const CheckFinding& finding : check.findings) {
+            Row row{describedValues(finding)};
+            row.cells.emplace_back("setup", static_cast<std::int64_t>(i) + 1);
+            findings.rows.push_back(std::move(row));
+            ++count;
+        }
+    }
+    throw Error(errors::programRefused, {{"count", count}, {"gouge_um", gouge}, {"findings", findings}});
+}
+
+}  // namespace lathelier::cam

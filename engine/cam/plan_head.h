@@ -1,0 +1,32 @@
+// What the head of a written program tells the person at the machine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/cam/check/turning_check.h"
+#include "engine/cam/clampings.h"
+#include "engine/cam/post/post.h"
+#include "engine/cam/reach.h"
+#include "engine/cam/section_speeds.h"
+
+namespace lathelier::cam {
+
+/// All of it.
+struct HeadFacts {
+    const Clamping& clamping;                     ///< how the work is held
+    const Shaft& part;                            ///< as drawn
+    const std::vector<std::string>& origin;       ///< files and hashes
+    const std::vector<SectionSpeed>& sections;    ///< of the finish
+    const std::vector<Unreached>& rest;           ///< what no tool reaches
+    std::size_t setup = 1, setups = 1;            ///< this clamping, of how many
+    std::string check;                            ///< its outcome; empty: not known yet
+};
+
+/// Lines for comments; their number does not depend on `check`.
+std::vector<std::string> headComments(const HeadFacts& facts, const Post& post);
+
+/// "check: gouge 0.4 um, no findings".
+std::string checkLine(const CheckResult& check);
+
+}  // namespace lathelier::cam

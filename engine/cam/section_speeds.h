@@ -1,0 +1,67 @@
+// Spindle speeds by section: each from the dynamics of the part as it is at that moment.
+//
+// The work is a beam from its free end to the chuck's face, joined to the spindle there (engine/receptance); the speed
+// is that of engine/stability/speed_choice.h for the cutting speed that is selected. Finish passes over a cylinder get
+// one speed each, for the section's side toward the free end, where it is most compliant. Roughing passes over the
+// whole length get one each as well, for the body that they leave. Faces and tapers keep constant cutting speed.
+//
+// A new speed does not act at once: with N₁ and N₂ in 1/min, an acceleration α in 1/min/s and a feed f in mm/rev the
+// tool travels L = f (N₁ + N₂)/120 |N₂ - N₁|/α meanwhile. The word stands so far before the section, on the face before
+// it where that is long enough.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/cam/clampings.h"
+#include "engine/cam/operation.h"
+#include "engine/cam/work_stock.h"
+#include "engine/core/progress.h"
+#include "engine/receptance/spindle_receptance.h"
+#include "engine/stability/lobes.h"
+
+namespace lathelier::cam {
+
+/// Which body the speeds of finishing are for.
+enum class PartModel : std::uint8_t {
+    Finished,  ///< the whole part as drawn, with the bar behind it up to the chuck
+    Moment     ///< the work as it is when the section begins
+};
+
+inline constexpr double spindleRamp_rpm_s = 1000;  ///< α, assumed
+
+struct SpeedRequest {
+    std::optional<receptance::SpindleReceptance> spindle;                                 ///< none: no dynamics
+    stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
+    PartModel model = PartModel::Finished;                                    ///< for finishing
+    double max_rpm = 0;                                                       ///< limit of the spindle
+    Shaft whole;  ///< the part as it will be, in this clamping, up to the chuck
+};
+
+/// A stretch of the part with one speed in the finish.
+struct SectionSpeed {
+    double z_start_mm = 0;                ///< from the free end of the clamping
+    double z_end_mm = 0;                  ///< up to here
+    double diameter_mm = 0;               ///< of its cylinder, or the largest
+    std::optional<double> speed_rpm;      ///< fixed; none: constant cutting speed
+    double cutting_speed_m_min = 0;       ///< at the diameter
+    std::optional<double> frequency_hz;   ///< where Re G is least; none: no dynamics
+    int lobe = 0;                         ///< k of the selected speed; 0: none
+    Text reason;                          ///< in words
+    double Rz_um = 0;                     ///< ideal
+    int setup = 1;                        ///< clamping
+};
+
+/// What the finish of this clamping runs at. Without spindle and stated sections: constant cutting speed.
+/// Notes: noStableSpeedHere. `before_finish`: the work then. Errors of receptanceOf(). Throws Cancelled.
+std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRequest& request,
+                                         const WorkStock& before_finish, Notes& notes, const Progress& progress = {});
+
+/// Lays the sections' speeds into the finish.
+void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections);
+
+/// Fixed speeds for the long passes of roughing, from the work as each leaves it; `before`: the work when it begins.
+void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedRequest& request, WorkStock before,
+                    Notes& notes, const Progress& progress = {});
+
+}  // namespace lathelier::cam

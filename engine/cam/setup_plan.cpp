@@ -1,0 +1,197 @@
+#include "engine/cam/setup_plan.h"
+
+#include <algorithm>
+
+#include "engine/cam/ends.h"
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/plan_codes.h"
+#include "engine/cam/rest_operations.h"
+#include "engine/cam/roughing.h"
+#include "engine/cam/work_frame.h"
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double kDeepFinish_mm = 1.5;  // more than this is remarked
+
+class SetupPlanner {
+public:
+    SetupPlanner(const Clamping& clamping, WorkStock stock, const Progress& progress)
+        : clamping_(clamping),
+          job_(clamping.job),
+          frame_(frameOf(clamping.job, clamping.part)),
+          progress_(progress),
+          result_{{}, {}, {}, {}, {}, std::move(stock), {}}
+    {
+    }
+
+    SetupOperations run()
+    {
+        const JobTool& rough = *job_.toolFor(ToolUse::Rough);
+        const JobTool& finish = *job_.toolFor(ToolUse::Finish);
+        const double depth = job_.cutting.rough.depth_mm;
+        if (auto face = facing(frame_, rough)) keep(std::move(*face), std::min(depth, largestFacing_mm));
+        if (auto hole = centreDrilling(frame_)) {
+            keep(std::move(*hole), 0);
+            has_centre_hole_ = true;
+        }
+        progress_.report(0.1);
+        WorkStock laid = result_.after;
+        if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
+        progress_.report(0.4);
+        keep(semiFinishing(frame_, rough), depth);
+        keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
+        noteDeepFinish(rough, finish);
+        reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm), reachOf(frame_, finish)};
+        progress_.report(0.6);
+        for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
+            for (const JobTool& tool : job_.tools)
+                if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove))) clean(tool);
+        if (clamping_.parts_off) partOff();
+        result_.rest = restOf(frame_.contour, reaches_);
+        progress_.report(1);
+        return std::move(result_);
+    }
+
+private:
+    void keep(Operation operation, double depth)
+    {
+        if (has_centre_hole_) {
+            operation.stops_before = true;
+            has_centre_hole_ = false;
+        }
+        const double before = result_.after.removed_mm3();
+        result_.after.run(operation);
+        result_.removed_mm3.push_back(result_.after.removed_mm3() - before);
+        result_.depth_mm.push_back(depth);
+        result_.operations.push_back(std::move(operation));
+    }
+
+    /// All that one tool can take off of what is left.
+    void clean(const JobTool& tool)
+    {
+        if (tool.isDrill() || (use(tool) == ToolUse::FinishBack) == tool.isBlade()) return;
+        const ToolReach reach = reachOf(frame_, tool);
+        const std::vector<Unreached> rest = restOf(frame_.contour, reaches_);
+        bool used = false;
+        for (const Unreached& interval : worthwhile(frame_, rest, reaches_, reach)) {
+            progress_.check();
+            std::optional<Operation> operation = tool.isBlade()
+                                                     ? grooving(frame_, tool, reach, interval, result_.after)
+                                                     : backTurning(frame_, tool, reach, interval, result_.after);
+            if (!operation) continue;
+            if (tool.isBlade() && tool.max_depth_mm &&
+                depthOf(*operation, tool, result_.after) > *tool.max_depth_mm + 1e-6) {
+                refuse(tool, interval, RestCause::Holder, LT_TEXT("Engine", "the blade does not reach so deep"));
+                continue;
+            }
+            WorkStock tried = result_.after;
+            if (const std::optional<Refusal> met = tried.run(*operation)) {
+                refuseFor(tool, interval, *met);
+                continue;
+            }
+            used = true;
+            keep(std::move(*operation), tool.isBlade() ? *tool.width_mm : std::min(interval.left_mm, 2.0));
+            // Only what was cut is reached.
+            ToolReach part = reach;
+            const double margin = 2 * reach.radius_mm + reach.span_mm + 1;
+            part.curve = clipped(reach.curve, interval.z_start_mm - margin, interval.z_end_mm + margin);
+            cut_.push_back(std::move(part));
+        }
+        if (used) {
+            reaches_.insert(reaches_.end(), std::make_move_iterator(cut_.begin()), std::make_move_iterator(cut_.end()));
+            cut_.clear();
+        }
+    }
+
+    static ToolUse use(const JobTool& tool) { return tool.use; }
+
+    void refuseFor(const JobTool& tool, const Unreached& interval, const Refusal& met)
+    {
+        switch (met.kind) {
+            case stock::FindingKind::Chuck:
+                return refuse(tool, interval, RestCause::Chuck, LT_TEXT("Engine", "it would meet the chuck"));
+            case stock::FindingKind::Tailstock:
+                return refuse(tool, interval, RestCause::Chuck, LT_TEXT("Engine", "it would meet the tailstock"));
+            case stock::FindingKind::HolderInStock:
+                return refuse(tool, interval, RestCause::Holder,
+                              LT_TEXT("Engine", "its holder would meet the stock"));
+            case stock::FindingKind::RapidThroughStock:
+                return refuse(tool, interval, RestCause::Holder,
+                              LT_TEXT("Engine", "it would meet the stock on its way there"));
+        }
+    }
+
+    void refuse(const JobTool& tool, const Unreached& interval, RestCause cause, Text reason)
+    {
+        result_.refused.push_back({tool.number, interval, cause, reason});
+        result_.notes.push_back({notes::restCannot,
+                                 {{"tool", std::int64_t{tool.number}},
+                                  {"z_start_mm", interval.z_start_mm},
+                                  {"z_end_mm", interval.z_end_mm},
+                                  {"reason", reason}}});
+    }
+
+    void partOff()
+    {
+        const JobTool& blade = *job_.partingBlade();
+        WorkFrame end = frame_;
+        end.contour.length_mm = clamping_.part_off_z_mm;
+        const double behind = end.contour.length_mm + *blade.width_mm - job_.setup.chuck_face_z_mm;
+        if (behind > 0)
+            throw Error(errors::noSetupPossible,
+                        {{"reason", LT_TEXT("Engine", "the blade that parts off stands within the chuck")},
+                         {"missing_mm", behind}});
+        keep(partingOff(end, blade), *blade.width_mm);
+    }
+
+    /// Where the finishing tool gets below what roughing leaves.
+    void noteDeepFinish(const JobTool& rough, const JobTool& finish)
+    {
+        const Curve roughed = toolCurve(frame_, rough, job_.cutting.rough.allowance_mm),
+                    finished = toolCurve(frame_, finish);
+        double deepest = 0, z = 0;
+        for (const CurvePiece& piece : finished)
+            for (const Eigen::Vector2d& end : {piece.from, piece.to}) {
+                if (end.x() < 0) continue;
+                const double left = heightAt(roughed, end.x()) - rough.radius_mm() - (end.y() - finish.radius_mm());
+                if (left > deepest && piece.touch != Touch::Join) {
+                    deepest = left;
+                    z = end.x();
+                }
+            }
+        if (deepest > kDeepFinish_mm)
+            result_.notes.push_back(
+                {notes::finishCutsDeep, {{"tool", std::int64_t{finish.number}}, {"depth_mm", deepest}, {"z_mm", z}}});
+    }
+
+    const Clamping& clamping_;
+    const Job& job_;
+    WorkFrame frame_;
+    const Progress& progress_;
+    SetupOperations result_;
+    std::vector<ToolReach> reaches_, cut_;
+    bool has_centre_hole_ = false;
+};
+
+}  // namespace
+
+SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const Progress& progress)
+{
+    return SetupPlanner(clamping, std::move(stock), progress).run();
+}
+
+WorkStock barOf(const Clamping& clamping)
+{
+    return WorkStock(stockOf(clamping.job), stockParameters(clamping.job));
+}
+
+bool leavesMoreThanCorners(const Clamping& clamping)
+{
+    const WorkFrame frame = frameOf(clamping.job, clamping.part);
+    for (const Unreached& rest : restOf(frame.contour, {reachOf(frame, *clamping.job.toolFor(ToolUse::Finish))}))
+        if (rest.cause != RestCause::NoseRadius) return true;
+    return false;
+}
+
+}  // namespace lathelier::cam

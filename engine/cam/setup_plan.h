@@ -1,0 +1,41 @@
+// The operations of one clamping: face, centre hole, rough, semi-finish, finish, what is left by other tools, part off.
+#pragma once
+
+#include <vector>
+
+#include "engine/cam/clampings.h"
+#include "engine/cam/operation.h"
+#include "engine/cam/reach.h"
+#include "engine/cam/work_stock.h"
+#include "engine/core/progress.h"
+
+namespace lathelier::cam {
+
+/// An operation on a rest that was tried and refused.
+struct RefusedOperation {
+    int tool = 0;                           ///< number
+    Unreached rest;                         ///< what it was for
+    RestCause cause = RestCause::Holder;    ///< holder or chuck
+    Text reason;                            ///< in words
+};
+
+struct SetupOperations {
+    std::vector<Operation> operations;      ///< in order
+    std::vector<double> removed_mm3;        ///< by each of them
+    std::vector<double> depth_mm;           ///< largest depth of cut of each, for its power
+    std::vector<Unreached> rest;            ///< predicted from the curves of the tools that are used
+    std::vector<RefusedOperation> refused;  ///< tried
+    WorkStock after;                        ///< the stock at the end
+    Notes notes;
+};
+
+/// `stock`: before the first operation, in the z of this clamping. Errors noSetupPossible. Throws Cancelled.
+SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const Progress& progress = {});
+
+/// The stock of a clamping that begins with the bar.
+WorkStock barOf(const Clamping& clamping);
+
+/// Does the finishing tool alone leave anything but corners that are rounded by its nose?
+bool leavesMoreThanCorners(const Clamping& clamping);
+
+}  // namespace lathelier::cam

@@ -1,0 +1,127 @@
+// Posts as data, and the text that they make of moves.
+#include "engine/cam/post/post.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/cam/post/program_writer.h"
+#include "tests/engine/cam/plan_data.h"
+
+namespace lathelier::cam {
+namespace {
+
+Operation smallOperation()
+{
+    Operation operation;
+    operation.kind = OperationKind::Finish;
+    operation.tool = 2;
+    operation.cutting_speed_m_min = 190;
+    MoveList moves(Eigen::Vector2d(0, 0));
+    moves.rapid({-2, 22});
+    moves.rapidX(10);
+    moves.line({5, 10}, 0.1);
+    CurvePiece arc;  // a quarter outward, convex
+    arc.from = {5, 10};
+    arc.centre = {5, 9};
+    arc.radius_mm = 1;
+    arc.to = {6, 9};
+    moves.follow({arc}, 0.1);
+    operation.moves = moves.taken();
+    return operation;
+}
+
+TEST(Post, BuiltInOnesAreReadAndWrittenBack)
+{
+    const std::vector<std::string> expected{"fanuc_a", "fanuc_b", "grbl", "haas", "linuxcnc", "sinumerik"};
+    EXPECT_EQ(postNames(), expected);
+    for (const std::string& name : postNames()) {
+        const Post post = postNamed(name);
+        EXPECT_EQ(post.name, name);
+        Notes notes;
+        EXPECT_EQ(readPost(postText(post), notes), post) << name;
+        EXPECT_TRUE(notes.empty());
+    }
+}
+
+TEST(Post, WritesWordsOfItsControl)
+{
+    const std::vector<Operation> operations{smallOperation()};
+    const ProgramHead head{"TITLE", 100, 3000, false, {}};
+    const std::string fanuc = writeProgram(postNamed("fanuc_a"), head, operations).text;
+    EXPECT_NE(fanuc.find("N30 T0202\n"), std::string::npos) << fanuc;
+    EXPECT_NE(fanuc.find("G50 S3000\n"), std::string::npos);
+    EXPECT_NE(fanuc.find(" G0 X44. Z2.\n"), std::string::npos);
+    EXPECT_NE(fanuc.find(" G1 Z-5. F0.1\n"), std::string::npos);
+    EXPECT_NE(fanuc.find(" G3 X18. Z-6. I-1. K0.\n"), std::string::npos);
+    const std::string other = writeProgram(postNamed("sinumerik"), head, operations).text;
+    EXPECT_NE(other.find(" G3 X18 Z-6 CR=1\n"), std::string::npos) << other;
+    EXPECT_NE(other.find("T=\"T2\" D1"), std::string::npos);
+    const std::string radius = writeProgram(postNamed("grbl"), head, operations).text;
+    EXPECT_NE(radius.find("\nG3 X9 Z-6 I-1 K0\n"), std::string::npos) << radius;
+    // 190 m/min at a diameter of 20 mm, limited by 3000: 3000 · 0.1.
+    EXPECT_NE(radius.find("S3000 M3"), std::string::npos);
+    EXPECT_NE(radius.find("F300"), std::string::npos);
+}
+
+TEST(Post, CountsFromWhatWasWritten)
+{
+    Operation operation = smallOperation();
+    operation.moves.clear();
+    MoveList moves(Eigen::Vector2d(0, 0));
+    moves.rapid({-2, 20.00017});
+    moves.line({0.00049, 20.00017}, 0.1);
+    CurvePiece arc;
+    arc.from = {0.00049, 20.00017};
+    arc.centre = {0.00049, 19.00017};
+    arc.radius_mm = 1;
+    arc.to = {1.00049, 19.00017};
+    moves.follow({arc}, 0.1);
+    operation.moves = moves.taken();
+    const std::string text = writeProgram(postNamed("fanuc_a"), {"T", 1, 3000, false, {}}, {operation}).text;
+    // X40.000 was written, the centre is 1.00017 - 0.00017 below that.
+    EXPECT_NE(text.find("X38. Z-1. I-1. K0."), std::string::npos) << text;
+}
+
+TEST(Post, CommentsHoldNothingThatEndsThem)
+{
+    const Post post = postNamed("fanuc_a");
+    EXPECT_EQ(commentText(post, "a (b) Ø30\nG0 X0 %"), "A [B] D30 G0 X0  ");
+    EXPECT_LE(commentText(post, std::string(500, 'x')).size(), 60U);
+    const std::string text =
+        writeProgram(post, {"x)\nG0 X0 (", 100, 3000, false, {"c)\nG1 Z5"}}, {smallOperation()}).text;
+    EXPECT_EQ(text.find("\nG0 X0"), std::string::npos);
+    EXPECT_EQ(text.find("\nG1 Z5"), std::string::npos);
+}
+
+TEST(Post, BadFilesAreRefusedWithTheirPlace)
+{
+    const auto refused = [](const std::string& from, const std::string& to) -> std::pair<std::string, std::int64_t> {
+        std::string text = postText(postNamed("fanuc_a"));
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+        try {
+            Notes notes;
+            readPost(text, notes);
+        } catch (const Error& error) {
+            const Value* line = find(error.values(), "line");
+            return {error.code().key, line ? std::get<std::int64_t>(*line) : 0};
+        }
+        return {"", 0};
+    };
+    EXPECT_EQ(refused("\"decimals\": 3", "\"decimals\": 2").first, "key_out_of_range");
+    EXPECT_GT(refused("\"decimals\": 3", "\"decimals\": 2").second, 1);
+    EXPECT_EQ(refused("\"arc\": \"ik\"", "\"arc\": \"kk\"").first, "malformed");
+    EXPECT_EQ(refused("{tool2}{tool2}", "{tool3}").first, "malformed");
+    EXPECT_EQ(refused("\"rapid\": \"G0\"", "\"rapid\": \"\"").first, "malformed");
+    EXPECT_EQ(refused("\"rapid\"", "\"rapids\"").first, "key_missing");
+    EXPECT_EQ(refused("\"G0\"", "\"G0\\nM30\"").first, "malformed");
+}
+
+TEST(Post, SystemBIsReadAsSystemA)
+{
+    EXPECT_EQ(asSystemA("N10 G21 G90 G95\nG92 S3000\n(G90)\nG94 G920\n"),
+              "N10 G21  G99\nG50 S3000\n(G90)\nG98 G920\n");
+}
+
+}  // namespace
+}  // namespace lathelier::cam

@@ -1,0 +1,85 @@
+// Speeds by section of the papers' shaft: bar D40, overhang 200 mm, spindle 14 850 N/mm and 198.3e6 N mm/rad.
+#include "engine/cam/section_speeds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/cam/cutting_data.h"
+#include "tests/engine/cam/plan_data.h"
+
+namespace lathelier::cam {
+namespace {
+
+TurningPlan paperPlan(stability::SpeedRelation relation, PartModel model)
+{
+    TurningInputs inputs;
+    inputs.post = postNamed("fanuc_a");
+    inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};
+    TurningParameters parameters;
+    parameters.relation = relation;
+    parameters.part_model = model;
+    const Job job = paperJob({roughC80(), finishC80()});
+    return planTurning(*job.shaft, job, inputs, parameters);
+}
+
+TEST(SectionSpeeds, FinishOfD30AsThePaperHasIt)
+{
+    const TurningPlan plan = paperPlan(stability::SpeedRelation::Published, PartModel::Finished);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    ASSERT_FALSE(plan.sections.empty());
+    ASSERT_TRUE(plan.sections[0].speed_rpm);
+    EXPECT_NEAR(plan.sections[0].diameter_mm, 30, 1e-9);
+    EXPECT_NEAR(*plan.sections[0].speed_rpm, 2154, 3);
+    EXPECT_NEAR(*plan.sections[0].frequency_hz, 369, 0.7);
+    EXPECT_NE(plan.setups[0].text.find("G97 S21"), std::string::npos);
+    // Roughing has speeds of its own, from the bar as each pass leaves it.
+    const std::string rough = plan.setups[0].text.substr(plan.setups[0].text.find("(ROUGH)"), 200);
+    EXPECT_NE(rough.find("G97 S"), std::string::npos) << rough;
+    EXPECT_EQ(rough.find("S2154"), std::string::npos);
+}
+
+TEST(SectionSpeeds, WorkOfTheMomentIsSlower)
+{
+    const TurningPlan plan = paperPlan(stability::SpeedRelation::Published, PartModel::Moment);
+    // 30.6 mm ahead, the bar behind: 364.0 Hz, 2124 1/min.
+    EXPECT_NEAR(*plan.sections[0].frequency_hz, 364.0, 0.7);
+    EXPECT_NEAR(*plan.sections[0].speed_rpm, 2124, 4);
+}
+
+TEST(SectionSpeeds, ExactRelationTakesTheRobustOptimum)
+{
+    const TurningPlan plan = paperPlan(stability::SpeedRelation::Exact, PartModel::Finished);
+    EXPECT_NEAR(*plan.sections[0].speed_rpm, 2175, 8);
+}
+
+TEST(SectionSpeeds, StatedSectionsStandInTheProgram)
+{
+    Job job = jobWith({row(98, 30, 30), row(6, 37, 37)}, 40, 130, {roughC80(), finishC80()});
+    job.sections = {{98, 2154}, {104, 1750}};
+    const TurningPlan plan = planned(job, "fanuc_a");
+    const std::string& text = plan.setups[0].text;
+    const std::size_t first = text.find("G97 S2154 M3"), second = text.find("G97 S1750", first);
+    ASSERT_NE(first, std::string::npos);
+    ASSERT_NE(second, std::string::npos);
+    EXPECT_GT(second, text.find("(FINISH)"));
+    ASSERT_EQ(plan.sections.size(), 2U);
+    EXPECT_NEAR(plan.sections[0].cutting_speed_m_min, 203, 0.1);
+}
+
+TEST(CuttingData, KienzleAndRoughness)
+{
+    const auto* c45 = workMaterial("c 45");
+    ASSERT_NE(c45, nullptr);
+    // h 0.1, b 1: 3064 N/mm².
+    EXPECT_NEAR(cuttingPower_kW(c45->value, 1, 0.1, 90, 60) / 0.1 * 1000, 3064, 2);
+    EXPECT_EQ(workMaterial("unobtainium"), nullptr);
+    EXPECT_NEAR(idealRz_um(0.2, 0.8), 6.275, 0.001);
+    EXPECT_NEAR(idealRz_um(0.1, 0.4), 3.137, 0.001);
+    EXPECT_NEAR(idealRz_um(0.1, 0.4, 5) / idealRz_um(0.1, 0.4) - 1, -0.054, 0.001);
+    EXPECT_NEAR(idealRz_um(0.25, 0.8, 5) / idealRz_um(0.25, 0.8) - 1, -0.126, 0.001);
+    EXPECT_NEAR(idealRz_um(0.2, 0.4, 5) / idealRz_um(0.2, 0.4) - 1, -0.31, 0.005);
+}
+
+}  // namespace
+}  // namespace lathelier::cam

@@ -13,6 +13,7 @@ constexpr std::size_t fewPoints = 8;     ///< a stretch no longer than this is n
 constexpr std::size_t fewStrokes = 3;    ///< nor one that sees no more than these
 constexpr double refineTo_mm = 1e-5;     ///< along the drawing
 constexpr std::size_t mostRefined = 64;  ///< places where the deepest gouge may lie
+constexpr double rounding_mm = 1e-9;     ///< no gouge, but arithmetic
 constexpr double golden = 0.61803398874989485;
 
 class Surface {
@@ -200,7 +201,7 @@ void findGouges(const DrawnContour& drawing, const AllStrokes& all, const Finder
         [](const auto& a, const auto& b) { return a.first > b.first || (a.first == b.first && a.second < b.second); });
     for (std::size_t k = 0; k < refined; ++k) {
         const Place place = finder.largest(peaks[k].second, depth);
-        if (!(depth(place.clearance) > found.gouge_mm)) continue;
+        if (!(depth(place.clearance) > std::max(found.gouge_mm, rounding_mm))) continue;
         found.gouge_mm = depth(place.clearance);
         found.gouge_at = drawing.at(place.piece, place.t);
         found.gouge_line = all.strokes[static_cast<std::size_t>(place.clearance.own)].line;

@@ -66,6 +66,18 @@ Json numbers(const V& vector)
     return Json{vector[0], vector[1], vector[2]};
 }
 
+Json sceneJson(const std::vector<SceneGroup>& groups)
+{
+    Json list = Json::array();
+    for (const SceneGroup& group : groups) {
+        Json one = nestedJson(describedValues(group));
+        one["min_mm"] = numbers(group.min_mm);
+        one["max_mm"] = numbers(group.max_mm);
+        list.push_back(one);
+    }
+    return list;
+}
+
 }  // namespace
 
 const char* key(RowKind kind)
@@ -153,21 +165,6 @@ const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction
     return all;
 }
 
-const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*)
-{
-    using S = PaperStep;
-    static const auto all = describedBy<S>(
-        quantity<S>("x_mm", &S::x_mm, {LT_TEXT("Engine", "x"), mm, 3}),
-        quantity<S>("y_mm", &S::y_mm, {LT_TEXT("Engine", "y"), mm, 3}),
-        quantity<S>("radius_mm", &S::radius_mm, {LT_TEXT("Engine", "Radius"), mm, 4}),
-        quantity<S>("z_start_mm", &S::z_start_mm, {LT_TEXT("Engine", "Start z"), mm, 2}),
-        quantity<S>("z_end_mm", &S::z_end_mm, {LT_TEXT("Engine", "End z"), mm, 2}),
-        quantity<S>("chamfer_start_mm", &S::chamfer_start_mm, {LT_TEXT("Engine", "Chamfer at its start"), mm, 2}),
-        quantity<S>("chamfer_end_mm", &S::chamfer_end_mm, {LT_TEXT("Engine", "Chamfer at its end"), mm, 2}),
-        quantity<S>("sections", &S::sections, {LT_TEXT("Engine", "Sections")}));
-    return all;
-}
-
 Json toJson(const Recognition& result)
 {
     Json json = Json::object();
@@ -188,6 +185,7 @@ Json toJson(const Recognition& result)
     json["marks"] = Json::array();
     for (const ShaftMark& mark : result.marks) json["marks"].push_back(markJson(mark));
     json["gaps"] = listOf(result.gaps);
+    json["scene"] = sceneJson(result.scene);
     json["merged"] = listOf(result.merged);
     json["coverage_percent"] = result.coverage_percent;
     json["residual_rmse_mm"] = result.residual_rmse_mm;

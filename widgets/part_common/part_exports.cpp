@@ -1,4 +1,4 @@
-#include "widgets/drawing/drawing_files.h"
+#include "widgets/part_common/part_exports.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -18,20 +18,20 @@
 #include "engine/io/shaft/shaft_file.h"
 #include "widgets/core/language.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::part_common {
 namespace {
 
 constexpr int resolution_dpi = 1200;
 
-struct DrawingFiles {
-    Q_DECLARE_TR_FUNCTIONS(lathelier::drawing_panel::DrawingFiles)
+struct PartFiles {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::part_common::PartFiles)
 };
 
-std::string step(const DrawingPicture& picture, cad::StepSchema schema)
+std::string step(const PartToWrite& part, cad::StepSchema schema)
 {
     cad::StepOptions options;
     options.schema = schema;
-    return cad::stepText(picture.shaft, options);
+    return cad::stepText(part.shaft, options);
 }
 
 }  // namespace
@@ -56,39 +56,41 @@ std::string toPdf(const drawing::Drawing& drawing)
     return buffer.data().toStdString();
 }
 
-std::vector<PanelExport> exportsOf(const std::shared_ptr<const DrawingPicture>& picture)
+std::vector<PanelExport> exportsOf(const std::shared_ptr<const PartToWrite>& part)
 {
+    using P = PartToWrite;
     std::vector<PanelExport> all;
-    const auto add = [&](const QString& label, const QString& filter, const QString& suffix,
-                         const std::function<std::string(const DrawingPicture&)>& content) {
-        all.push_back({label, filter, suffix, [picture, content](const QString& path) {
-                           io::writeFile(path.toStdString(), content(*picture));
+    const auto add = [&](const QString& label, const QString& filter, const QString& suffix, bool complete,
+                         const std::function<std::string(const P&)>& content) {
+        all.push_back({label, filter, suffix, [part, complete, content](const QString& path) {
+                           if (complete && part->requireComplete) part->requireComplete();
+                           io::writeFile(path.toStdString(), content(*part));
                        }});
     };
-    using P = DrawingPicture;
-    add(DrawingFiles::tr("Drawing (PDF)…"), DrawingFiles::tr("Document (*.pdf)"), "pdf",
-        [](const P& p) { return toPdf(drawingOf(p, screenLanguage())); });
-    add(DrawingFiles::tr("Drawing (SVG)…"), DrawingFiles::tr("Picture (*.svg)"), "svg",
-        [](const P& p) { return drawing::toSvg(drawingOf(p, screenLanguage())); });
-    add(DrawingFiles::tr("Drawing (DXF)…"), DrawingFiles::tr("Drawing (*.dxf)"), "dxf",
-        [](const P& p) { return cad::dxfText(cad::dxfOf(drawingOf(p, screenLanguage()))); });
-    add(DrawingFiles::tr("Contour (DXF)…"), DrawingFiles::tr("Drawing (*.dxf)"), "dxf",
+    constexpr bool whole = true, any = false;
+    add(PartFiles::tr("Drawing (PDF)…"), PartFiles::tr("Document (*.pdf)"), "pdf", whole,
+        [](const P& p) { return toPdf(p.drawing(screenLanguage())); });
+    add(PartFiles::tr("Drawing (SVG)…"), PartFiles::tr("Picture (*.svg)"), "svg", whole,
+        [](const P& p) { return drawing::toSvg(p.drawing(screenLanguage())); });
+    add(PartFiles::tr("Drawing (DXF)…"), PartFiles::tr("Drawing (*.dxf)"), "dxf", whole,
+        [](const P& p) { return cad::dxfText(cad::dxfOf(p.drawing(screenLanguage()))); });
+    add(PartFiles::tr("Contour (DXF)…"), PartFiles::tr("Drawing (*.dxf)"), "dxf", whole,
         [](const P& p) { return cad::contourDxf(p.shaft); });
-    add(DrawingFiles::tr("Solid (STEP AP214)…"), DrawingFiles::tr("Solid (*.step)"), "step",
+    add(PartFiles::tr("Solid (STEP AP214)…"), PartFiles::tr("Solid (*.step)"), "step", whole,
         [](const P& p) { return step(p, cad::StepSchema::AP214); });
-    add(DrawingFiles::tr("Solid (STEP AP242)…"), DrawingFiles::tr("Solid (*.step)"), "step",
+    add(PartFiles::tr("Solid (STEP AP242)…"), PartFiles::tr("Solid (*.step)"), "step", whole,
         [](const P& p) { return step(p, cad::StepSchema::AP242); });
-    add(DrawingFiles::tr("FreeCAD macro…"), DrawingFiles::tr("FreeCAD macro (*.FCMacro)"), "FCMacro",
+    add(PartFiles::tr("FreeCAD macro…"), PartFiles::tr("FreeCAD macro (*.FCMacro)"), "FCMacro", whole,
         [](const P& p) { return cad::freecadMacro(p.shaft); });
-    add(DrawingFiles::tr("SolidWorks macro…"), DrawingFiles::tr("SolidWorks macro (*.bas)"), "bas",
+    add(PartFiles::tr("SolidWorks macro…"), PartFiles::tr("SolidWorks macro (*.bas)"), "bas", whole,
         [](const P& p) { return cad::solidworksMacro(p.shaft); });
-    add(DrawingFiles::tr("Table of rows (CSV)…"), DrawingFiles::tr("Table (*.csv)"), "csv",
-        [](const P& p) { return cad::shaftCsv(p.shaft); });
-    add(DrawingFiles::tr("Shaft (SHAFT.json)…"), DrawingFiles::tr("JSON (*.json)"), "json",
+    add(PartFiles::tr("Table of rows (CSV)…"), PartFiles::tr("Table (*.csv)"), "csv", any,
+        [](const P& p) { return p.csv ? p.csv() : cad::shaftCsv(p.shaft); });
+    add(PartFiles::tr("Shaft (SHAFT.json)…"), PartFiles::tr("JSON (*.json)"), "json", any,
         [](const P& p) { return io::shaftText(p.shaft); });
-    add(DrawingFiles::tr("Stock text…"), DrawingFiles::tr("Text (*.txt)"), "txt",
-        [](const P& p) { return io::stockText(p.shaft); });
+    add(PartFiles::tr("Stock text…"), PartFiles::tr("Text (*.txt)"), "txt", whole,
+        [](const P& p) { return io::stockText(p.stock); });
     return all;
 }
 
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::part_common

@@ -23,14 +23,10 @@ Text missingOf(const features::Recognition& result)
 }
 
 /// The published table: of that method where it was asked for, else of the rows.
-std::vector<features::PaperStep> stepsForReport(const features::Recognition& result)
+std::vector<ShaftStep> stepsForReport(const features::Recognition& result)
 {
     if (!result.paper_steps.empty()) return result.paper_steps;
-    std::vector<features::PaperStep> steps;
-    for (const cad::Step& step : cad::stepsOf(result.shaft))
-        steps.push_back({step.x_mm, step.y_mm, step.radius_mm, step.z_start_mm, step.z_end_mm, step.chamfer_start_mm,
-                         step.chamfer_end_mm, 0});
-    return steps;
+    return cad::stepsOf(result.shaft);
 }
 
 void runRecognize(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
@@ -45,9 +41,9 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
         answer, result,
         [](const auto& found) {
             Json json = features::toJson(found);
-            json[found.paper_steps.empty() ? "steps" : "robust_steps"] = stepsJson(measuredShaft(found));
-            if (found.parameters.snap == features::Snap::Apply && found.paper_steps.empty())
-                json["steps"] = stepsJson(found.shaft);
+            const bool published = !found.paper_steps.empty();
+            const bool applied = found.parameters.snap == features::Snap::Apply && !published;
+            json[published ? "robust_steps" : "steps"] = stepsJson(applied ? found.shaft : measuredShaft(found));
             return json;
         },
         [](const auto& found) { return features::recognitionReport(found, stepsForReport(found), {}); },
@@ -56,6 +52,9 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
                        parameters.length_of_chucked_mm.value_or(0)};
     asked.measured = true;
     for (const features::RecognizedRow& row : result->segments) asked.uncertainties.push_back(row.uncertainty);
+    for (const auto& bore : result->bores)
+        for (auto& own = asked.bore_uncertainties.emplace_back(); const features::RecognizedRow& row : bore)
+            own.push_back(row.uncertainty);
     const std::vector<InputFile> read = inputs.list();
     if (!read.empty()) asked.scan = read.front();
     writeShaftOutputs(request, asked, progress.part(0.9, 1, LT_TEXT("Engine", "Writing")), answer);

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "engine/cad/cad_codes.h"
 #include "engine/cad/cad_notes.h"
 #include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
@@ -18,6 +19,7 @@
 #include "engine/core/shaft_rules.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/drawing/shaft_drawing.h"
+#include "engine/features/features_codes.h"
 #include "engine/features/stock_part.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
@@ -51,6 +53,7 @@ drawing::Drawing drawingOf(const ShaftToWrite& asked)
     options.scan = asked.scan;
     options.measured = asked.measured;
     options.uncertainties = asked.uncertainties;
+    options.bore_uncertainties = asked.bore_uncertainties;
     options.date = today();
     return drawing::drawShaft(asked.shaft, options);
 }
@@ -88,7 +91,7 @@ std::vector<Option> cadOptions()
 Json stepsJson(const Shaft& shaft)
 {
     Json steps = Json::array();
-    for (const cad::Step& step : cad::stepsOf(shaft))
+    for (const ShaftStep& step : cad::stepsOf(shaft))
         steps.push_back({{"x_mm", step.x_mm},
                          {"y_mm", step.y_mm},
                          {"radius_mm", step.radius_mm},
@@ -137,6 +140,8 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
     });
     if (cad) {
         const Notes left_out = cad::cadNotes(asked.shaft);
+        if (contains(left_out, notes::marksLeftOut))  // it says all that the other says
+            std::erase_if(answer.notes, [](const Note& note) { return note.code == notes::marksFound; });
         answer.notes.insert(answer.notes.end(), left_out.begin(), left_out.end());
     }
     if (const std::string* path = wanted(stepOption)) {

@@ -27,7 +27,8 @@ struct ShaftToWrite {
     double chucked_mm = 0;               ///< of its end: not in the stock file
     std::optional<InputFile> scan = {};  ///< that it was recovered from; none: it is a design
     bool measured = false;               ///< its sizes were measured
-    std::vector<SizeUncertainty> uncertainties = {};  ///< of its rows
+    std::vector<SizeUncertainty> uncertainties = {};                    ///< of its rows
+    std::vector<std::vector<SizeUncertainty>> bore_uncertainties = {};  ///< of its bores' rows
 };
 
 /// Writes those that were asked for, the shaft first. Errors shaftIncomplete, those of checkShaft() and of the writers.

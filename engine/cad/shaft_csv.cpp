@@ -262,7 +262,7 @@ std::string stepsCsv(const Shaft& shaft, const CsvStyle& style)
     for (const char* column : stepColumns) out.cell(std::string_view(column));
     out.end();
     double number = 0;
-    for (const Step& step : stepsOf(shaft)) {
+    for (const ShaftStep& step : stepsOf(shaft)) {
         for (const double value : {++number, step.x_mm, step.y_mm, step.radius_mm, step.z_start_mm, step.z_end_mm,
                                    step.chamfer_start_mm, step.chamfer_end_mm})
             out.cell(value);

@@ -54,15 +54,15 @@ std::vector<Use> usesOf(const std::vector<ShaftSegment>& rows)
 
 }  // namespace
 
-std::vector<Step> stepsOf(const Shaft& shaft)
+std::vector<ShaftStep> stepsOf(const Shaft& shaft)
 {
     const std::vector<Use> uses = usesOf(shaft.segments);
-    std::vector<Step> steps;
+    std::vector<ShaftStep> steps;
     double z = 0;
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const ShaftSegment& row = shaft.segments[i];
         if (uses[i] == Use::Cylinder) {
-            Step step;
+            ShaftStep step;
             step.radius_mm = row.start_diameter_mm / 2;
             step.chamfer_start_mm = i > 0 && uses[i - 1] == Use::ChamferBefore ? shaft.segments[i - 1].length_mm : 0;
             step.z_start_mm = z - step.chamfer_start_mm;

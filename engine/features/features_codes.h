@@ -7,6 +7,18 @@ namespace lathelier {
 
 namespace notes {
 
+inline constexpr NoteCode sceneCut{
+    "scene_cut", Severity::Warning,
+    LT_TEXT("Engine",
+            "{cut_points} of {points} points were taken for something else than the part and cut off: turntable "
+            "{turntable_points}, clamps {clamp_points}, loose things {clutter_points}.")};
+
+inline constexpr NoteCode endOnSupport{
+    "end_on_support", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "The {end} stands on the plane that was cut off: it was put onto that plane, {moved_mm} mm beyond the data.")};
+
 inline constexpr NoteCode gapInData{
     "gap", Severity::Warning,
     LT_TEXT("Engine", "There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.")};
@@ -57,10 +69,6 @@ inline constexpr NoteCode paperMethod{
 inline constexpr NoteCode sizesNotRecognized{
     "sizes_not_recognized", Severity::Warning,
     LT_TEXT("Engine", "The sizes of the copy were not recognised ({reason}): the rows have no measured values.")};
-
-inline constexpr NoteCode meshCoarser{
-    "mesh_coarser", Severity::Info,
-    LT_TEXT("Engine", "The drawing was compared as a mesh of limited size: its facets lie within {sagitta_mm} mm.")};
 
 }  // namespace notes
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/shaft_contour.h"
 #include "engine/features/iso286.h"
 #include "engine/features/row_matching.h"
 #include "engine/features/standards.h"
@@ -109,6 +110,23 @@ RowsOnAxis drawnRows(const std::vector<Segment>& rows, double z_mm, double sense
     }
     std::stable_sort(result.begin(), result.end(), before);
     return result;
+}
+
+/// The bores of the drawing. Where the rows state them, steps of one diameter are one row.
+std::vector<ShaftBore> drawnBores(const Shaft& nominal)
+{
+    std::vector<ShaftBore> bores = boresOf(nominal);
+    if (!nominal.bores.empty()) return bores;
+    for (ShaftBore& bore : bores) {
+        std::vector<BoreSegment> rows;
+        for (const BoreSegment& row : bore.segments)
+            if (!rows.empty() && rows.back().end_diameter_mm == row.start_diameter_mm)
+                rows.back().length_mm += row.length_mm;
+            else
+                rows.push_back(row);
+        bore.segments = std::move(rows);
+    }
+    return bores;
 }
 
 /// Where the measured rows may lie: as stated, and with ends on ends, for the place along the axis may not be
@@ -337,8 +355,9 @@ std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& me
                        {});
     }
     const RowsOnAxis inside = placedBores(measured, placing);
-    for (std::size_t number = 0; number < nominal.bores.size(); ++number) {
-        const ShaftBore& bore = nominal.bores[number];
+    const std::vector<ShaftBore> bores = drawnBores(nominal);
+    for (std::size_t number = 0; number < bores.size(); ++number) {
+        const ShaftBore& bore = bores[number];
         const bool free = bore.from == ShaftEnd::Free;
         RowsOnAxis rows = drawnRows(bore.segments, free ? 0 : nominal.length_mm(), free ? 1 : -1);
         std::vector<RowRun> runs = matchRows(rows, inside).runs;

@@ -37,7 +37,8 @@ struct ComparedRow {
     std::optional<Verdict> verdict;        ///< none: no limit; undecided where a size with a limit was not found
 };
 
-/// The quantities of all rows of `nominal`, in their order, then those of its bores. Planes (length 0) and rows that
+/// The quantities of all rows of `nominal`, in their order, then those of its bores (of bores that the rows state,
+/// neighbours of one diameter are one row). Planes (length 0) and rows that
 /// run back have none. `nominal_T_part`: from the frame of the recognition (Recognition::part_T_scan) to that of the
 /// drawing; none: either end first, laid end on end, whichever fits.
 std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& measured, DecisionRule decision,

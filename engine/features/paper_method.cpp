@@ -98,7 +98,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
             ++end;
         }
         if (end - i >= kLeastSections) {
-            PaperStep step;
+            ShaftStep step;
             for (std::size_t k = i; k < end; ++k) {
                 const double n = static_cast<double>(end - i);
                 step.x_mm += sections[k].x_mm / n;
@@ -114,7 +114,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
     }
     // What was dropped beside a step, and lies below its radius, is its chamfer.
     for (std::size_t s = 0; s < result.steps.size(); ++s) {
-        PaperStep& step = result.steps[s];
+        ShaftStep& step = result.steps[s];
         const double before = s > 0 ? result.steps[s - 1].z_end_mm : -1,
                      after = s + 1 < result.steps.size() ? result.steps[s + 1].z_start_mm : 1e300;
         const double start = step.z_start_mm, end = step.z_end_mm;
@@ -133,12 +133,12 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
     return result;
 }
 
-Shaft shaftOf(const std::vector<PaperStep>& steps)
+Shaft shaftOf(const std::vector<ShaftStep>& steps)
 {
     Shaft shaft;
     double z = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const PaperStep& step = steps[i];
+        const ShaftStep& step = steps[i];
         const double end = i + 1 < steps.size() ? (step.z_end_mm + steps[i + 1].z_start_mm) / 2 : step.z_end_mm;
         const auto add = [&](double length, double d0, double d1, const char* role) {
             if (length > 1e-6) shaft.segments.push_back({length, d0, d1, 0, {}, role});

@@ -16,7 +16,7 @@
 namespace lathelier::features {
 
 struct PaperResult {
-    std::vector<PaperStep> steps;                     ///< z from the first section
+    std::vector<ShaftStep> steps;                     ///< z from the first section
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< through the centres of all sections, least squares
 };
 
@@ -26,6 +26,6 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points_mm, const Eige
                        const RecognitionParameters& parameters, const Progress& progress = {});
 
 /// Cylinders with their chamfers, as the steps have them; gaps between steps are closed by the later one.
-Shaft shaftOf(const std::vector<PaperStep>& steps);
+Shaft shaftOf(const std::vector<ShaftStep>& steps);
 
 }  // namespace lathelier::features

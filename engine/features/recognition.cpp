@@ -13,6 +13,7 @@
 #include "engine/features/outline.h"
 #include "engine/features/paper_method.h"
 #include "engine/features/roles.h"
+#include "engine/features/scene/scene_support.h"
 #include "engine/features/snap.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
@@ -53,6 +54,40 @@ double largestRadius(const RevolutionFit& fit)
     double largest = 0;
     for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
     return largest;
+}
+
+/// The points of the part, where the scan holds more; what is cut off is said.
+std::vector<Vector3d> withoutScene(const std::vector<Vector3d>& points, const Scene& scene, Recognition& result)
+{
+    std::vector<Vector3d> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (scene.kept[i]) kept.push_back(points[i]);
+    result.scene = scene.groups;
+    const auto all = static_cast<std::int64_t>(points.size());
+    const auto count = [&](const char* kind) {
+        std::int64_t sum = 0;
+        for (const SceneGroup& group : scene.groups) sum += group.kind == kind ? group.points : 0;
+        return sum;
+    };
+    result.notes.push_back({notes::sceneCut,
+                            {{"cut_points", all - static_cast<std::int64_t>(kept.size())},
+                             {"points", all},
+                             {"turntable_points", count("turntable")},
+                             {"clamp_points", count("clamp")},
+                             {"clutter_points", count("clutter")}}});
+    return kept;
+}
+
+/// The end that stands on the turntable lies on its plane; what was seen of it was cut off with that.
+void standOn(const SupportPlane& support, const RevolutionFit& fit, Outline& outline, Recognition& result)
+{
+    const double first = outline.model.planes.front().z_mm, last = outline.model.planes.back().z_mm;
+    if (!endOnSupport(support, fit, outline)) return;
+    const double before = first - outline.model.planes.front().z_mm, behind = outline.model.planes.back().z_mm - last;
+    const bool free = before != 0;
+    result.notes.push_back({notes::endOnSupport,
+                            {{"end", free ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end")},
+                             {"moved_mm", free ? before : behind}}});
 }
 
 /// What closes an end of the outside.
@@ -190,14 +225,18 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         check(field.info, field.get(parameters));
     Scan samples;
     if (scan.isMesh()) samples = registration::sampleSurface(scan, kMeshSamples, 0, progress);
-    const std::vector<Vector3d>& points = scan.isMesh() ? samples.points_mm : scan.points_mm;
-    registration::checkPoints(points, "scan", progress);
+    const std::vector<Vector3d>& all = scan.isMesh() ? samples.points_mm : scan.points_mm;
+    registration::checkPoints(all, "scan", progress);
 
     Recognition result;
     result.parameters = parameters;
+    const Scene scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
+    std::vector<Vector3d> part;
+    if (!scene.groups.empty()) part = withoutScene(all, scene, result);
+    const std::vector<Vector3d>& points = scene.groups.empty() ? all : part;
     result.method_used = "robust";
     const RevolutionFit fit =
-        fitAxis(points, parameters.free_end, result.notes, progress.part(0, 0.4, LT_TEXT("Engine", "Axis")));
+        fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
     const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
     const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);
     double bin = std::max(kBin_mm, kLeastInBin / std::max(1.0, cloud.points_per_mm));
@@ -214,11 +253,12 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
     OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false};
-    const std::optional<Outline> outside = settleOutline(input, fitting.part(0, 0.8));
+    std::optional<Outline> outside = settleOutline(input, fitting.part(0, 0.8));
     if (!outside)
         throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
                                            {"points", static_cast<std::int64_t>(points.size())},
                                            {"minimum", std::int64_t{50}}});
+    if (scene.support) standOn(*scene.support, fit, *outside, result);
     const double zero = outside->model.planes.front().z_mm;
     AddedUncertainty added;
     if (parameters.scanner_accuracy_mm)

@@ -17,6 +17,8 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 #include "engine/core/shaft.h"
+#include "engine/core/shaft_step.h"
+#include "engine/features/scene/scene.h"
 
 namespace lathelier::features {
 
@@ -27,6 +29,7 @@ enum class CompareWith { Previous, First };  ///< the paper's section that the n
 
 struct RecognitionParameters {
     RecognitionMethod method = RecognitionMethod::Robust;  ///< robust or published
+    SceneUse scene = SceneUse::Auto;                       ///< what is not the part: cut off, or kept
     Snap snap = Snap::Suggest;                   ///< nominal sizes: none, suggested, or put in place of the measured
     double form_tolerance_mm = 0.02;             ///< on radius: rows that one element describes within it are one
     std::optional<double> scanner_accuracy_mm;   ///< systematic, added to every uncertainty
@@ -110,15 +113,6 @@ struct MeridianPoint {
     bool bore = false;               ///< on the inside
 };
 
-/// A step by the published method: centre in the scan's coordinates, z along the scan's axis from its first section.
-struct PaperStep {
-    double x_mm = 0, y_mm = 0;                        ///< centre, mm
-    double radius_mm = 0;                             ///< in mm
-    double z_start_mm = 0, z_end_mm = 0;              ///< to the outer ends of its chamfers
-    double chamfer_start_mm = 0, chamfer_end_mm = 0;  ///< leg along z
-    std::int64_t sections = 0;                        ///< number of them
-};
-
 struct Recognition {
     RecognitionParameters parameters;                               ///< as asked
     std::string method_used;                                        ///< "robust" | "paper"
@@ -133,6 +127,7 @@ struct Recognition {
     std::vector<RecognizedFeature> features;                        ///< in order of z
     std::vector<ShaftMark> marks;                                   ///< in order of z
     std::vector<Gap> gaps;                                          ///< stretches without data
+    std::vector<SceneGroup> scene;                                  ///< empty: nothing was cut off
     std::vector<MergedJunction> merged;                             ///< within the form tolerance
     double coverage_percent = 0;                                    ///< of the length that rows cover
     double residual_rmse_mm = 0;                                    ///< of the bins about the rows
@@ -141,17 +136,19 @@ struct Recognition {
     double noise_mm = 0;               ///< of single points along the normal
     std::optional<double> volume_mm3;  ///< of the table, exact; none: the shaft is not complete
     std::int64_t points_used = 0;
-    bool complete = true;                 ///< no gap, both ends seen or confirmed: CAD may be made
-    Shaft shaft;                          ///< measured; with Snap::Apply nominal beside `measured`
-    std::vector<PaperStep> paper_steps;   ///< by RecognitionMethod::Paper; the rows above stay those of the robust one
+    bool complete = true;  ///< no gap, both ends seen or confirmed: CAD may be made
+    Shaft shaft;           ///< measured; with Snap::Apply nominal beside `measured`
+    /// By RecognitionMethod::Paper: centres in the scan's coordinates, z along the scan's axis from its first section;
+    /// the rows above stay those of the robust one.
+    std::vector<ShaftStep> paper_steps;
     double paper_axis_off_deg = 0;        ///< its axis against the robust one
     std::vector<MeridianPoint> meridian;  ///< in order of z
     Notes notes;                          ///< what people should know
 };
 
 /// Errors: tooFewPoints, pointsDegenerate, notABodyOfRevolution, coverageTooSmall (registration); those of its
-/// parameters. Notes: partIsBent, coverageBelowHalf, coveragePartial, gapInData, endNotSeen, segmentNotCoaxial,
-/// freeFormLeftOut… (features_codes.h). Throws Cancelled.
+/// parameters. Notes: sceneCut, endOnSupport, partIsBent, coverageBelowHalf, coveragePartial, gapInData, endNotSeen,
+/// segmentNotCoaxial, freeFormLeftOut… (features_codes.h). Throws Cancelled.
 Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress = {});
 
 }  // namespace lathelier::features

@@ -28,6 +28,15 @@ const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParam
               {{"robust", LT_TEXT("Engine", "whole meridian, robust")}, {"paper", LT_TEXT("Engine", "as published")}},
               label(LT_TEXT("Engine", "Method"),
                     LT_TEXT("Engine", "The meridian fitted as a whole, or the sections of the published method."))),
+        field(
+            "scene", &P::scene,
+            {{"auto", LT_TEXT("Engine", "cut where there is a turntable")},
+             {"keep", LT_TEXT("Engine", "keep all")},
+             {"cut", LT_TEXT("Engine", "cut")}},
+            label(LT_TEXT("Engine", "Besides the part"),
+                  LT_TEXT("Engine",
+                          "A turntable, clamps and loose things in the scan: automatically cut off only where a plane "
+                          "much larger than the part is seen."))),
         field("snap", &P::snap,
               {{"suggest", LT_TEXT("Engine", "suggest")},
                {"none", LT_TEXT("Engine", "none")},

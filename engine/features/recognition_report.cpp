@@ -261,7 +261,7 @@ report::Table rowsTable(const Recognition& result, const Language& language)
     return table;
 }
 
-report::Table stepsTable(const std::vector<PaperStep>& steps)
+report::Table stepsTable(const std::vector<ShaftStep>& steps)
 {
     report::Table table{
         LT_TEXT("Engine", "Steps as published, chamfers folded in"),
@@ -271,7 +271,7 @@ report::Table stepsTable(const std::vector<PaperStep>& steps)
          report::Labelled{LT_TEXT("Engine", "Chamfer, end"), mm}},
         {},
         {4, 4, 4, 3, 3, 3, 3}};
-    for (const PaperStep& step : steps)
+    for (const ShaftStep& step : steps)
         table.rows.push_back({step.x_mm, step.y_mm, step.radius_mm, step.z_start_mm, step.z_end_mm,
                               step.chamfer_start_mm, step.chamfer_end_mm});
     return table;
@@ -311,7 +311,7 @@ report::Section recognitionSummary(const Recognition& result, const Language& la
     return section;
 }
 
-report::Document recognitionReport(const Recognition& result, const std::vector<PaperStep>& steps,
+report::Document recognitionReport(const Recognition& result, const std::vector<ShaftStep>& steps,
                                    const std::vector<InputFile>& inputs, const Language& language)
 {
     report::Document document;

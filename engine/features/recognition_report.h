@@ -21,13 +21,13 @@ inline constexpr int nominalColumn = 3;  ///< of rowsTable(), from 0
 std::string suggestionText(const Suggestion& suggestion, const Language& language = {});
 
 /// The paper's Table 1: cylinders with their chamfers folded in.
-report::Table stepsTable(const std::vector<PaperStep>& steps);
+report::Table stepsTable(const std::vector<ShaftStep>& steps);
 
 /// Answer, rows, features, marks, gaps and notes: what the command line prints with report::toPlainText().
 report::Section recognitionSummary(const Recognition& result, const Language& language = {});
 
 /// The same with charts, ends, `steps` as the published table, how well it fits, method and parameters.
-report::Document recognitionReport(const Recognition& result, const std::vector<PaperStep>& steps,
+report::Document recognitionReport(const Recognition& result, const std::vector<ShaftStep>& steps,
                                    const std::vector<InputFile>& inputs, const Language& language = {});
 
 /// The rows as CSV: decimal point, full precision, uncertainties in columns of their own.

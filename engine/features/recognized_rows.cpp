@@ -66,6 +66,18 @@ Json numbers(const V& vector)
     return Json{vector[0], vector[1], vector[2]};
 }
 
+Json sceneJson(const std::vector<SceneGroup>& groups)
+{
+    Json list = Json::array();
+    for (const SceneGroup& group : groups) {
+        Json one = nestedJson(describedValues(group));
+        one["min_mm"] = numbers(group.min_mm);
+        one["max_mm"] = numbers(group.max_mm);
+        list.push_back(one);
+    }
+    return list;
+}
+
 }  // namespace
 
 const char* key(RowKind kind)
@@ -153,9 +165,9 @@ const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction
     return all;
 }
 
-const std::vector<QuantityOf<PaperStep>>& quantitiesOf(const PaperStep*)
+const std::vector<QuantityOf<ShaftStep>>& quantitiesOf(const ShaftStep*)
 {
-    using S = PaperStep;
+    using S = ShaftStep;
     static const auto all = describedBy<S>(
         quantity<S>("x_mm", &S::x_mm, {LT_TEXT("Engine", "x"), mm, 3}),
         quantity<S>("y_mm", &S::y_mm, {LT_TEXT("Engine", "y"), mm, 3}),
@@ -188,6 +200,7 @@ Json toJson(const Recognition& result)
     json["marks"] = Json::array();
     for (const ShaftMark& mark : result.marks) json["marks"].push_back(markJson(mark));
     json["gaps"] = listOf(result.gaps);
+    json["scene"] = sceneJson(result.scene);
     json["merged"] = listOf(result.merged);
     json["coverage_percent"] = result.coverage_percent;
     json["residual_rmse_mm"] = result.residual_rmse_mm;

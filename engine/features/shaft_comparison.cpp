@@ -6,6 +6,7 @@
 #include <span>
 #include <variant>
 
+#include "engine/core/shaft_contour.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/shaft_mesh.h"
 #include "engine/registration/compare_quantities.h"
@@ -119,12 +120,11 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress,
                                  registration::CompareDetail detail)
 {
-    const ShaftMesh mesh = shaftMesh(nominal, kFinestSagitta_mm, progress.part(0, 0.05));
+    ShaftMesh mesh = shaftMesh(nominal, kFinestSagitta_mm, progress.part(0, 0.05));
+    const registration::DrawnReference reference{std::move(mesh.scan), closedContour(nominal)};
     ShaftComparison result;
-    result.surface = compare(mesh.scan, copy, parameters,
+    result.surface = compare(reference, copy, parameters,
                              progress.part(0.05, 0.8, LT_TEXT("Engine", "Comparing the surface")), detail);
-    if (mesh.sagitta_mm > kFinestSagitta_mm)
-        result.surface.notes.push_back({notes::meshCoarser, {{"sagitta_mm", mesh.sagitta_mm}}});
     result.rows =
         rowsOf(nominal, copy, result.surface, progress.part(0.8, 1, LT_TEXT("Engine", "Comparing the sizes")));
     result.verdict = worstVerdict(result.rows);

@@ -18,9 +18,10 @@ struct ShaftComparison {
     std::optional<Verdict> verdict;  ///< the worse of the surface and the rows; none: nothing has a limit
 };
 
-/// Compares the copy with the shaft's mesh (shaft_mesh.h), recognises it and sets its rows against the drawing's.
-/// Errors of compare(). Where the copy cannot be recognised, the rows say so with the note sizesNotRecognized. Notes:
-/// those of both; meshCoarser. Precondition: the shaft passes checkShaft(). Throws Cancelled.
+/// Aligns the copy with the shaft's mesh (shaft_mesh.h), measures its deviations from the shaft's meridian, recognises
+/// it and sets its rows against the drawing's. Errors of compare(). Where the copy cannot be recognised, the rows say
+/// so with the note sizesNotRecognized. Notes: those of both. Precondition: the shaft passes checkShaft(). Throws
+/// Cancelled.
 ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress = {},
                                  registration::CompareDetail detail = registration::CompareDetail::Full);

@@ -127,24 +127,6 @@ double expectedCoverage(double points)
     return 1 - std::exp(-points / kSectors);
 }
 
-double turnOf(const Sectors& sectors)
-{
-    double x = 0, y = 0;
-    for (std::size_t k = 0; k < kSectors; ++k)
-        if (sectors[k]) {
-            const double angle = 2 * 3.14159265358979323846 * (static_cast<double>(k) + 0.5) / kSectors;
-            x += std::cos(angle);
-            y += std::sin(angle);
-        }
-    const double turn = registration::quickTurn(y, x);
-    return turn < 0 ? turn + 1 : turn;
-}
-
-struct OpenChain {
-    Chain chain;
-    double slope = 0;
-};
-
 }  // namespace
 
 MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
@@ -211,8 +193,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
     walls.sigma_mm = sigma_mm;
     if (counts.empty()) return walls;
     const double usual_cover = medianOf(covers);
-    std::vector<OpenChain> open;
-    std::vector<Chain> closed;
+    std::vector<Chain> open, closed;
     for (std::size_t b = 0; b < count; ++b) {
         progress.check();
         std::vector<Cluster>& clusters = found[b];
@@ -226,21 +207,16 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
                 if (cluster.sectors == largest.sectors) return false;
                 const double own = static_cast<double>(cluster.sectors.count());
                 const double apart = static_cast<double>((cluster.sectors & ~largest.sectors).count());
-                if (!(apart >= 0.45 * own) || own < 3 || cluster.wall.coverage > 0.6 * largest.wall.coverage)
-                    return false;
-                if (own >= 4)
-                    walls.odd.push_back(
-                        {cluster.wall.z_mm, cluster.wall.r_mm, turnOf(cluster.sectors), cluster.wall.coverage});
-                return true;
+                return apart >= 0.45 * own && own >= 3 && cluster.wall.coverage <= 0.6 * largest.wall.coverage;
             });
         }
         for (const Cluster& cluster : clusters) {
             if (cluster.wall.coverage < 0.35 * usual_cover * expectedCoverage(cluster.wall.points)) continue;
             const double r = cluster.wall.r_mm, z = cluster.wall.z_mm;
-            OpenChain* best = nullptr;
+            Chain* best = nullptr;
             double nearest = 1e300;
-            for (OpenChain& one : open) {
-                const Wall& last = one.chain.walls.back();
+            for (Chain& one : open) {
+                const Wall& last = one.walls.back();
                 const double dz = z - last.z_mm;
                 if (!(dz > 0.2 * bin_mm)) continue;
                 const double off = std::abs(r - last.r_mm);
@@ -250,20 +226,20 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
                 }
             }
             if (best)
-                best->chain.walls.push_back(cluster.wall);
+                best->walls.push_back(cluster.wall);
             else
-                open.push_back({{{cluster.wall}, false}, 0});
+                open.push_back({{cluster.wall}, false});
         }
         const double z_now = cloud.z_first_mm + static_cast<double>(b + 1) * bin_mm;
         for (auto one = open.begin(); one != open.end();)
-            if (z_now - one->chain.zLast_mm() > std::max(2.6 * bin_mm, 1.2)) {
-                closed.push_back(std::move(one->chain));
+            if (z_now - one->zLast_mm() > std::max(2.6 * bin_mm, 1.2)) {
+                closed.push_back(std::move(*one));
                 one = open.erase(one);
             } else {
                 ++one;
             }
     }
-    for (OpenChain& one : open) closed.push_back(std::move(one.chain));
+    for (Chain& one : open) closed.push_back(std::move(one));
     // Points of a face are no wall, wherever they are found together; a rough zone is longer than that.
     for (Chain& chain : closed) {
         const auto is_face = [&](std::size_t from, std::size_t to) {

@@ -39,18 +39,10 @@ struct Chain {
     double zLast_mm() const { return walls.back().z_mm; }
 };
 
-/// What lies apart from its wall in a part of the circle: a keyway's floor, a flat.
-struct OddPlace {
-    double z_mm = 0, r_mm = 0;  ///< along the axis
-    double turn = 0;            ///< of the middle of its sectors
-    double share = 0;           ///< of the circle
-};
-
 struct Walls {
     double bin_mm = 0;
     double sigma_mm = 0;        ///< noise of single points, from the quiet bins
     std::vector<Chain> chains;  ///< by the z of their first wall, outside before bores
-    std::vector<OddPlace> odd;  ///< in order of z
 };
 
 /// Bins of `bin_mm`. `sigma_mm`: noise of single points, as the axis fit has it.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/contour_distance.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/default_reach.h"
@@ -152,6 +153,28 @@ void measure(const Scan& reference, const GeneralReference* prepared, const Plan
     std::erase_if(result.notes, [](const Note& note) { return note.code == notes::signUndetermined; });
 }
 
+/// Distance to the meridian of a drawing.
+void measureDrawn(const Contour& meridian, const std::vector<Vector3d>& moved_copy, double max_distance_mm,
+                  CompareResult& result, std::vector<Eigen::Vector3f>& direction, const Progress& progress)
+{
+    const ContourDistance distance(meridian, max_distance_mm);
+    result.has_sign = true;
+    result.deviation_mm.assign(moved_copy.size(), std::numeric_limits<float>::quiet_NaN());
+    direction.assign(moved_copy.size(), Eigen::Vector3f::Zero());
+    parallelFor(moved_copy.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vector3d& p = moved_copy[i];
+            const double r = std::hypot(p.x(), p.y());
+            const auto foot = distance.footOf(p.z(), r);
+            if (!foot) continue;
+            result.deviation_mm[i] = static_cast<float>(foot->distance_mm);
+            const Eigen::Vector2d across = r > 0 ? Eigen::Vector2d(p.head<2>() / r) : Eigen::Vector2d::UnitX();
+            direction[i] = Vector3d(foot->outward.y() * across.x(), foot->outward.y() * across.y(), foot->outward.x())
+                               .cast<float>();
+        }
+    });
+}
+
 /// Facets of a coarse mesh are no form of the part: they are named, with what they amount to.
 void noteCoarseFacets(const Scan& scan, const char* role, const RevolutionFit& fit, double size_mm, Notes& notes,
                       const Progress& progress)
@@ -213,10 +236,9 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     judge(result, result.parameters, progress);
 }
 
-}  // namespace
-
-CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const CompareParameters& parameters,
-                      const Progress& progress, CompareDetail detail)
+/// `drawn`: the meridian of a reference that is drawn; the scan is its mesh then.
+CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, const Scan& copy_scan,
+                          const CompareParameters& parameters, const Progress& progress, CompareDetail detail)
 {
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
     checkZones(parameters.zones);
@@ -264,6 +286,7 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     double reach_mm = parameters.max_distance_mm.value_or(defaultReach_mm(size_mm, noise_mm));
     std::vector<Eigen::Vector3f> direction;
     const auto remeasure = [&](const Progress& own) {
+        if (drawn) return measureDrawn(*drawn, moved_copy, reach_mm, result, direction, own);
         measure(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy, reach_mm,
                 result, direction, own);
     };
@@ -276,10 +299,10 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
         result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
         remeasure(measuring.part(0.8, 1));
     }
-    const double facets_mm = line && reference_scan.isMesh()
+    const double facets_mm = line && !drawn && reference_scan.isMesh()
                                  ? largestSagitta_mm(reference_scan, plan.reference.fit.axis_T_scan, measuring)
                                  : 0;
-    if (plan.reference_turned)
+    if (plan.reference_turned && !drawn)
         noteCoarseFacets(reference_scan, "reference", plan.reference.fit, size_mm, result.notes, measuring);
     if (plan.method == CompareMethod::Revolution)
         noteCoarseFacets(copy_scan, "copy", plan.copy.fit, size_mm, result.notes, measuring);
@@ -328,6 +351,20 @@ CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const C
     });
     progress.report(1);
     return result;
+}
+
+}  // namespace
+
+CompareResult compare(const Scan& reference_scan, const Scan& copy_scan, const CompareParameters& parameters,
+                      const Progress& progress, CompareDetail detail)
+{
+    return compareWith(reference_scan, nullptr, copy_scan, parameters, progress, detail);
+}
+
+CompareResult compare(const DrawnReference& reference, const Scan& copy, const CompareParameters& parameters,
+                      const Progress& progress, CompareDetail detail)
+{
+    return compareWith(reference.mesh, &reference.meridian, copy, parameters, progress, detail);
 }
 
 }  // namespace lathelier::registration

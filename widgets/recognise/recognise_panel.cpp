@@ -44,8 +44,7 @@ report::Document reportOf(const RecognisePicture& picture, const Language& langu
     Json json = features::toJson(result);
     if (picture.result->paper_steps.empty()) {
         json["steps"] = Json::array();
-        for (const features::PaperStep& step : picture.steps)
-            json["steps"].push_back(nestedJson(describedValues(step)));
+        for (const ShaftStep& step : picture.steps) json["steps"].push_back(nestedJson(describedValues(step)));
     }
     document.results = {report::toText(
         report::wholeResult("recognize", picture.inputs, toValues(result.parameters), json, result.notes))};

@@ -49,11 +49,12 @@ void addSteps(RecognisePicture& picture)
     const features::Recognition& result = *picture.result;
     picture.steps = result.paper_steps;
     if (result.parameters.method == features::RecognitionMethod::Paper) return;
-    for (const cad::Step& step : cad::stepsOf(picture.shaft)) {
+    picture.steps = cad::stepsOf(picture.shaft);
+    for (ShaftStep& step : picture.steps) {
         const Eigen::Vector3d middle =
             result.axis_point_mm + (step.z_start_mm + step.z_end_mm) / 2 * result.axis_direction;
-        picture.steps.push_back({middle.x(), middle.y(), step.radius_mm, step.z_start_mm, step.z_end_mm,
-                                 step.chamfer_start_mm, step.chamfer_end_mm, 0});
+        step.x_mm = middle.x();
+        step.y_mm = middle.y();
     }
     picture.beside = cad::rowsBesideSteps(picture.shaft);
 }

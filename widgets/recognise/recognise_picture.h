@@ -23,7 +23,7 @@ struct RecognisePicture {
     std::shared_ptr<const features::Recognition> result;  ///< never null in a picture that find() gave
     std::vector<features::AcceptedSize> accepted;         ///< of the suggestions, by the user
     Shaft shaft;                                          ///< with the accepted sizes, named after the file
-    std::vector<features::PaperStep> steps;               ///< of the published method, or as its table shows the rows
+    std::vector<ShaftStep> steps;                         ///< of the published method, or as its table shows the rows
     std::vector<std::size_t> beside;                      ///< rows (from 0) that the table has no place for
     ScanByKind by_kind;                                   ///< never null there
     std::vector<InputFile> inputs;                        ///< the file

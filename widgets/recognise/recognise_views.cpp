@@ -86,7 +86,7 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     });
     connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
         if (!picture_ || step < 0 || step >= static_cast<int>(picture_->steps.size())) return;
-        const features::PaperStep& at = picture_->steps[static_cast<std::size_t>(step)];
+        const ShaftStep& at = picture_->steps[static_cast<std::size_t>(step)];
         pickAt((at.z_start_mm + at.z_end_mm) / 2);
     });
     retranslate();

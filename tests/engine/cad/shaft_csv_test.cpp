@@ -30,7 +30,8 @@ Shaft read(const std::string& text)
 
 TEST(StepsView, ThePapersTableOne)
 {
-    const std::vector<Step> truth{{0, 0, 15, 0, 98, 0, 0}, {0, 0, 18.5, 98, 108, 0, 0}, {0, 0, 16.9, 108, 183, 0, 5}};
+    const std::vector<ShaftStep> truth{
+        {0, 0, 15, 0, 98, 0, 0}, {0, 0, 18.5, 98, 108, 0, 0}, {0, 0, 16.9, 108, 183, 0, 5}};
     EXPECT_EQ(stepsOf(tableOne()), truth);
     EXPECT_TRUE(rowsBesideSteps(tableOne()).empty());
     EXPECT_EQ(stepsCsv(tableOne()),
@@ -43,9 +44,9 @@ TEST(StepsView, ChamfersWithoutARoleAreFoldedTapersAreNot)
     Shaft shaft;
     shaft.segments = {row(1, 18, 20),  row(20, 20, 20), row(1, 20, 18), row(20, 30, 30),
                       row(30, 30, 33), row(10, 33, 33), row(2, 33, 29), row(10, 29, 29)};
-    const std::vector<Step> steps = stepsOf(shaft);
+    const std::vector<ShaftStep> steps = stepsOf(shaft);
     ASSERT_EQ(steps.size(), 4U);
-    EXPECT_EQ(steps[0], (Step{0, 0, 10, 0, 22, 1, 1}));
+    EXPECT_EQ(steps[0], (ShaftStep{0, 0, 10, 0, 22, 1, 1}));
     EXPECT_EQ(steps[2].chamfer_start_mm, 0);
     EXPECT_EQ(rowsBesideSteps(shaft), (std::vector<std::size_t>{4, 6}));  // a transition is no chamfer
     EXPECT_EQ(rowsBesideSteps(taper()).size(), 8U - 1U);

@@ -187,6 +187,24 @@ TEST(NominalRows, Bores)
     EXPECT_NEAR(rows[7].deviation_mm.value(), 0.1, 1e-9);
 }
 
+TEST(NominalRows, BoresThatTheRowsState)
+{
+    Shaft drawing = drawingOf(cylinder(40, 30) + cylinder(60, 10) + cylinder(50, 20));
+    for (std::size_t i = 0; i < 2; ++i) drawing.segments[i].bore_diameter_mm = 20;
+    drawing.general_tolerance = "ISO 2768-m";
+    Recognition part = recognitionOf(cylinder(40, 30) + cylinder(60, 10) + cylinder(50, 20));
+    part.bores = {rowsOf(cylinder(20.3, 40))};
+    const auto rows = compareRows(drawing, part, DecisionRule::Simple);
+    ASSERT_EQ(rows.size(), 8U);  // one row of the bore, though two of the outside state it
+    EXPECT_EQ(rows[6].bore, 1);
+    EXPECT_EQ(rows[6].quantity, "diameter");
+    EXPECT_EQ(rows[6].nominal_mm, 20);
+    EXPECT_NEAR(rows[6].deviation_mm.value(), 0.3, 1e-9);
+    EXPECT_EQ(rows[6].verdict, Verdict::Fail);
+    EXPECT_EQ(rows[7].quantity, "length");
+    EXPECT_EQ(rows[7].nominal_mm, 40);
+}
+
 /// The practice copy, scanned askew: taper ±30 µm, a collar 50 µm over, a barrel of 40 µm, all on the radius.
 TEST(ShaftComparison, ThePracticeCopyAgainstTheDrawing)
 {

@@ -167,7 +167,7 @@ private slots:
         settle();
         QVERIFY(recognised().parameters.snap == features::Snap::Apply);
         QVERIFY(!child<QPushButton>("acceptAll")->isEnabled());
-        const std::vector<features::PaperStep>& steps = panel_->result()->steps;  // the published table, to its digits
+        const std::vector<ShaftStep>& steps = panel_->result()->steps;  // the published table, to its digits
         QCOMPARE(steps.size(), std::size_t{3});
         QCOMPARE(steps[0].radius_mm, 15.0);
         QCOMPARE(steps[1].radius_mm, 18.5);

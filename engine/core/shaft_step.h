@@ -1,0 +1,18 @@
+// A row of the table of steps that a published method prints: a cylinder with its chamfers folded in.
+#pragma once
+
+#include <cstdint>
+
+namespace lathelier {
+
+struct ShaftStep {
+    double x_mm = 0, y_mm = 0;            ///< of its centre; 0 on the axis of a shaft
+    double radius_mm = 0;                 ///< in mm
+    double z_start_mm = 0, z_end_mm = 0;  ///< to the outer ends of its chamfers
+    double chamfer_start_mm = 0;          ///< leg along z; 0: none
+    double chamfer_end_mm = 0;            ///< leg along z
+    std::int64_t sections = 0;            ///< of a scan that it was found in; 0: made of a table of rows
+    friend bool operator==(const ShaftStep&, const ShaftStep&) = default;
+};
+
+}  // namespace lathelier

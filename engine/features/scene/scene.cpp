@@ -1,0 +1,266 @@
+#include "engine/features/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+#include "engine/features/scene/scene_outline.h"
+#include "engine/features/scene/scene_shapes.h"
+#include "engine/features/scene/scene_support.h"
+#include "engine/features/scene/scene_thinned.h"
+#include "engine/registration/revolution/revolution_axis.h"
+
+namespace lathelier::features {
+namespace {
+
+using Eigen::Vector3d;
+using registration::RevolutionFit;
+
+constexpr std::size_t kRoughSample = 100000;
+constexpr std::size_t kFitSample = 60000;
+constexpr std::size_t kOutlineSample = 300000;
+constexpr std::size_t kLeastRest = 500;
+constexpr std::size_t kLeastGroup = 20;  // cubes
+constexpr std::size_t kMostTried = 6;    // groups that may be the part
+constexpr double kOnSurface_mm = 0.7;    // farther out than this is beyond the surface
+constexpr double kClampReach_mm = 5;     // a clamp reaches farther out than this somewhere
+constexpr double kOwnShare = 0.6;        // of a group's points on or inside the part's surface: it is the part's
+constexpr std::size_t kMostNamed = 12;   // groups; the small ones beyond are one
+
+enum Kind : std::uint16_t { Part = 0, Turntable = 1, FirstOther = 2 };
+
+std::vector<Vector3d> chosen(const std::vector<Vector3d>& points, const std::vector<std::uint32_t>& indices)
+{
+    std::vector<Vector3d> some;
+    some.reserve(indices.size());
+    for (const std::uint32_t i : indices) some.push_back(points[i]);
+    return some;
+}
+
+/// The scan as it is taken apart: what is left of it once the turntable is gone, in groups.
+class SceneParts {
+public:
+    SceneParts(const std::vector<Vector3d>& points, const Progress& progress) : points_(points), progress_(progress)
+    {
+        labels_.assign(points.size(), Part);
+        kinds_ = {"part", "turntable"};
+    }
+
+    void takeOff(const SupportPlane& support)
+    {
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (std::abs(support.normal.dot(points_[i]) - support.distance_mm) <= support.band_mm)
+                labels_[i] = Turntable;
+    }
+
+    /// Groups of what is left. False: too little.
+    bool group(double extent_mm)
+    {
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (labels_[i] == Part) rest_.push_back(static_cast<std::uint32_t>(i));
+        if (rest_.size() < kLeastRest) return false;
+        rest_points_ = chosen(points_, rest_);
+        // Cubes that hold a few points each, so that neighbours on a surface lie in neighbouring cubes.
+        double edge_mm = std::max(0.5, extent_mm / 250);
+        do {
+            thin_ = thinned(rest_points_, edge_mm, progress_);
+            edge_mm *= 1.5;
+        } while (4 * thin_.points.size() > rest_points_.size() && thin_.points.size() > 200);
+        groups_ = groupsOf(thin_.points, 3 * thin_.edge_mm, kLeastGroup);
+        group_of_cube_.assign(thin_.points.size(), -1);
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            for (const std::uint32_t cube : groups_[g]) group_of_cube_[cube] = static_cast<int>(g);
+        return !groups_.empty();
+    }
+
+    /// The part among the groups, its axis, its surface.
+    void findPart()
+    {
+        const std::size_t tried = std::min(groups_.size(), kMostTried);
+        for (std::size_t g = 0; g < tried && !turned_; ++g)
+            if (33 * groups_[g].size() > groups_[0].size()) tryAsPart(static_cast<int>(g));
+        if (!turned_) part_ = 0;
+    }
+
+    void labelRest()
+    {
+        const int group_count = static_cast<int>(groups_.size());
+        std::vector<double> beyond(rest_.size(), 0);
+        if (turned_)
+            parallelFor(rest_.size(), 32768, progress_, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    beyond[i] = outline_->beyond_mm(fit_.axis_T_scan * rest_points_[i]);
+            });
+        std::vector<double> own(groups_.size(), 0), all(groups_.size(), 0);
+        for (std::size_t i = 0; i < rest_.size(); ++i) {
+            const int g = groupOf(i);
+            if (g < 0) continue;
+            all[static_cast<std::size_t>(g)] += 1;
+            own[static_cast<std::size_t>(g)] += turned_ && beyond[i] <= kOnSurface_mm;
+        }
+        std::vector<std::uint16_t> label_of(groups_.size(), Part);
+        for (int g = 0; g < group_count; ++g) {
+            const auto at = static_cast<std::size_t>(g);
+            if (g != part_ && own[at] < kOwnShare * all[at]) label_of[at] = newLabel("clutter");
+        }
+        std::vector<std::uint32_t> outside;  // of the part's own group
+        const std::uint16_t stray = newLabel("clutter");
+        for (std::size_t i = 0; i < rest_.size(); ++i) {
+            const int g = groupOf(i);
+            if (g >= 0) labels_[rest_[i]] = label_of[static_cast<std::size_t>(g)];
+            if (g < 0 && beyond[i] > kClampReach_mm) labels_[rest_[i]] = stray;
+            if (g >= 0 && label_of[static_cast<std::size_t>(g)] == Part && beyond[i] > kOnSurface_mm)
+                outside.push_back(static_cast<std::uint32_t>(i));
+        }
+        labelClamps(outside, beyond);
+    }
+
+    /// The groups with their boxes, and what is kept.
+    Scene scene() const
+    {
+        Scene scene;
+        std::vector<SceneGroup> found(kinds_.size());
+        for (std::size_t g = 0; g < found.size(); ++g) {
+            found[g].kind = kinds_[g];
+            found[g].kept = g == Part;
+        }
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            SceneGroup& one = found[labels_[i]];
+            one.min_mm = one.points == 0 ? points_[i] : Vector3d(one.min_mm.cwiseMin(points_[i]));
+            one.max_mm = one.points == 0 ? points_[i] : Vector3d(one.max_mm.cwiseMax(points_[i]));
+            ++one.points;
+        }
+        found[Part].reason = turned_ ? "body_of_revolution" : "largest";
+        std::stable_sort(found.begin() + 1, found.end(),
+                         [](const SceneGroup& a, const SceneGroup& b) { return a.points > b.points; });
+        std::erase_if(found, [](const SceneGroup& one) { return one.points == 0; });
+        for (std::size_t g = kMostNamed; g < found.size(); ++g) {
+            SceneGroup& last = found[kMostNamed - 1];
+            last.kind = "clutter";
+            last.points += found[g].points;
+            last.min_mm = last.min_mm.cwiseMin(found[g].min_mm);
+            last.max_mm = last.max_mm.cwiseMax(found[g].max_mm);
+        }
+        if (found.size() > kMostNamed) found.resize(kMostNamed);
+        if (found.size() < 2) return scene;
+        scene.groups = std::move(found);
+        scene.kept.resize(points_.size());
+        for (std::size_t i = 0; i < points_.size(); ++i) scene.kept[i] = labels_[i] == Part;
+        return scene;
+    }
+
+private:
+    int groupOf(std::size_t rest) const { return group_of_cube_[thin_.of_point[rest]]; }
+
+    std::uint16_t newLabel(const char* kind)
+    {
+        kinds_.emplace_back(kind);
+        return static_cast<std::uint16_t>(kinds_.size() - 1);
+    }
+
+    /// Fits an axis to the group, again without what lies outside its surface, until it is a body of revolution.
+    void tryAsPart(int group)
+    {
+        std::vector<Vector3d> own;
+        for (std::size_t i = 0; i < rest_.size(); ++i)
+            if (groupOf(i) == group) own.push_back(rest_points_[i]);
+        const std::vector<Vector3d> all = everyNth(rest_points_, kOutlineSample);
+        std::vector<Vector3d> used = everyNth(own, kFitSample);
+        for (int round = 0; round < 3; ++round) {
+            progress_.check();
+            RevolutionFit fit;
+            try {
+                fit = registration::fitRevolution(used, progress_);
+            } catch (const Error&) {
+                return;
+            }
+            if (fit.iterations == 0) return;
+            std::vector<Vector3d> on_axis(all.size());
+            for (std::size_t i = 0; i < all.size(); ++i) on_axis[i] = fit.axis_T_scan * all[i];
+            SceneOutline outline(on_axis, fit.coverage_deg);
+            if (outline.isEmpty()) return;
+            if (registration::isBodyOfRevolution(fit)) {
+                turned_ = true;
+                part_ = group;
+                fit_ = fit;
+                outline_ = outline;
+            }
+            std::vector<Vector3d> inside;
+            for (const Vector3d& point : own)
+                if (outline.beyond_mm(fit.axis_T_scan * point) <= kOnSurface_mm) inside.push_back(point);
+            if (inside.size() < kLeastRest) return;
+            used = everyNth(inside, kFitSample);
+        }
+    }
+
+    /// What reaches far beyond the part's surface, down to where it touches it.
+    void labelClamps(const std::vector<std::uint32_t>& outside, const std::vector<double>& beyond)
+    {
+        const std::vector<Vector3d> points = chosen(rest_points_, outside);
+        const Thinned thin = thinned(points, thin_.edge_mm, progress_);
+        const auto groups = groupsOf(thin.points, 3 * thin_.edge_mm, 5);
+        std::vector<int> group_of(thin.points.size(), -1);
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            for (const std::uint32_t cube : groups[g]) group_of[cube] = static_cast<int>(g);
+        std::vector<double> reach(groups.size(), 0);
+        const auto at = [&](std::size_t i) { return group_of[thin.of_point[i]]; };
+        for (std::size_t i = 0; i < outside.size(); ++i)
+            if (at(i) >= 0)
+                reach[static_cast<std::size_t>(at(i))] =
+                    std::max(reach[static_cast<std::size_t>(at(i))], beyond[outside[i]]);
+        std::vector<std::uint16_t> label(groups.size(), Part);
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (reach[g] >= kClampReach_mm) label[g] = newLabel(groups[g].size() >= kLeastGroup ? "clamp" : "clutter");
+        for (std::size_t i = 0; i < outside.size(); ++i)
+            if (at(i) >= 0) labels_[rest_[outside[i]]] = label[static_cast<std::size_t>(at(i))];
+    }
+
+    const std::vector<Vector3d>& points_;
+    const Progress& progress_;
+    std::vector<std::uint16_t> labels_;  ///< index into kinds_, one per point
+    std::vector<std::string> kinds_;
+    std::vector<std::uint32_t> rest_;  ///< points that are not the turntable's
+    std::vector<Vector3d> rest_points_;
+    Thinned thin_;                                    ///< of rest_points_
+    std::vector<std::vector<std::uint32_t>> groups_;  ///< of its cubes
+    std::vector<int> group_of_cube_;                  ///< -1: a stray
+    int part_ = 0;                                    ///< which group
+    bool turned_ = false;
+    RevolutionFit fit_;
+    std::optional<SceneOutline> outline_;
+};
+
+}  // namespace
+
+Scene findScene(const std::vector<Vector3d>& points, SceneUse use, const Progress& progress)
+{
+    if (use == SceneUse::Keep || points.size() < kLeastRest) return {};
+    const double extent_mm = usualExtent_mm(points);
+    if (!(extent_mm > 0)) return {};
+    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 128), progress);
+    const std::optional<SupportPlane> support = findSupport(rough.points, rough.edge_mm);
+    if (!support && use == SceneUse::Auto) return {};
+    SceneParts parts(points, progress);
+    if (support) parts.takeOff(*support);
+    if (!parts.group(extent_mm)) return {};
+    progress.report(0.3);
+    parts.findPart();
+    progress.report(0.8);
+    parts.labelRest();
+    Scene scene = parts.scene();
+    if (!scene.groups.empty()) scene.support = support;
+    progress.report(1);
+    return scene;
+}
+
+const std::vector<QuantityOf<SceneGroup>>& quantitiesOf(const SceneGroup*)
+{
+    using S = SceneGroup;
+    static const auto all =
+        describedBy<S>(quantity<S>("kind", &S::kind, {LT_TEXT("Engine", "Kind")}),
+                       quantity<S>("points", &S::points, {LT_TEXT("Engine", "Points")}),
+                       quantity<S>("kept", &S::kept, {LT_TEXT("Engine", "Kept")}), quantity<S>("reason", &S::reason));
+    return all;
+}
+
+}  // namespace lathelier::features

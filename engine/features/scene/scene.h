@@ -1,0 +1,54 @@
+// What a scan holds besides the part: the turntable that it stands on, jaws or blocks that hold it, loose things.
+//
+// The turntable is a plane with all the rest on one side of it, three times as large as what stands on it (convex hulls
+// in the plane). What is left falls into groups by distance; the part is the largest group that is a body of
+// revolution, with those that lie on or inside its surface about the same axis. Clamps touch the part: they are what
+// reaches more than 5 mm beyond the surface that is seen around the axis, down to where they touch it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/core/quantities.h"
+
+namespace lathelier::features {
+
+/// Auto: cut only where a turntable is found; else not a point of the scan is touched.
+enum class SceneUse { Auto, Keep, Cut };
+
+/// Points that belong together.
+struct SceneGroup {
+    std::string kind;                                  ///< part | turntable | clamp | clutter
+    std::int64_t points = 0;                           ///< number of points
+    Eigen::Vector3d min_mm = Eigen::Vector3d::Zero();  ///< its box in the frame of the scan
+    Eigen::Vector3d max_mm = Eigen::Vector3d::Zero();  ///< the other corner of the box
+    bool kept = true;                                  ///< is part of what is recognised
+    std::string reason;  ///< of the part: body_of_revolution (the largest one) | largest (none is one); else empty
+};
+
+/// The plane that the part stands or lies on: normal·p = distance.
+struct SupportPlane {
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit vector toward the part
+    double distance_mm = 0;                             ///< along the normal
+    double sigma_mm = 0;                                ///< robust scatter of its points
+    double band_mm = 0;                                 ///< points this near to it are its own
+};
+
+/// Groups and what becomes of each point. Nothing besides the part: all three are empty.
+struct Scene {
+    std::vector<SceneGroup> groups;       ///< the part first, then by falling number of points
+    std::vector<std::uint8_t> kept;       ///< one per point: 1 for the part's
+    std::optional<SupportPlane> support;  ///< of the turntable
+};
+
+/// Deterministic; 0.3 s for a million points, 10 ms where `use` is Auto and there is no turntable. Nothing is sought
+/// with SceneUse::Keep. Throws Cancelled.
+Scene findScene(const std::vector<Eigen::Vector3d>& points, SceneUse use, const Progress& progress = {});
+
+const std::vector<QuantityOf<SceneGroup>>& quantitiesOf(const SceneGroup*);
+
+}  // namespace lathelier::features

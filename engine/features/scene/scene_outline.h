@@ -1,0 +1,25 @@
+// The largest radius that is seen around an axis, along it: what lies beyond it is no surface of revolution.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace lathelier::features {
+
+/// Cells of (z, r) that are seen from enough directions; the outermost of each z is the outline.
+class SceneOutline {
+public:
+    /// Points in the frame of the axis (z along it). `coverage_deg`: how much of the circle the part shows anywhere.
+    SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double coverage_deg);
+
+    /// How far outside the outline a point lies; 0: on it or inside. Beyond its ends along z.
+    double beyond_mm(const Eigen::Vector3d& on_axis) const;
+    /// Is there a surface of revolution at all?
+    bool isEmpty() const { return reach_mm_.empty(); }
+
+private:
+    double first_mm_ = 0, step_mm_ = 1;
+    std::vector<double> reach_mm_;  ///< of each step along z, that of its neighbours included
+};
+
+}  // namespace lathelier::features

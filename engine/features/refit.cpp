@@ -88,6 +88,7 @@ Recognition refit(const Recognition& found, const std::vector<RowChange>& change
     std::erase_if(result.meridian, [](const MeridianPoint& point) { return !point.bore; });
     addMeridian(outline, zero_mm, false, 0, result.meridian);
     takeGaps(outline, zero_mm, result);
+    result.notes.push_back({notes::rowsChangedByHand, {{"count", static_cast<std::int64_t>(changes.size())}}});
     result.ends.clear();
     result.length_mm.reset();
     describeEnds(outline, result);

@@ -21,4 +21,12 @@ inline constexpr ErrorCode rowsDoNotMeet{
 
 }  // namespace errors
 
+namespace notes {
+
+inline constexpr NoteCode rowsChangedByHand{
+    "rows_changed_by_hand", Severity::Info,
+    LT_TEXT("Engine", "The rows were changed by hand ({count} times) and fitted again.")};
+
+}  // namespace notes
+
 }  // namespace lathelier

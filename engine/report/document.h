@@ -58,8 +58,7 @@ struct Paragraph {
 /// A ready picture (PNG bytes), such as a 3-D view.
 struct Picture {
     Caption title;
-    std::string png;       ///< content of the file
-    std::string svg = {};  ///< in its place: a drawing of lines, over the width of the page
+    std::string png;  ///< content of the file
 };
 
 using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "engine/cad/cad_notes.h"
@@ -14,6 +13,7 @@
 #include "engine/core/shaft_sizes.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/report/result_json.h"
+#include "widgets/part_common/drawing_words.h"
 #include "widgets/part_common/taken_part.h"
 
 namespace lathelier::drawing_panel {
@@ -29,15 +29,6 @@ void takeShaft(DrawingPicture& picture, const project::PanelState& state, Stores
     picture.recovered = std::move(taken.recovered);
 }
 
-/// The date of today as ISO 8601 has it.
-std::string today()
-{
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    return fmt::format("{:04}-{:02}-{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
-}
-
 std::optional<drawing::Sheet> sheetOf(SheetChoice choice)
 {
     switch (choice) {
@@ -47,12 +38,6 @@ std::optional<drawing::Sheet> sheetOf(SheetChoice choice)
         case SheetChoice::Automatic: break;
     }
     return std::nullopt;
-}
-
-std::string decimalSeparator(const Language& language)
-{
-    const std::string half = fixed(0.5, 1, language);
-    return half.size() > 2 ? half.substr(1, half.size() - 2) : ".";
 }
 
 double largestDiameter_mm(const Shaft& shaft)
@@ -94,8 +79,8 @@ drawing::Drawing drawingOf(const DrawingPicture& picture, const Language& langua
     drawing::DrawingOptions options;
     options.sheet = sheetOf(question.sheet);
     options.material = question.material_name;
-    options.date = question.date.empty() ? today() : question.date;
-    options.decimal_separator = decimalSeparator(language);
+    options.date = question.date.empty() ? part_common::today() : question.date;
+    options.decimal_separator = part_common::decimalSeparator(language);
     options.measured = question.measured;
     options.lengths_from = question.lengths;
     if (picture.recovered) {
@@ -228,7 +213,7 @@ report::Document reportOf(const DrawingPicture& picture, const Language& languag
     document.synthetic = picture.synthetic;
     report::Section section{LT_TEXT("Engine", "Result"), {answerOf(picture)}};
     const drawing::Drawing sheet = drawingOf(picture, language);
-    section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Drawing"), {}, drawing::toSvg(sheet)});
+    section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Drawing"), drawing::toSvg(sheet)});
     section.blocks.push_back(rowsTable(picture, language));
     if (report::Table measured = measuredTable(picture, language); !measured.rows.empty())
         section.blocks.push_back(std::move(measured));

@@ -1,5 +1,6 @@
 #include "widgets/drawing/drawing_views.h"
 
+#include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -23,7 +24,7 @@ DrawingViews::DrawingViews(QWidget* parent)
     : QWidget(parent),
       heroes_(new HeroViews),
       sheet_(new SheetView),
-      meridian_(new plot::ChartView),
+      meridian_(new part_common::RowChart),
       rows_(new CopyTable),
       measured_(new CopyTable),
       remarks_(new CopyTable),
@@ -77,14 +78,12 @@ DrawingViews::DrawingViews(QWidget* parent)
     connect(meridian_, &plot::PlotWidget::notWritten, this, &DrawingViews::notWritten);
     connect(meridian_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double z_mm, double, bool dropped) { dragShoulder(key, z_mm, dropped); });
-    connect(meridian_, &plot::PlotWidget::menuOpened, this, [this](QMenu* menu, const QPoint& at) {
-        const double z_mm = meridian_->dataAt(at).x();
-        pickAt(z_mm);
-        if (row_) part_common::addRowVerbs(*menu, static_cast<int>(*row_) + 1, verbsOf(*row_, z_mm));
-    });
-    connect(rows_, &CopyTable::menuOpened, this, [this](QMenu* menu, int at) {
-        if (!picture_ || at < 0 || at >= static_cast<int>(picture_->shaft.segments.size())) return;
-        part_common::addRowVerbs(*menu, at + 1, verbsOf(static_cast<std::size_t>(at)));
+    connect(meridian_, &part_common::RowChart::menuOpened, this, [this](QMenu* menu, double z_mm) {
+        const bool here = picture_ && z_mm >= 0 && z_mm <= picture_->shaft.length_mm();
+        if (here) pickAt(z_mm);
+        if (!row_) return;
+        part_common::addRowVerbs(*menu, static_cast<int>(*row_) + 1,
+                                 verbsOf(*row_, here ? std::optional(z_mm) : std::nullopt));
     });
     connect(rows_, &QTableWidget::currentCellChanged, this, [this](int at) {
         const bool outside = picture_ && at >= 0 && at < static_cast<int>(picture_->shaft.segments.size());
@@ -92,6 +91,7 @@ DrawingViews::DrawingViews(QWidget* parent)
         showMark();
     });
     rows_->installEventFilter(this);
+    rows_->viewport()->installEventFilter(this);
     meridian_->installEventFilter(this);
     retranslate();
 }
@@ -277,12 +277,30 @@ void DrawingViews::pressKey(QKeyEvent* event)
     }
 }
 
-/// Keys of rows in the table and in the meridian, which the sheet hands on by itself.
+void DrawingViews::openTableMenu(int row, const QPoint& global)
+{
+    QMenu menu(this);
+    part_common::addRowVerbs(menu, row + 1, verbsOf(static_cast<std::size_t>(row)));
+    menu.addSeparator();
+    menu.addAction(CopyTable::tr("Copy"), this, [this] { rows_->copyToClipboard(); });
+    menu.exec(global);
+}
+
+/// Keys and menus of rows in the table and in the meridian, which the sheet hands on by itself.
 bool DrawingViews::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && (watched == rows_ || watched == meridian_)) {
         auto* const key = static_cast<QKeyEvent*>(event);
         if (row_ && part_common::pressRowKey(*key, verbsOf(*row_))) return true;
+    }
+    if (event->type() == QEvent::ContextMenu && watched == rows_->viewport()) {
+        const auto* const request = static_cast<QContextMenuEvent*>(event);
+        const bool by_key = request->reason() == QContextMenuEvent::Keyboard;
+        const int row = by_key ? rows_->currentRow() : rows_->rowAt(request->pos().y());
+        if (picture_ && row >= 0 && row < static_cast<int>(picture_->shaft.segments.size())) {
+            openTableMenu(row, request->globalPos());
+            return true;
+        }
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -14,8 +14,8 @@
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/drawing/drawing_picture.h"
 #include "widgets/drawing/sheet_view.h"
+#include "widgets/part_common/row_chart.h"
 #include "widgets/part_common/row_menu.h"
-#include "widgets/plot/chart_view.h"
 
 namespace lathelier::drawing_panel {
 
@@ -59,6 +59,7 @@ private:
     void typeDimension(int label, const QString& text);
     void dragShoulder(const QString& key, double z_mm, bool dropped);
     void pressKey(QKeyEvent* event);
+    void openTableMenu(int row, const QPoint& global);
     KeepAfter keep() const;
 
     std::shared_ptr<const DrawingPicture> picture_;
@@ -68,7 +69,7 @@ private:
     int drags_ = 0;                     ///< so far: one undo step each
     HeroViews* heroes_;
     SheetView* sheet_;
-    plot::ChartView* meridian_;
+    part_common::RowChart* meridian_;
     CopyTable* rows_;
     CopyTable* measured_;
     CopyTable* remarks_;

@@ -217,11 +217,6 @@ QPointF PlotCanvas::pixelAt(double x, double y) const
     return {plot_->xAxis->coordToPixel(x), plot_->yAxis->coordToPixel(y)};
 }
 
-QPointF PlotCanvas::dataAt(const QPointF& pixel) const
-{
-    return {plot_->xAxis->pixelToCoord(pixel.x()), plot_->yAxis->pixelToCoord(pixel.y())};
-}
-
 QString PlotCanvas::readout() const
 {
     return parts_->readout->text();

@@ -26,8 +26,6 @@ public:
     QRectF visibleRange() const;
     /// The place of a data point in this widget, for tests and for callouts.
     QPointF pixelAt(double x, double y) const;
-    /// The data at a place of this widget: the inverse.
-    QPointF dataAt(const QPointF& pixel) const;
     /// What stands in the title's place while the pointer is over the axes.
     QString readout() const;
     /// While `on`, a drag draws a stretch of the x axis instead of moving the view.

@@ -39,7 +39,6 @@ void PlotWidget::contextMenuEvent(QContextMenuEvent* event)
     menu.addSeparator();
     menu.addAction(tr("Show all"), this, &PlotWidget::resetView);
     addToMenu(menu);
-    emit menuOpened(&menu, event->pos());
     menu.exec(event->globalPos());
 }
 

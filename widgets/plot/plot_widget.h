@@ -27,8 +27,6 @@ public:
 
 signals:
     void notWritten(const QString& path);  ///< the system refused to write this file
-    /// The context menu is about to open at this place of the widget: a panel adds what can be done there.
-    void menuOpened(QMenu* menu, const QPoint& at);
 
 protected:
     explicit PlotWidget(QWidget* parent);

@@ -90,8 +90,6 @@ void CopyTable::contextMenuEvent(QContextMenuEvent* event)
     QMenu menu(this);
     menu.addAction(tr("Copy"), this, [this] { copyToClipboard(); });
     menu.addAction(tr("Copy all"), this, [this] { QApplication::clipboard()->setText(text(false)); });
-    const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
-    emit menuOpened(&menu, by_key ? currentRow() : rowAt(viewport()->mapFrom(this, event->pos()).y()));
     menu.exec(event->globalPos());
 }
 

@@ -1,7 +1,6 @@
 // Tables of numbers that can be copied, and the report's tables on the screen.
 #pragma once
 
-#include <QMenu>
 #include <QTableWidget>
 
 #include "engine/report/document.h"
@@ -21,10 +20,6 @@ public:
     void setQuantities(const report::Document& document);  ///< all quantity tables of a document, one below the other
     int sizeHintForColumn(int column) const override;
     void fitCells();
-
-signals:
-    /// The context menu is about to open over this row (-1: beside them): a panel adds what can be done with it.
-    void menuOpened(QMenu* menu, int row);
 
 protected:
     void changeEvent(QEvent* event) override;

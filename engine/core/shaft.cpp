@@ -109,18 +109,20 @@ const std::vector<Field<MeasuredSize>>& fieldsOf(const MeasuredSize*)
 const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
 {
     using S = ShaftSegment;
-    static const auto all =
-        described<S>(field("length_mm", &S::length_mm, lengths_mm, required(length, along, mm)),
-                     field("start_diameter_mm", &S::start_diameter_mm, diameters_mm, required(start, startHelp, mm)),
-                     field("end_diameter_mm", &S::end_diameter_mm, diameters_mm, required(end, endHelp, mm)),
-                     field("bore_diameter_mm", &S::bore_diameter_mm, diameters_mm,
-                           label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), mm)),
-                     field("arc_radius_mm", &S::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
-                     field("role", &S::role, label(role, roleHelp)),
-                     group("tolerance", &S::tolerance,
-                           folded(LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter."))),
-                     group("measured", &S::measured,
-                           folded(LT_TEXT("Engine", "Measured"), LT_TEXT("Engine", "What a scan said of this row."))));
+    static const auto all = described<S>(
+        field("length_mm", &S::length_mm, lengths_mm, required(length, along, mm)),
+        field("start_diameter_mm", &S::start_diameter_mm, diameters_mm, required(start, startHelp, mm)),
+        field("end_diameter_mm", &S::end_diameter_mm, diameters_mm, required(end, endHelp, mm)),
+        field("bore_diameter_mm", &S::bore_diameter_mm, diameters_mm,
+              label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), mm)),
+        field("arc_radius_mm", &S::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
+        field("role", &S::role, label(role, roleHelp)),
+        group("tolerance", &S::tolerance,
+              folded(LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter."))),
+        group("measured", &S::measured,
+              folded(LT_TEXT("Engine", "Measured"), LT_TEXT("Engine", "What a scan said of this row."))),
+        field("tie", &S::tie,
+              folded(LT_TEXT("Engine", "Tie"), LT_TEXT("Engine", "Cylinders with the same one share a diameter."))));
     return all;
 }
 

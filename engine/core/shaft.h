@@ -29,7 +29,8 @@ struct SizeUncertainty {
     friend bool operator==(const SizeUncertainty&, const SizeUncertainty&) = default;
 };
 
-/// What a scan said of a row, kept beside nominal values that were set afterwards.
+/// What a scan said of a row, kept beside nominal values that were set afterwards. Where the row has the same values it
+/// is as it was measured.
 struct MeasuredSize {
     std::optional<double> length_mm;                           ///< along the axis, mm
     std::optional<double> start_diameter_mm, end_diameter_mm;  ///< in mm
@@ -48,6 +49,7 @@ struct ShaftSegment {
     std::string role;                             ///< "chamfer", "fillet", "groove"…; geometry never depends on it
     std::optional<SizeTolerance> tolerance = {};  ///< of the diameter; none: the general tolerance
     std::optional<MeasuredSize> measured = {};    ///< none: the values are what was measured, or nothing was
+    std::string tie = {};  ///< cylinders with the same one share a diameter when it is edited; empty: none
     friend bool operator==(const ShaftSegment&, const ShaftSegment&) = default;
 };
 

@@ -26,12 +26,23 @@ void DimensionPainter::arrow(const Vector2d& tip, const Vector2d& direction)
 
 void DimensionPainter::text(const Vector2d& at, const DimensionText& text, Anchor anchor, double angle_deg)
 {
-    drawing_.labels.push_back({at, height_mm_, angle_deg, text.text, anchor, text.italic, Layer::Dimensions});
+    drawing_.labels.push_back(
+        {at, height_mm_, angle_deg, text.text, anchor, text.italic, Layer::Dimensions, text.target});
 }
 
 bool DimensionPainter::fitsInside(double length_mm, const DimensionText& label) const
 {
     return length_mm >= widthOf(label) + 1;
+}
+
+std::pair<double, double> DimensionPainter::extentOf(double from_x, double to_x, const DimensionText& label) const
+{
+    const double length = to_x - from_x;
+    const bool arrows_inside = length >= 2 * arrow_mm + 1;
+    const double tail = arrows_inside ? 0 : arrow_mm + kTail_mm;
+    if (fitsInside(length, label)) return {from_x - tail, to_x + tail};
+    const double text_end = from_x - (arrows_inside ? 1 : arrow_mm + 1);
+    return {text_end - widthOf(label), to_x + tail};
 }
 
 void DimensionPainter::horizontal(double from_x, double to_x, double y, double from_y, double to_y,

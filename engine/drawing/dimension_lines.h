@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/drawing/dimension_texts.h"
 #include "engine/drawing/drawing.h"
@@ -31,6 +32,8 @@ public:
     /// fits, else beyond `from_x`. Extension lines begin at the two heights `from_y` and `to_y`.
     void horizontal(double from_x, double to_x, double y, double from_y, double to_y, const DimensionText& label,
                     std::optional<double> text_x = {});
+    /// From where to where horizontal() draws along the line, its text in the usual place; from_x < to_x.
+    std::pair<double, double> extentOf(double from_x, double to_x, const DimensionText& label) const;
     /// For `text_x`: the text beyond `from_x` even where it would fit.
     static constexpr double outside = std::numeric_limits<double>::infinity();
     /// Is the dimension line as long as its text?

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/core/shaft.h"
+#include "engine/drawing/drawing.h"
 #include "engine/drawing/shaft_drawing.h"
 
 namespace lathelier::drawing {
@@ -13,6 +14,7 @@ namespace lathelier::drawing {
 struct DimensionText {
     std::string text;  ///< UTF-8
     bool italic = false;
+    DimensionTarget target = {};  ///< for Label::target
 };
 
 /// As many decimals as the value has, at most `decimals`.

@@ -160,6 +160,7 @@ void move(Drawing& drawing, const Vector2d& by_mm)
     for (Arc& arc : drawing.arcs) arc.centre_mm += by_mm;
     for (Label& label : drawing.labels) label.at_mm += by_mm;
     for (Arrow& arrow : drawing.arrows) arrow.tip_mm += by_mm;
+    drawing.origin_mm += by_mm;
 }
 
 void append(Drawing& drawing, const Drawing& other)

@@ -73,6 +73,14 @@ struct Arc {
 
 enum class Anchor : std::uint8_t { Start, Middle, End };
 
+/// What a text says of the outside of the shaft, for a window in which it is edited. Writers of files ignore it.
+struct DimensionTarget {
+    enum class Of : std::uint8_t { None, Diameter, Length, ArcRadius, Chamfer, Taper, Groove };
+    Of of = Of::None;                    ///< which size; None: a remark, a bore, a keyway
+    std::vector<std::size_t> rows = {};  ///< of Shaft::segments, from 0. Length, Groove: all from first to last
+    friend bool operator==(const DimensionTarget&, const DimensionTarget&) = default;
+};
+
 /// One line of text on its base line.
 struct Label {
     Eigen::Vector2d at_mm = Eigen::Vector2d::Zero();  ///< of the anchor, on the base line
@@ -80,8 +88,9 @@ struct Label {
     double angle_deg = 0;                             ///< 0, or 90: read from the right
     std::string text = {};                            ///< UTF-8
     Anchor anchor = Anchor::Start;
-    bool italic = false;        ///< as measured
-    Layer layer = Layer::Text;  ///< one of `layers`, or a further one
+    bool italic = false;          ///< as measured
+    Layer layer = Layer::Text;    ///< one of `layers`, or a further one
+    DimensionTarget target = {};  ///< what it says
     friend bool operator==(const Label&, const Label&) = default;
 };
 
@@ -95,14 +104,15 @@ struct Arrow {
 };
 
 struct Drawing {
-    Sheet sheet = Sheet::A4Landscape;  ///< size of the paper
-    Scale scale;                       ///< of the main view
-    std::string title;                 ///< what a screen reader says
-    std::vector<Line> lines;           ///< in order
-    std::vector<Arc> arcs;             ///< drawn after the lines
-    std::vector<Label> labels;         ///< in order
-    std::vector<Arrow> arrows;         ///< drawn last
-    bool complete = true;              ///< false: dimensions had to be left out for want of room
+    Sheet sheet = Sheet::A4Landscape;                     ///< size of the paper
+    Scale scale;                                          ///< of the main view
+    std::string title;                                    ///< what a screen reader says
+    std::vector<Line> lines;                              ///< in order
+    std::vector<Arc> arcs;                                ///< drawn after the lines
+    std::vector<Label> labels;                            ///< in order
+    std::vector<Arrow> arrows;                            ///< drawn last
+    bool complete = true;                                 ///< false: dimensions had to be left out for want of room
+    Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();  ///< of the main view: its axis at the free end
     friend bool operator==(const Drawing&, const Drawing&) = default;
 };
 
@@ -118,7 +128,7 @@ Box boxOf(const Drawing& drawing);
 /// All entities moved.
 void move(Drawing& drawing, const Eigen::Vector2d& by_mm);
 
-/// Entities of `other` added after those of `drawing`.
+/// Entities of `other` added after those of `drawing`, which keeps its sheet, scale, title and origin.
 void append(Drawing& drawing, const Drawing& other);
 
 /// Font size over the height of capitals in DejaVu Sans.

@@ -63,7 +63,7 @@ private:
         return row.index < known.size() ? known[row.index] : SizeUncertainty{};
     }
 
-    bool isMeasured(const ContourRow& row) const { return options_.measured && !row.is_nominal; }
+    bool isMeasured(const ContourRow& row) const { return row.as_measured || (options_.measured && !row.is_nominal); }
 
     DimensionText size(const ContourRow& row, double size_mm, const std::optional<double>& u_um) const
     {
@@ -96,6 +96,7 @@ private:
     {
         const ShaftMark* last_thread = nullptr;
         const ContourRow* last = nullptr;  // the cylinder that a groove may interrupt
+        using Of = DimensionTarget::Of;
         for (const ContourRow& row : outer_) {
             if (row.kind == RowKind::Groove || row.kind == RowKind::Undercut) continue;
             if (row.kind != RowKind::Cylinder) {
@@ -118,12 +119,16 @@ private:
             const bool goes_on = last && same(last->end_diameter_mm, row.start_diameter_mm) &&
                                  last->tolerance == row.tolerance && last->is_nominal == row.is_nominal;
             last = &row;
-            if (goes_on) continue;
+            if (goes_on) {
+                features_.diameters.back().label.target.rows.push_back(row.index);
+                continue;
+            }
+            DimensionText label = withPrefix(
+                kDiameter,
+                size(row, row.start_diameter_mm, uncertaintyOf(row, options_.uncertainties).start_diameter_um));
+            label.target = {Of::Diameter, {row.index}};
             features_.diameters.push_back(
-                {row.start_z_mm, row.end_z_mm, row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm,
-                                            uncertaintyOf(row, options_.uncertainties).start_diameter_um)),
-                 row.start_diameter_mm});
+                {row.start_z_mm, row.end_z_mm, row.start_diameter_mm, std::move(label), row.start_diameter_mm});
         }
     }
 
@@ -201,28 +206,31 @@ private:
     {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const ContourRow& row = rows[i];
-            const auto add = [&](DimensionText label, const Eigen::Vector2d& at) {
+            using Of = DimensionTarget::Of;
+            const auto add = [&](DimensionText label, const Eigen::Vector2d& at, Of of, std::size_t last) {
+                if (outside) label.target.of = of;
+                for (std::size_t k = i; outside && k <= last; ++k) label.target.rows.push_back(rows[k].index);
                 features_.callouts.push_back({at, std::move(label), i == 0 ? mouth : Mouth::None});
             };
             switch (row.kind) {
                 case RowKind::Chamfer:
                     add({number(row.length_mm(), 2) + "×" + number(row.angle_deg(), 1) + "°", isMeasured(row)},
-                        row.middle_mm());
+                        row.middle_mm(), Of::Chamfer, i);
                     break;
                 case RowKind::Radius:
                 case RowKind::Curve:
-                    add(withPrefix("R", size({.is_nominal = row.is_nominal}, std::abs(row.arc_radius_mm),
-                                             uncertaintyOf(row, known).arc_radius_um)),
-                        row.middle_mm());
+                    add(withPrefix("R", size({.is_nominal = row.is_nominal, .as_measured = row.as_measured},
+                                             std::abs(row.arc_radius_mm), uncertaintyOf(row, known).arc_radius_um)),
+                        row.middle_mm(), Of::ArcRadius, i);
                     break;
-                case RowKind::Taper: add({taperText(rows, i), isMeasured(row)}, row.middle_mm()); break;
+                case RowKind::Taper: add({taperText(rows, i), isMeasured(row)}, row.middle_mm(), Of::Taper, i); break;
                 case RowKind::Groove:
                 case RowKind::Undercut: {
                     const std::size_t last = endOfRun(rows, i);
                     const ContourRow& middle = rows[i + (last - i) / 2];
                     add(row.kind == RowKind::Groove || !outside ? grooveText(rows, i, last, outside)
                                                                 : undercutText(rows, i, last),
-                        middle.middle_mm());
+                        middle.middle_mm(), Of::Groove, last);
                     i = last;
                     break;
                 }
@@ -232,26 +240,43 @@ private:
         }
     }
 
-    /// U of a length: those of both ends, where the far one is known.
-    static std::optional<double> lengthUncertainty(const Station& station, const std::vector<SizeUncertainty>& known)
+    /// U of a length: those of both ends, where the far one is known. `first`: the row that it begins with; of the
+    /// free end an unknown U counts as 0.
+    static std::optional<double> lengthUncertainty(const Station& station, const std::vector<SizeUncertainty>& known,
+                                                   std::size_t first = 0)
     {
         const std::size_t i = station.before;
         std::optional<double> end = i < known.size() ? known[i].z_end_um : std::nullopt;
         if (!end && i + 1 < known.size()) end = known[i + 1].z_start_um;
         if (!end) return end;
-        return std::hypot(*end, known.front().z_start_um.value_or(0));
+        std::optional<double> begin = known[first].z_start_um;
+        if (!begin && first > 0) begin = known[first - 1].z_end_um;
+        if (!begin && first > 0) return std::nullopt;
+        return std::hypot(*end, begin.value_or(0));
     }
 
     void addLengths()
     {
         if (outer_.empty()) return;
-        const double radius = outer_.front().start_diameter_mm / 2;
-        for (const Station& station : stationsOf(outer_)) {
-            ContourRow row = outer_[station.before];
-            row.tolerance.reset();
-            features_.lengths.push_back({0, station.z_mm, radius, station.radius_mm,
-                                         size(row, station.z_mm, lengthUncertainty(station, options_.uncertainties))});
+        const Station end_face{0, outer_.front().start_diameter_mm / 2, 0};
+        const std::vector<Station> stations = stationsOf(outer_);
+        const bool chain = options_.lengths_from == LengthsFrom::Previous;
+        for (std::size_t i = 0; i < stations.size(); ++i) {
+            const bool from_before = chain && i > 0;
+            addLength(from_before ? stations[i - 1] : end_face, stations[i],
+                      from_before ? stations[i - 1].before + 1 : 0);
         }
+        if (chain && stations.size() > 1) addLength(end_face, stations.back(), 0);
+    }
+
+    void addLength(const Station& from, const Station& to, std::size_t first_row)
+    {
+        ContourRow row = outer_[to.before];
+        row.tolerance.reset();
+        DimensionText label = size(row, to.z_mm - from.z_mm, lengthUncertainty(to, options_.uncertainties, first_row));
+        label.target.of = DimensionTarget::Of::Length;
+        for (std::size_t i = first_row; i <= to.before; ++i) label.target.rows.push_back(outer_[i].index);
+        features_.lengths.push_back({from.z_mm, to.z_mm, from.radius_mm, to.radius_mm, std::move(label)});
     }
 
     void addBore(std::size_t number_of_bore)

@@ -38,7 +38,7 @@ struct Callout {
     Mouth mouth = Mouth::None;  ///< of a bore, where the row is its first one
 };
 
-/// A length from an end to a place.
+/// A length from an end, or from the place before, to a place.
 struct LengthDimension {
     double from_z_mm = 0;
     double to_z_mm = 0;
@@ -59,7 +59,7 @@ struct Features {
     std::vector<DiameterDimension> diameters;   ///< outside, in the order of z
     std::vector<BoreDimension> bores;           ///< in the order of travel
     std::vector<Callout> callouts;              ///< outside and bores
-    std::vector<LengthDimension> lengths;       ///< from the free end, the overall length last
+    std::vector<LengthDimension> lengths;       ///< as DrawingOptions::lengths_from has them, the overall length last
     std::vector<LengthDimension> bore_lengths;  ///< from the mouths
     std::vector<KeywayView> keyways;            ///< at most one gets its section
 };

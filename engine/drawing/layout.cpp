@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "engine/drawing/dimension_lines.h"
+#include "engine/drawing/lanes.h"
 #include "engine/drawing/leaders.h"
 #include "engine/drawing/view.h"
 
@@ -36,10 +38,10 @@ public:
         for (const LengthDimension& length : features.bore_lengths)
             for (const double z : {length.from_z_mm, length.to_z_mm}) edges_.push_back(factor * z);
         for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
-        if (lengths == LengthStyle::Parallel)
-            addLengths();
-        else
+        if (lengths == LengthStyle::Running)
             addRunningLengths();
+        else
+            addLengths(lengths == LengthStyle::Chain ? chainLanes() : parallelLanes());
         for (const BoreDimension& bore : features.bores) sortBore(bore);
         addBores(free_bores_, true);
         addBores(chuck_bores_, false);
@@ -127,14 +129,33 @@ private:
     /// What the letter of a cutting plane needs between the view and the first lane.
     double cutSpace() const { return features_.keyways.empty() ? 0 : 2 * paint_.height_mm(); }
 
-    void addLengths()
+    /// Lanes of the lengths, 0 nearest to the view.
+    void addLengths(const std::vector<int>& lanes)
     {
-        double y = view_.bottom_mm - kFirstLane_mm - cutSpace();
-        for (const LengthDimension& length : features_.lengths) {
-            paint_.horizontal(factor_ * length.from_z_mm, factor_ * length.to_z_mm, y, -factor_ * length.from_radius_mm,
-                              -factor_ * length.to_radius_mm, length.label);
-            y -= pitch();
+        const double first = view_.bottom_mm - kFirstLane_mm - cutSpace();
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            const LengthDimension& length = features_.lengths[i];
+            paint_.horizontal(factor_ * length.from_z_mm, factor_ * length.to_z_mm, first - lanes[i] * pitch(),
+                              -factor_ * length.from_radius_mm, -factor_ * length.to_radius_mm, length.label);
         }
+    }
+
+    std::vector<int> parallelLanes() const
+    {
+        std::vector<int> lanes(features_.lengths.size());
+        for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] = static_cast<int>(i);
+        return lanes;
+    }
+
+    std::vector<int> chainLanes() const
+    {
+        std::vector<LaneSpan> spans;
+        for (const LengthDimension& length : features_.lengths) {
+            LaneSpan span{factor_ * length.from_z_mm, factor_ * length.to_z_mm, 0, 0};
+            std::tie(span.left_mm, span.right_mm) = paint_.extentOf(span.from_mm, span.to_mm, length.label);
+            spans.push_back(span);
+        }
+        return lanesOf(spans);
     }
 
     void addRunningLengths()

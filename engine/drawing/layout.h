@@ -11,7 +11,8 @@ namespace lathelier::drawing {
 /// How lengths from one end are shown (ISO 129-1).
 enum class LengthStyle : std::uint8_t {
     Parallel,  ///< each on a lane of its own
-    Running,   ///< superimposed on one line, for want of height
+    Chain,     ///< side by side on as few lanes as their texts allow
+    Running,   ///< superimposed on one line, for want of height; of lengths from the free end
 };
 
 /// `shaft` with its bores stated (withStatedBores), `features` of it; lettering `height_mm` high.

@@ -29,6 +29,19 @@ RowKind kindOf(const ContourRow& row, const std::string& role)
     return role.empty() && short_and_steep ? RowKind::Chamfer : RowKind::Taper;
 }
 
+/// Has the row the values that were measured?
+bool stands(const ShaftSegment& segment)
+{
+    if (!segment.measured) return false;
+    const auto same = [](const std::optional<double>& measured, double value) {
+        return measured && std::abs(*measured - value) < kSame_mm;
+    };
+    const MeasuredSize& measured = *segment.measured;
+    return same(measured.length_mm, segment.length_mm) && same(measured.start_diameter_mm, segment.start_diameter_mm) &&
+           same(measured.end_diameter_mm, segment.end_diameter_mm) &&
+           (!segment.arc_radius_mm || same(measured.arc_radius_mm, *segment.arc_radius_mm));
+}
+
 template <class Segment>
 ContourRow rowOf(const Segment& segment, double z_mm, double sense, std::size_t index)
 {
@@ -106,7 +119,8 @@ std::vector<ContourRow> outerRows(const Shaft& shaft)
         const ShaftSegment& segment = shaft.segments[i];
         rows.push_back(rowOf(segment, z_mm, 1, i));
         rows.back().tolerance = segment.tolerance;
-        rows.back().is_nominal = segment.measured.has_value();
+        rows.back().as_measured = stands(segment);
+        rows.back().is_nominal = segment.measured.has_value() && !rows.back().as_measured;
         z_mm = rows.back().end_z_mm;
     }
     return rows;

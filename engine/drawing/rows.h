@@ -22,7 +22,8 @@ struct ContourRow {
     double arc_radius_mm = 0;                           ///< signed as ShaftSegment::arc_radius_mm; 0: straight
     std::size_t index = 0;                              ///< in ShaftSegment or BoreSegment lists
     std::optional<SizeTolerance> tolerance = {};
-    bool is_nominal = false;  ///< values were set after measuring
+    bool is_nominal = false;   ///< values were set after measuring
+    bool as_measured = false;  ///< the measured values are known, and stand
 
     double length_mm() const;
     double middleZ_mm() const { return (start_z_mm + end_z_mm) / 2; }

@@ -41,6 +41,20 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
     return attempts;
 }
 
+/// U of rows as they were measured, where none are given; and whether the drawing has any measured row.
+DrawingOptions withKnown(const Shaft& shaft, DrawingOptions options)
+{
+    std::vector<SizeUncertainty> known;
+    bool any = false;
+    for (const ContourRow& row : outerRows(shaft)) {
+        any = any || row.as_measured;
+        known.push_back(row.as_measured ? shaft.segments[row.index].measured->uncertainty : SizeUncertainty{});
+    }
+    if (any && options.uncertainties.empty()) options.uncertainties = std::move(known);
+    options.legend = options.measured || any;
+    return options;
+}
+
 class Composer {
 public:
     Composer(const Shaft& shaft, const DrawingOptions& options)
@@ -54,6 +68,12 @@ public:
         drawing_.title = options.name.empty() ? shaft.name : options.name;
         if (!shaft.segments.empty()) {
             const Features features = featuresOf(shaft_, options);
+            chain_ = options.lengths_from == LengthsFrom::Previous;
+            if (chain_) {
+                DrawingOptions from_end = options;
+                from_end.lengths_from = LengthsFrom::Datum;
+                running_ = featuresOf(shaft_, from_end);
+            }
             bool done = false;
             for (std::size_t i = 0; i < attempts.size() && !done; ++i) done = take(attempts[i], features, largest);
             if (!done) {
@@ -78,7 +98,9 @@ private:
             if (largest_mm * factor > room.width_mm()) continue;
             const bool too_small = scale != scales().front() && largest_mm * factor < attempt.least_size_mm;
             if (too_small || factor < attempt.least_factor) return false;
-            Drawing content = layOut(shaft_, features, factor, attempt.height_mm, attempt.lengths);
+            const bool running = attempt.lengths == LengthStyle::Running;
+            const LengthStyle style = chain_ && !running ? LengthStyle::Chain : attempt.lengths;
+            Drawing content = layOut(shaft_, running && chain_ ? running_ : features, factor, attempt.height_mm, style);
             const Box box = boxOf(content);
             if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;
             move(content, {(room.left_mm + room.right_mm - box.left_mm - box.right_mm) / 2,
@@ -86,6 +108,7 @@ private:
             drawing_.sheet = attempt.sheet;
             drawing_.scale = scale;
             append(drawing_, content);
+            drawing_.origin_mm = content.origin_mm;
             return true;
         }
         return false;
@@ -93,6 +116,8 @@ private:
 
     Shaft shaft_;
     double block_mm_;
+    bool chain_ = false;
+    Features running_;  // of a chain: with its lengths from the free end
     Drawing drawing_;
 };
 
@@ -100,7 +125,7 @@ private:
 
 Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options)
 {
-    return Composer(shaft, options).take();
+    return Composer(shaft, withKnown(shaft, options)).take();
 }
 
 std::optional<double> massInKilograms(const Shaft& shaft)

@@ -4,14 +4,15 @@
 // keyway gets a section A-A. Dimensions after ISO 129-1:
 // - every cylinder ⌀, on a line inside the view where the text fits, else above the view; adjoining cylinders of one
 //   diameter that only a groove or an undercut parts are one; bores beside the view where a face opens on them;
-// - lengths from the free end on parallel lanes below, the overall length last; depths of bores above from their mouth;
+// - lengths from the free end on parallel lanes below, or as a chain, the overall length last; depths of bores above
+// from their mouth;
 // - chamfers "1×45°" (leg along z × angle to the axis), radii "R2", grooves "width×⌀bottom", tapers "▷1:10" or the
 //   whole angle of steep ones, each with its large ⌀ (where no cylinder continues it) and its length in brackets as an
 //   auxiliary dimension, undercuts "DIN 509 - E 0.6×0.2", threads "M16×2 - length" with the root as a thin line
 //   (ISO 6410-1), knurls: by leaders that never cross each other.
 // Numbers have up to three decimals. Nominal sizes are upright with their
-// tolerance; measured ones (DrawingOptions::measured, and the row holds no ShaftSegment::measured, which would make it
-// a nominal one) are italic with ± U where U is known. U of a length joins those of its two ends.
+// tolerance; measured ones (ShaftSegment::measured has the same values, or DrawingOptions::measured and the row holds
+// none) are italic with ± U where U is known. U of a length joins those of its two ends.
 //
 // Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of
 // lengths need too much height, they become running dimensions on one line; what still does not fit is
@@ -21,6 +22,7 @@
 // Precondition: a shaft that keeps checkShaft(). Errors: none; a shaft without rows gives an empty sheet.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -33,6 +35,12 @@
 
 namespace lathelier::drawing {
 
+/// Where lengths begin (ISO 129-1).
+enum class LengthsFrom : std::uint8_t {
+    Datum,    ///< all from the free end, and the overall length
+    Previous  ///< a chain, each from the end of the one before it, and the overall length
+};
+
 struct DrawingOptions {
     std::optional<Sheet> sheet = {};      ///< none: A4, upright where that helps; A3 where A4 is too small
     std::string name = {};                ///< empty: Shaft::name
@@ -42,8 +50,11 @@ struct DrawingOptions {
     std::string method = {};              ///< of the recognition, as it is to be printed
     std::string sheet_number = "1/1";     ///< of the title block
     std::string decimal_separator = ".";  ///< "," where the reader expects it
-    bool measured = false;                ///< rows without ShaftSegment::measured are measured values
-    std::vector<SizeUncertainty> uncertainties = {};  ///< by row (k = 2); shorter: the others are unknown
+    LengthsFrom lengths_from = LengthsFrom::Datum;    ///< a chain that finds no room becomes running dimensions
+    bool measured = false;                            ///< rows without ShaftSegment::measured are measured values
+    bool legend = false;                              ///< says in the block what italic means; drawShaft() sets it
+    std::vector<SizeUncertainty> uncertainties = {};  ///< by row (k = 2); shorter: the others are unknown;
+                                                      ///< empty: those of MeasuredSize, of rows as measured
     std::vector<std::vector<SizeUncertainty>> bore_uncertainties = {};  ///< by Shaft::bores and their rows, likewise
     std::function<std::string(Text)> translate = {};                    ///< empty: English
 };

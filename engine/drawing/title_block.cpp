@@ -39,7 +39,7 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
                              const std::string& format)
 {
     std::vector<BlockRow> rows;
-    if (options.measured)
+    if (options.legend || options.measured)
         rows.push_back(
             {5.5, {{{}, translated(LT_TEXT("Engine", "italic: as measured, ± U (k = 2)"), options), kWidth_mm, 2.2}}});
     if (options.scan) {
@@ -68,7 +68,7 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
                     {{LT_TEXT("Engine", "Name"), options.name.empty() ? shaft.name : options.name, 105, 4},
                      {LT_TEXT("Engine", "Scale"), scale, 25, 3.5},
                      {LT_TEXT("Engine", "Sheet"), options.sheet_number, 25, 3.5},
-                     {LT_TEXT("Engine", "Size"), format, 25, 3.5}}});
+                     {LT_TEXT("Engine", "Format"), format, 25, 3.5}}});
     return rows;
 }
 

@@ -33,6 +33,20 @@ std::string textOf(const std::vector<AcceptedSize>& accepted)
     return text;
 }
 
+std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const RowChange& change)
+{
+    const bool merges = change.what == RowChange::What::Merge;
+    std::erase_if(accepted, [&](const AcceptedSize& size) {
+        return size.row == change.row || (merges && size.row == change.row + 1);
+    });
+    const std::int64_t more = change.what == RowChange::What::Split                ? 1
+                              : merges || change.what == RowChange::What::Delete ? -1
+                                                                                 : 0;
+    for (AcceptedSize& size : accepted)
+        if (size.row > change.row) size.row += more;
+    return accepted;
+}
+
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted)
 {
     const RecognitionParameters& parameters = result.parameters;

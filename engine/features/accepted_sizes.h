@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/features/recognition.h"
+#include "engine/features/row_change.h"
 
 namespace lathelier::features {
 
@@ -20,6 +21,10 @@ struct AcceptedSize {
 /// "2:diameter_mm,5:radius_mm": as the parameters of a project keep them. What is not understood is left out.
 std::vector<AcceptedSize> acceptedSizes(std::string_view text);
 std::string textOf(const std::vector<AcceptedSize>& accepted);
+
+/// The accepted sizes when the rows are changed (refit.h): those of the changed rows are gone, rows after them have other
+/// numbers.
+std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const RowChange& change);
 
 /// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Of sizes that are
 /// no longer suggested nothing is taken; unless the robust method only suggests, the shaft as it is.

@@ -22,6 +22,8 @@
 
 namespace lathelier::features {
 
+struct RecognitionBasis;
+
 enum class RecognitionMethod { Robust, Paper };
 enum class Snap { Suggest, None, Apply };
 enum class FreeEnd { First, Last };          ///< which end of the data z = 0 is: along the axis' positive sense
@@ -141,9 +143,10 @@ struct Recognition {
     /// By RecognitionMethod::Paper: centres in the scan's coordinates, z along the scan's axis from its first section;
     /// the rows above stay those of the robust one.
     std::vector<ShaftStep> paper_steps;
-    double paper_axis_off_deg = 0;        ///< its axis against the robust one
-    std::vector<MeridianPoint> meridian;  ///< in order of z
-    Notes notes;                          ///< what people should know
+    double paper_axis_off_deg = 0;                       ///< its axis against the robust one
+    std::vector<MeridianPoint> meridian;                 ///< in order of z
+    Notes notes;                                         ///< what people should know
+    std::shared_ptr<const RecognitionBasis> basis = {};  ///< for refit.h
 };
 
 /// Errors: tooFewPoints, pointsDegenerate, notABodyOfRevolution, coverageTooSmall (registration); those of its

@@ -12,6 +12,7 @@
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/drawn_reference.h"
+#include "engine/registration/verdict/verdict.h"
 #include "engine/report/quantity_table.h"
 
 namespace lathelier::features {
@@ -49,9 +50,10 @@ Value nameOf(const std::optional<Verdict>& verdict)
     return verdict ? Value(name(*verdict)) : Value();
 }
 
-report::Finding findingOf(const ComparedRow& row)
+report::Finding findingOf(const ShaftComparison& result, const ComparedRow& row)
 {
     report::Finding said;
+    said.place.z_mm = placeOf(result, row);
     said.verdict = row.verdict;
     said.values = {{"row", row.row}, {"quantity", quantityName(row)}};
     if (row.bore) said.values.emplace_back("bore", *row.bore);
@@ -93,29 +95,80 @@ std::vector<const ComparedRow*> notWithin(const std::vector<ComparedRow>& rows)
 }
 
 /// The verdict of both where it is not the surface's, and the sizes that are not within.
-void addSizes(const ShaftComparison& result, report::Section& summary)
+void addSizes(const ShaftComparison& result, report::Answer& answer)
 {
     constexpr std::size_t most_findings = 3;
     const std::optional<Verdict> sizes = worstVerdict(result.rows);
-    if (!sizes || summary.blocks.empty()) return;
-    auto* const answer = std::get_if<report::Answer>(&summary.blocks.front());
-    if (!answer) return;
+    if (!sizes) return;
     if (result.verdict != result.surface.verdict) {
-        answer->verdict = result.verdict;
+        answer.verdict = result.verdict;
         switch (*sizes) {
-            case Verdict::Pass: answer->verdict_words = LT_TEXT("Engine", "✓ sizes within tolerance"); break;
-            case Verdict::Fail: answer->verdict_words = LT_TEXT("Engine", "✗ sizes out of tolerance"); break;
-            case Verdict::Undecided: answer->verdict_words = LT_TEXT("Engine", "? sizes not decided"); break;
+            case Verdict::Pass: answer.verdict_words = LT_TEXT("Engine", "✓ sizes within tolerance"); break;
+            case Verdict::Fail: answer.verdict_words = LT_TEXT("Engine", "✗ sizes out of tolerance"); break;
+            case Verdict::Undecided: answer.verdict_words = LT_TEXT("Engine", "? sizes not decided"); break;
         }
     }
     std::vector<report::Finding> findings;
-    for (const ComparedRow* row : notWithin(result.rows)) findings.push_back(findingOf(*row));
-    findings.insert(findings.end(), answer->findings.begin(), answer->findings.end());
+    for (const ComparedRow* row : notWithin(result.rows)) findings.push_back(findingOf(result, *row));
+    findings.insert(findings.end(), answer.findings.begin(), answer.findings.end());
     if (findings.size() > most_findings) findings.resize(most_findings);
-    answer->findings = std::move(findings);
+    answer.findings = std::move(findings);
+}
+
+void addSizes(const ShaftComparison& result, report::Section& summary)
+{
+    if (summary.blocks.empty()) return;
+    if (auto* const answer = std::get_if<report::Answer>(&summary.blocks.front())) addSizes(result, *answer);
+}
+
+Verdict together(const std::optional<Verdict>& a, Verdict b)
+{
+    return a ? worse(*a, b) : b;
 }
 
 }  // namespace
+
+Interval placeOf(const ShaftComparison& result, const ComparedRow& row)
+{
+    const Shaft& shaft = result.nominal;
+    const auto index = static_cast<std::size_t>(std::max<std::int64_t>(row.row, 1) - 1);
+    double from = 0, to = 0;
+    if (!row.bore) {
+        for (std::size_t i = 0; i <= index && i < shaft.segments.size(); ++i) {
+            from = to;
+            to += shaft.segments[i].length_mm;
+        }
+    } else if (const auto number = static_cast<std::size_t>(*row.bore - 1); number < shaft.bores.size()) {
+        const ShaftBore& bore = shaft.bores[number];
+        const double sense = bore.from == ShaftEnd::Free ? 1 : -1;
+        from = to = sense > 0 ? 0 : shaft.length_mm();
+        for (std::size_t i = 0; i <= index && i < bore.segments.size(); ++i) {
+            from = to;
+            to += sense * bore.segments[i].length_mm;
+        }
+    }
+    if (const auto& frame = result.surface.axis_T_reference) {
+        from = (*frame * Eigen::Vector3d(0, 0, from)).z();
+        to = (*frame * Eigen::Vector3d(0, 0, to)).z();
+    }
+    return {std::min(from, to), std::max(from, to)};
+}
+
+void judgeSurface(ShaftComparison& result, const registration::CompareParameters& parameters,
+                  const Progress& progress)
+{
+    judge(result.surface, parameters, progress);
+    result.verdict = worstVerdict(result.rows);
+    if (const auto& surface = result.surface.verdict) result.verdict = together(result.verdict, *surface);
+}
+
+report::Answer answer(const ShaftComparison& result, const Language& language)
+{
+    report::Answer said = registration::answer(result.surface, language);
+    addSizes(result, said);
+    return said;
+}
+
 
 ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress,
@@ -124,13 +177,13 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
     ShaftMesh mesh = shaftMesh(nominal, kFinestSagitta_mm, progress.part(0, 0.05));
     const registration::DrawnReference reference{std::move(mesh.scan), closedContour(nominal)};
     ShaftComparison result;
+    result.nominal = nominal;
     result.surface = compare(reference, copy, parameters,
                              progress.part(0.05, 0.8, LT_TEXT("Engine", "Comparing the surface")), detail);
     result.rows =
         rowsOf(nominal, copy, result.surface, progress.part(0.8, 1, LT_TEXT("Engine", "Comparing the sizes")));
     result.verdict = worstVerdict(result.rows);
-    if (const auto& surface = result.surface.verdict)
-        result.verdict = result.verdict ? worse(*surface, *result.verdict) : *surface;
+    if (const auto& surface = result.surface.verdict) result.verdict = together(result.verdict, *surface);
     return result;
 }
 
@@ -144,33 +197,38 @@ Json toJson(const ShaftComparison& result)
     return json;
 }
 
-report::Section sizesSection(const ShaftComparison& result)
+report::Table sizesTable(const ShaftComparison& result)
 {
-    report::QuantityTable verdicts{LT_TEXT("Engine", "Verdicts"), {}};
-    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), nameOf(result.surface.verdict), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), nameOf(worstVerdict(result.rows)), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), nameOf(result.verdict), {}});
     std::vector<const char*> keys{"row", "named", "nominal_mm", "measured_mm", "deviation_mm", "uncertainty_mm"};
     const auto& rows = result.rows;
     if (std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) { return row.bore.has_value(); }))
         keys.insert(keys.begin() + 1, "bore");
     if (std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) { return row.verdict.has_value(); }))
         keys.insert(keys.end(), {"lower_mm", "upper_mm", "judged"});
-    return {LT_TEXT("Engine", "Sizes against the drawing"),
-            {verdicts, report::listTable<ComparedRow>(LT_TEXT("Engine", "Sizes of the rows"),
-                                                      std::span<const ComparedRow>(rows), keys)}};
+    return report::listTable<ComparedRow>(LT_TEXT("Engine", "Sizes of the rows"), std::span<const ComparedRow>(rows),
+                                          keys);
 }
 
-report::Section surfaceSummary(const ShaftComparison& result)
+report::Section sizesSection(const ShaftComparison& result)
 {
-    report::Section summary = compareSummary(result.surface);
+    report::QuantityTable verdicts{LT_TEXT("Engine", "Verdicts"), {}};
+    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), nameOf(result.surface.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), nameOf(worstVerdict(result.rows)), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), nameOf(result.verdict), {}});
+    return {LT_TEXT("Engine", "Sizes against the drawing"), {verdicts, sizesTable(result)}};
+}
+
+report::Section surfaceSummary(const ShaftComparison& result, const Language& language)
+{
+    report::Section summary = compareSummary(result.surface, language);
     addSizes(result, summary);
     return summary;
 }
 
-report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs)
+report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs,
+                             const Language& language, std::vector<report::Picture> pictures)
 {
-    report::Document document = compareReport(result.surface, inputs);
+    report::Document document = compareReport(result.surface, inputs, language, std::move(pictures));
     document.title = LT_TEXT("Engine", "Comparison of a part with its drawing");
     if (!document.sections.empty()) addSizes(result, document.sections.front());
     document.sections.insert(document.sections.begin() + (document.sections.empty() ? 0 : 1), sizesSection(result));

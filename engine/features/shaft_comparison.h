@@ -14,6 +14,7 @@ namespace lathelier::features {
 struct ShaftComparison {
     /// The reference is the shaft: its frame is z along the axis from the free end. `verdict` there is the surface's.
     registration::CompareResult surface;
+    Shaft nominal;                   ///< the drawing
     std::vector<ComparedRow> rows;   ///< as compareRows() has them
     std::optional<Verdict> verdict;  ///< the worse of the surface and the rows; none: nothing has a limit
 };
@@ -26,6 +27,20 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress = {},
                                  registration::CompareDetail detail = registration::CompareDetail::Full);
 
+/// Where the size lies along the axis, as the surface's views count z.
+Interval placeOf(const ShaftComparison& result, const ComparedRow& row);
+
+/// Judges the surface anew with the limits of `parameters` (registration::judge()), and both together. Precondition:
+/// decision and scanner accuracy, which the rows were judged by, are the same as before.
+void judgeSurface(ShaftComparison& result, const registration::CompareParameters& parameters,
+                  const Progress& progress = {});
+
+/// The answer of the comparison of two scans with the verdict of both, and the sizes that are not within as findings.
+report::Answer answer(const ShaftComparison& result, const Language& language = {});
+
+/// One line for each size: nominal, measured, difference, U, and where there are limits these and the verdict.
+report::Table sizesTable(const ShaftComparison& result);
+
 /// As the comparison of two scans, with `rows`, the verdict of both, and `surface_verdict`.
 Json toJson(const ShaftComparison& result);
 
@@ -33,9 +48,10 @@ Json toJson(const ShaftComparison& result);
 report::Section sizesSection(const ShaftComparison& result);
 
 /// The summary of the comparison of two scans; its answer has the verdict of both, and the sizes that are not within.
-report::Section surfaceSummary(const ShaftComparison& result);
+report::Section surfaceSummary(const ShaftComparison& result, const Language& language = {});
 
 /// The report of the comparison of two scans with the sizes behind its first section.
-report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs);
+report::Document shaftReport(const ShaftComparison& result, const std::vector<InputFile>& inputs,
+                             const Language& language = {}, std::vector<report::Picture> pictures = {});
 
 }  // namespace lathelier::features

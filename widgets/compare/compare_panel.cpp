@@ -5,8 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/cad/step_kind.h"
 #include "engine/core/profile_item.h"
+#include "engine/core/shaft_item.h"
 #include "engine/form/roundness/section_of_points.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -15,6 +18,7 @@
 #include "widgets/compare/zone_dialog.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
+#include "widgets/part_common/part_store.h"
 
 namespace lathelier::compare_panel {
 namespace {
@@ -22,7 +26,8 @@ namespace {
 PanelInputs panelInputs()
 {
     PanelInputs inputs;
-    inputs.roles = {{"reference", LT_TEXT("Engine", "Reference"), LT_TEXT("Engine", "Scan or mesh of the original")},
+    inputs.roles = {{referenceRole, LT_TEXT("Engine", "Reference"),
+                     LT_TEXT("Engine", "Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
     inputs.roles.back().takes_next = true;  // the master stays, the next copy comes
     InputRole copies{copiesRole, LT_TEXT("Engine", "Further copies"),
@@ -31,9 +36,11 @@ PanelInputs panelInputs()
     copies.several = true;
     inputs.roles.push_back(copies);
     for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
+    inputs.roles.front().kinds = {&io::scanFiles(), &cad::stepFiles(), &io::shaftFiles()};
+    inputs.roles.front().item_kind = shaftItem;
     inputs.fields = infos<registration::CompareParameters>();
     inputs.defaults = toValues(registration::CompareParameters{});
-    inputs.invitation = LT_TEXT("Engine", "Drop two scans here, first the original, then the copy.");
+    inputs.invitation = LT_TEXT("Engine", "Drop two files here, first the original (scan or drawing), then the copy.");
     return inputs;
 }
 
@@ -42,7 +49,17 @@ report::Document reportOf(const ComparePicture& picture, const Language& languag
 {
     registration::CompareResult result = *picture.result;
     result.notes = picture.notes;  // those of the files as well
-    report::Document document = compareReport(result, picture.inputs, language, std::move(pictures));
+    report::Document document;
+    Json json;
+    if (picture.sizes) {
+        features::ShaftComparison all = *picture.sizes;
+        all.surface.notes = picture.notes;
+        document = shaftReport(all, picture.inputs, language, std::move(pictures));
+        json = toJson(all);
+    } else {
+        document = compareReport(result, picture.inputs, language, std::move(pictures));
+        json = toJson(result);
+    }
     document.synthetic = picture.synthetic;
     for (const registration::CopySummary& copy : copies)
         if (copy.file) document.inputs.push_back(*copy.file);
@@ -52,7 +69,7 @@ report::Document reportOf(const ComparePicture& picture, const Language& languag
             report::Section{LT_TEXT("Engine", "Copies of the same original"),
                             {copiesTrend(copies, result.parameters, language), copiesTable(copies, language)}});
     document.results = {report::toText(
-        report::wholeResult("compare", picture.inputs, toValues(result.parameters), toJson(result), result.notes))};
+        report::wholeResult("compare", picture.inputs, toValues(result.parameters), json, result.notes))};
     return document;
 }
 
@@ -67,13 +84,14 @@ PanelFacts comparePanelFacts()
     facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {"copy", copiesRole};
+    facts.item_inputs = {{shaftItem, referenceRole}};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     facts.roles = panelInputs().roles;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         const bool alone = furtherCopies(state).empty();
         const ComparePicture picture =
-            LastComparison().find(state, *stores.of<ScanStore>(), progress.part(0, alone ? 1 : 0.4));
+            LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
         std::vector<registration::CopySummary> copies;
         if (!alone) copies = KnownCopies().find(state, picture, progress.part(0.4, 1));
         return reportOf(picture, language, {}, copies);
@@ -180,6 +198,7 @@ void ComparePanel::swapInputs()
         auto& inputs = project.panels["compare"].inputs;
         const auto reference = inputs.find("reference");
         const auto copy = inputs.find("copy");
+        if (reference != inputs.end() && isDrawn(reference->second)) return;  // a drawing is no copy
         if (reference != inputs.end() && copy != inputs.end()) return std::swap(reference->second, copy->second);
         const auto only = reference != inputs.end() ? reference : copy;
         if (only == inputs.end()) return;
@@ -194,8 +213,8 @@ ComparePanel::Compute ComparePanel::compute(const project::PanelState& state) co
 {
     fromValues<registration::CompareParameters>(
         state.parameters);  // refuses now, not in the worker, what is out of range
-    return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
-        return last->find(state, *scans, progress);
+    return [state, last = last_, stores = session().sharedStores()](const Progress& progress) {
+        return last->find(state, *stores, progress);
     };
 }
 
@@ -238,7 +257,33 @@ void ComparePanel::showCopy(int number)
 
 report::Answer ComparePanel::answer(const ComparePicture& picture) const
 {
-    return registration::answer(*picture.result, screenLanguage());
+    return picture.sizes ? features::answer(*picture.sizes, screenLanguage())
+                         : registration::answer(*picture.result, screenLanguage());
+}
+
+/// A drawing says how many rows it has, a scan how many points.
+QString ComparePanel::understood(const InputRole& role, const project::Source& source) const
+{
+    if (const auto part = session().stores().of<part_common::PartStore>()->known(source)) {
+        const Shaft& shaft = part->file.shaft;
+        return understoodText(
+            part->file.facts,
+            tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
+    }
+    return Panel::understood(role, source);
+}
+
+/// Only a reference can be a drawing.
+void ComparePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    std::vector<FoundFile> scans;
+    for (const FoundFile& file : files) {
+        if (file.kind == &cad::stepFiles() || file.kind == &io::shaftFiles())
+            state.inputs[referenceRole] = newSource(QString::fromStdString(file.path));
+        else
+            scans.push_back(file);
+    }
+    Panel::assignFiles(state, scans);
 }
 
 void ComparePanel::showPlace(const report::Place& place)

@@ -29,6 +29,8 @@ protected:
     Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
     report::Answer answer(const ComparePicture& picture) const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     void showPlace(const report::Place& place) override;
     Notes notes(const ComparePicture& picture) const override;
     report::Document document(const ComparePicture& picture) const override;

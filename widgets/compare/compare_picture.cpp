@@ -2,14 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "engine/cad/step_reader.h"
+#include "engine/core/shaft_rules.h"
+#include "engine/features/shaft_mesh.h"
+#include "engine/io/file.h"
+#include "engine/io/json/json_head.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/surface_form.h"
 #include "engine/registration/verdict/verdict.h"
 
 namespace lathelier::compare_panel {
 namespace {
+
+constexpr double kShownSagitta_mm = 0.01;  // of the mesh that is drawn; deviations are measured from the contour
 
 double angleOf(const Eigen::Vector3d& axisPlace)
 {
@@ -73,38 +81,112 @@ void fillAxisPlace(const ComparePicture& picture, ComparePlace& place)
     if (!std::isnan(mean)) place.local_mean_mm = mean;
 }
 
+/// The shaft with its mesh; the mesh of the last one where the shaft is the same.
+std::shared_ptr<const DrawnShaft> drawnShaft(const project::PanelState& state,
+                                             const std::shared_ptr<const DrawnShaft>& last, Stores& stores,
+                                             const Progress& progress)
+{
+    auto drawn = std::make_shared<DrawnShaft>();
+    drawn->part = part_common::takePart(state, referenceRole, stores, progress.part(0, 0.5));
+    const Notes remarks = checkShaft(drawn->part.shaft);
+    drawn->part.notes.insert(drawn->part.notes.end(), remarks.begin(), remarks.end());
+    if (last && last->part.shaft == drawn->part.shaft && last->part.input.sha256 == drawn->part.input.sha256) {
+        drawn->mesh = last->mesh;
+        return drawn;
+    }
+    auto mesh = std::make_shared<LoadedScan>();
+    mesh->file.scan = features::shaftMesh(drawn->part.shaft, kShownSagitta_mm, progress.part(0.5, 1)).scan;
+    mesh->inputs = {drawn->part.input};
+    drawn->mesh = std::move(mesh);
+    return drawn;
+}
+
+/// Does only what the surface is judged by differ? Sizes are judged by the decision rule and U.
+bool sameButLimits(const ComparePicture& last, const registration::CompareParameters& parameters)
+{
+    const registration::CompareParameters& before = last.result->parameters;
+    if (!sameButVerdict(before, parameters)) return false;
+    return !last.sizes || (before.decision == parameters.decision &&
+                           before.scanner_accuracy_mm == parameters.scanner_accuracy_mm);
+}
+
+void takeSizes(features::ShaftComparison found, ComparePicture& picture)
+{
+    picture.sizes = std::make_shared<const features::ShaftComparison>(std::move(found));
+    picture.result = {picture.sizes, &picture.sizes->surface};
+}
+
+void judgeAgain(const ComparePicture& last, const registration::CompareParameters& parameters,
+                const Progress& progress, ComparePicture& picture)
+{
+    if (last.sizes) {
+        features::ShaftComparison again = *last.sizes;
+        judgeSurface(again, parameters, progress);
+        takeSizes(std::move(again), picture);
+    } else {
+        registration::CompareResult again = *last.result;
+        judge(again, parameters, progress);
+        picture.result = std::make_shared<const registration::CompareResult>(std::move(again));
+    }
+    picture.local_mean_mm = last.local_mean_mm;
+    picture.along_axis = last.along_axis;
+    picture.map_mean_mm = last.map_mean_mm;
+}
+
+void computeAnew(const registration::CompareParameters& parameters, const Progress& progress, ComparePicture& picture)
+{
+    if (picture.drawn)
+        takeSizes(compareWithShaft(picture.drawn->part.shaft, picture.copyScan(), parameters, progress), picture);
+    else
+        picture.result = std::make_shared<const registration::CompareResult>(
+            compare(picture.reference->file.scan, picture.copyScan(), parameters, progress));
+}
+
 }  // namespace
 
-ComparePicture LastComparison::find(const project::PanelState& state, ScanStore& scans, const Progress& progress)
+bool isDrawn(const project::Source& source)
+{
+    if (!source.item.empty()) return true;
+    std::ifstream file(source.path, std::ios::binary);
+    std::string head(io::headForKind, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+    return cad::looksLikeStep(head) ||
+           (io::hasKey(io::keysOfHead(head), "segments") && !io::hasKey(io::keysOfHead(head), "command"));
+}
+
+ComparePicture LastComparison::find(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     const auto parameters = fromValues<registration::CompareParameters>(state.parameters);
-    const project::Source& referenceSource = state.inputs.at("reference");
+    const project::Source& referenceSource = state.inputs.at(referenceRole);
     const project::Source& copySource = state.inputs.at("copy");
-    ComparePicture picture;
-    picture.reference = scans.load(referenceSource, progress.part(0, 0.2, LT_TEXT("Engine", "Reading the reference")));
-    picture.copy = scans.load(copySource, progress.part(0.2, 0.4, LT_TEXT("Engine", "Reading the copy")));
-    picture.synthetic = referenceSource.synthetic || copySource.synthetic;
-    picture.inputs = {picture.reference->inputs.front(), picture.copy->inputs.front()};
-
+    ScanStore& scans = *stores.of<ScanStore>();
+    const Text reading = LT_TEXT("Engine", "Reading the reference");
     ComparePicture last;
     {
         const std::lock_guard lock(mutex_);
         last = last_;
     }
-    if (last.result && last.reference == picture.reference && last.copy == picture.copy &&
-        sameButVerdict(last.result->parameters, parameters)) {
-        registration::CompareResult again = *last.result;
-        judge(again, parameters, progress.part(0.4, 1));
-        picture.result = std::make_shared<const registration::CompareResult>(std::move(again));
-        picture.local_mean_mm = last.local_mean_mm;
-        picture.along_axis = last.along_axis;
-        picture.map_mean_mm = last.map_mean_mm;
+    ComparePicture picture;
+    if (isDrawn(referenceSource)) {
+        picture.drawn = drawnShaft(state, last.drawn, stores, progress.part(0, 0.2, reading));
+        picture.reference = picture.drawn->mesh;
     } else {
-        picture.result = std::make_shared<const registration::CompareResult>(
-            compare(picture.reference->file.scan, picture.copyScan(), parameters, progress.part(0.4, 0.9)));
+        picture.reference = scans.load(referenceSource, progress.part(0, 0.2, reading));
+    }
+    picture.copy = scans.load(copySource, progress.part(0.2, 0.4, LT_TEXT("Engine", "Reading the copy")));
+    picture.synthetic =
+        (picture.drawn ? picture.drawn->part.synthetic : referenceSource.synthetic) || copySource.synthetic;
+    picture.inputs = {picture.reference->inputs.front(), picture.copy->inputs.front()};
+    if (last.result && last.reference == picture.reference && last.copy == picture.copy &&
+        sameButLimits(last, parameters)) {
+        judgeAgain(last, parameters, progress.part(0.4, 1), picture);
+    } else {
+        computeAnew(parameters, progress.part(0.4, 0.9), picture);
         addLocalMeans(picture, progress.part(0.9, 1, LT_TEXT("Engine", "Averaging the deviation locally")));
     }
-    for (const Notes* notes : {&picture.result->notes, &picture.reference->file.notes, &picture.copy->file.notes})
+    const Notes& of_reference = picture.drawn ? picture.drawn->part.notes : picture.reference->file.notes;
+    for (const Notes* notes : {&picture.result->notes, &of_reference, &picture.copy->file.notes})
         picture.notes.insert(picture.notes.end(), notes->begin(), notes->end());
     const std::lock_guard lock(mutex_);
     last_ = picture;

@@ -5,17 +5,28 @@
 #include <mutex>
 #include <vector>
 
+#include "engine/features/shaft_comparison.h"
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 #include "widgets/core/files/scan_store.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/part_common/taken_part.h"
 #include "widgets/scene/scene_data.h"
 
 namespace lathelier::compare_panel {
 
+/// The reference, where it is a drawing.
+struct DrawnShaft {
+    part_common::TakenPart part;  ///< file or item
+    LoadedScanPtr mesh;           ///< of its surface, in the place of a scan
+};
+
 struct ComparePicture {
-    LoadedScanPtr reference;                                    ///< file and content
+    LoadedScanPtr reference;                                    ///< file and content; of a drawing its mesh
     LoadedScanPtr copy;                                         ///< file and content
     std::shared_ptr<const registration::CompareResult> result;  ///< never null in a picture that find() gave
+    std::shared_ptr<const DrawnShaft> drawn;                    ///< null: the reference is a scan
+    std::shared_ptr<const features::ShaftComparison> sizes;     ///< `result` is its surface; null likewise
     /// For each point of the copy the mean of its surroundings; NaN where the data carry none (surface_form.h).
     std::shared_ptr<const std::vector<float>> local_mean_mm;
     /// For each point of the copy: 1 or -1 on a face across the axis that faces along it or against it, else 0; null
@@ -29,12 +40,17 @@ struct ComparePicture {
     const Scan& copyScan() const { return copy->file.scan; }
 };
 
+inline constexpr const char* referenceRole = "reference";
+
+/// Is the reference a drawing: an item, or a file that was found to be a STEP file or a SHAFT.json? Looks at its head.
+bool isDrawn(const project::Source& source);
+
 /// The last registration. A change of the tolerance alone is judged anew from it, in milliseconds.
 class LastComparison {
 public:
     /// The picture for this state. Loads, registers and evaluates only what is not there yet; safe from any thread.
-    /// Errors: those of readScan() and compare().
-    ComparePicture find(const project::PanelState& state, ScanStore& scans, const Progress& progress);
+    /// Errors: those of readScan(), takePart(), checkShaft() and compare().
+    ComparePicture find(const project::PanelState& state, Stores& stores, const Progress& progress);
 
 private:
     std::mutex mutex_;

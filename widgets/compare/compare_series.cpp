@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/core/shaft_contour.h"
+#include "engine/features/shaft_mesh.h"
 #include "engine/io/file.h"
 #include "engine/registration/verdict/verdict.h"
 #include "widgets/core/panel/panel_facts.h"
@@ -84,9 +86,14 @@ KnownCopies::Known KnownCopies::compared(const project::Source& source, const Co
     ScanStore once;  // its scan is forgotten at the end: those of many copies would fill the memory
     const LoadedScanPtr scan = once.load(source, progress.part(0, 0.3));
     now.file = scan->inputs.front();
+    constexpr auto detail = registration::CompareDetail::Summary;
+    const Progress comparing = progress.part(0.3, 1);
+    const Scan& copy = scan->file.scan;
     now.result = std::make_shared<const registration::CompareResult>(
-        compare(shown.reference->file.scan, scan->file.scan, parameters, progress.part(0.3, 1),
-                registration::CompareDetail::Summary));
+        shown.drawn ? compare(registration::DrawnReference{features::shaftMesh(shown.drawn->part.shaft).scan,
+                                                           closedContour(shown.drawn->part.shaft)},
+                              copy, parameters, comparing, detail)
+                    : compare(shown.reference->file.scan, copy, parameters, comparing, detail));
     const std::lock_guard lock(mutex_);
     known_[keyOf(source)] = now;
     return now;

@@ -61,4 +61,46 @@ void ZoneTable::markZ(std::optional<double> z_mm)
     scrollToItem(item(row, 0));
 }
 
+SizeTable::SizeTable(QWidget* parent) : CopyTable(parent)
+{
+    setObjectName("sizes");
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    connect(this, &QTableWidget::cellClicked, this, [this](int row, int) {
+        const Interval& place = places_[static_cast<std::size_t>(row)];
+        emit sizePicked((place.from + place.to) / 2);
+    });
+}
+
+void SizeTable::setSizes(const features::ShaftComparison& sizes)
+{
+    places_.clear();
+    setTable(sizesTable(sizes));
+    for (std::size_t i = 0; i < sizes.rows.size(); ++i) {
+        places_.push_back(placeOf(sizes, sizes.rows[i]));
+        if (!sizes.rows[i].verdict || *sizes.rows[i].verdict == Verdict::Pass) continue;
+        for (int column = 0; column < columnCount(); ++column) {
+            QFont bold = font();
+            bold.setBold(*sizes.rows[i].verdict == Verdict::Fail);
+            item(static_cast<int>(i), column)->setFont(bold);
+        }
+    }
+    fitCells();
+}
+
+void SizeTable::markZ(std::optional<double> z_mm)
+{
+    if (z_mm && currentRow() >= 0 && currentRow() < rowCount()) {
+        const Interval& now = places_[static_cast<std::size_t>(currentRow())];
+        if (*z_mm >= now.from && *z_mm <= now.to) return;  // another size of the same row was clicked
+    }
+    clearSelection();
+    if (!z_mm) return;
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        if (*z_mm >= places_[i].from && *z_mm <= places_[i].to) {
+            selectRow(static_cast<int>(i));
+            scrollToItem(item(static_cast<int>(i), 0));
+            return;
+        }
+}
+
 }  // namespace lathelier::compare_panel

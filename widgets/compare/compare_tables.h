@@ -31,4 +31,20 @@ private:
     std::vector<registration::Zone> zones_;
 };
 
+/// The sizes of the part against its drawing; those that are not within carry a symbol and a word.
+class SizeTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit SizeTable(QWidget* parent = nullptr);
+    void setSizes(const features::ShaftComparison& sizes);
+    void markZ(std::optional<double> z_mm);  ///< selects the first size of the row at z
+
+signals:
+    void sizePicked(double z_mm);
+
+private:
+    std::vector<Interval> places_;  ///< of the lines
+};
+
 }  // namespace lathelier::compare_panel

@@ -73,6 +73,9 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     p.heroes->add(view::map, p.map);
     p.heroes->add(view::meridian, p.meridian);
     p.heroes->add(view::distribution, p.histogram);
+    p.sizes = new SizeTable;
+    p.heroes->add(view::sizes, p.sizes);
+    p.heroes->setAvailable(view::sizes, false);
     p.heroes->add(view::tables, p.tabs);
     p.trend = new plot::ChartView;
     p.trend->setObjectName("trend");
@@ -112,6 +115,7 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     for (plot::ChartView* chart : {p.along, p.meridian})
         connect(chart, &plot::PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
     connect(p.zones, &ZoneTable::zonePicked, this, pickZ);
+    connect(p.sizes, &SizeTable::sizePicked, this, pickZ);
     connect(p.scene, &scene::SceneView::limitEdited, this,
             [this](double upper, double lower) { setLimit(upper, lower > 0 ? std::optional(lower) : std::nullopt); });
     connect(p.map, &plot::MapView::limitEdited, this,
@@ -244,6 +248,8 @@ void CompareViews::showCharts()
     }
     p.numbers->setPicture(*p.picture);
     p.zones->setResult(result);
+    p.heroes->setAvailable(view::sizes, p.picture->sizes != nullptr);
+    if (p.picture->sizes) p.sizes->setSizes(*p.picture->sizes);
     p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
     if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
     if (!p.hasAxis()) return;
@@ -337,6 +343,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
         p.meridian->setMarker({});
         p.histogram->setMarker({});
         p.zones->markZ({});
+        p.sizes->markZ({});
         return;
     }
     p.scene->setMarker(place->reference_mm, allWords(*place));
@@ -346,6 +353,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
     p.meridian->setMarker(place->z_mm);
     p.histogram->setMarker(place->deviation_mm ? place->deviation_mm : place->local_mean_mm);
     p.zones->markZ(place->z_mm);
+    p.sizes->markZ(place->z_mm);
 }
 
 /// Beside the pointer: what is coloured there, then where it is.

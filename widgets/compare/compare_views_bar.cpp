@@ -122,6 +122,8 @@ void CompareViews::retranslate()
     p.heroes->setTitle(view::meridian, tr("Meridian"));
     p.heroes->setTitle(view::distribution, tr("Distribution"));
     p.heroes->setTitle(view::tables, tr("Tables"));
+    p.heroes->setTitle(view::sizes, tr("Sizes"));
+    p.sizes->setAccessibleName(tr("Sizes"));
     p.heroes->setTitle(view::copies, tr("Copies"));
     p.copyTable->setAccessibleName(tr("Copies"));
     p.copyTable->setToolTip(tr("Double click: show this copy"));

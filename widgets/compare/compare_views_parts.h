@@ -25,6 +25,7 @@ inline constexpr const char* map = "map";
 inline constexpr const char* meridian = "meridian";
 inline constexpr const char* distribution = "distribution";
 inline constexpr const char* tables = "tables";
+inline constexpr const char* sizes = "sizes";
 inline constexpr const char* copies = "copies";
 }  // namespace view
 
@@ -49,6 +50,7 @@ struct CompareViews::Parts {
     plot::ChartView* meridian = nullptr;               ///< radius along the axis, with the error magnified
     plot::ChartView* histogram = nullptr;              ///< distribution of the deviations
     ZoneTable* zones = nullptr;                        ///< mean deviation by zone
+    SizeTable* sizes = nullptr;                        ///< against a drawing, row by row
     StatisticsTable* numbers = nullptr;                ///< statistics of the deviations
     std::vector<registration::CopySummary> summaries;  ///< of several copies; empty: there is one
     QSplitter* copies = nullptr;                       ///< trend over table

@@ -1,14 +1,15 @@
 #include "widgets/drawing/drawing_panel.h"
 
 #include "engine/core/shaft_item.h"
+#include "engine/core/shaft_rules.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
-#include "widgets/drawing/drawing_files.h"
 #include "widgets/drawing/drawing_views.h"
-#include "widgets/drawing/part_store.h"
+#include "widgets/part_common/part_exports.h"
+#include "widgets/part_common/part_store.h"
 
 namespace lathelier::drawing_panel {
 namespace {
@@ -32,19 +33,13 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-bool isThere(const project::PanelState& state)
+/// The segments as the form has them; nothing where they are no table.
+std::optional<ShaftRows> rowsIn(const Value& table)
 {
-    const Value* const segments = find(state.parameters, segmentsKey);
-    const Rows* const rows = segments ? std::get_if<Rows>(segments) : nullptr;
-    return state.inputs.count(shaftRole) > 0 || (rows && !rows->rows.empty());
-}
-
-Value rowsOf(const Shaft& shaft)
-{
-    Rows rows;
-    rows.rows.reserve(shaft.segments.size());
-    for (const ShaftSegment& segment : shaft.segments) rows.rows.push_back({toValues(segment)});
-    return rows;
+    DrawingQuestion question;
+    Values values;
+    set(values, segmentsKey, table);
+    return fromValues<DrawingQuestion>(values).segments;
 }
 
 }  // namespace
@@ -62,9 +57,10 @@ PanelFacts drawingPanelFacts()
     facts.item_inputs = {{shaftItem, shaftRole}};
     facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };
     facts.missing = [](const project::PanelState& state) {
-        return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
+        return part_common::hasShaft(state) ? std::vector<Text>{}
+                                            : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
     };
-    facts.hasWork = isThere;
+    facts.hasWork = part_common::hasShaft;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) { return reportOf(drawingPicture(state, stores, progress), language); };
     return facts;
@@ -75,16 +71,46 @@ DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
 {
     setViews(views_, views_->heroes());
     connect(views_, &DrawingViews::shaftWanted, this, &DrawingPanel::keepShaft);
-    // A table changed by hand is of the input that is there now: the same undo step as the change itself.
-    connect(
-        &inputColumn(), &InputColumn::parameterEdited, this,
-        [this](const std::string& key, const Value&, int gesture, const QString& step) {
-            if (key != segmentsKey) return;
-            editState(
-                step,
-                [](project::PanelState& state) { lathelier::set(state.parameters, segmentsOfKey, identity(state)); },
-                QString("drawing/segments/%1").arg(gesture));
-        });
+    connect(views_, &DrawingViews::editWanted, this, &DrawingPanel::editRows);
+    connect(views_, &DrawingViews::notWritten, this, &DrawingPanel::sayNotWritten);
+    connect(&inputColumn(), &InputColumn::parameterEdited, this, &DrawingPanel::followTable);
+}
+
+/// An edit in a view: one undo step, unless the shaft would break a rule.
+void DrawingPanel::editRows(const QString& step, const RowsChange& change, const QString& merge_key)
+{
+    const auto picture = result();
+    if (!picture) return;
+    try {
+        Shaft shaft = picture->shaft;
+        const ShaftRows before = shaft.segments;
+        shaft.segments = change(before);
+        if (shaft.segments == before) return;
+        if (picture->question.measured) shaft.segments = keepMeasured(before, std::move(shaft.segments));
+        checkShaft(shaft);
+        editState(
+            step, [&](project::PanelState& state) { part_common::setTable(state, shaft.segments); }, merge_key);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+/// A table changed by hand is of the input that is there now, and rows that are tied follow: the same undo step as the
+/// change itself.
+void DrawingPanel::followTable(const std::string& key, const Value& table, int gesture, const QString& step)
+{
+    if (key != segmentsKey) return;
+    const auto picture = result();
+    const std::optional<ShaftRows> typed = rowsIn(table);
+    editState(
+        step,
+        [&](project::PanelState& state) {
+            if (picture && typed)
+                part_common::setTable(state, followTies(picture->shaft.segments, *typed));
+            else
+                part_common::takeTable(state);
+        },
+        QString("drawing/segments/%1").arg(gesture));
 }
 
 /// Under a name of its own: an item must not take the place of the one that it was made of.
@@ -97,16 +123,13 @@ void DrawingPanel::keepShaft()
     const auto source = state().inputs.find(shaftRole);
     if (source != state().inputs.end() && source->second.item == name)
         name = tr("%1, edited").arg(QString::fromStdString(name)).toStdString();
-    keepItem(name, shaftItem, toValues(picture->shaft));
+    const Shaft& shaft = picture->shaft;
+    keepItem(name, shaftItem, picture->recovered ? itemValues(shaft, *picture->recovered) : toValues(shaft));
 }
 
-/// A file that is opened is what is meant: an earlier table would hide it.
 void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
-    for (const FoundFile& file : files) {
-        state.inputs[shaftRole] = newSource(QString::fromStdString(file.path));
-        lathelier::set(state.parameters, segmentsKey, Rows{});
-    }
+    for (const FoundFile& file : files) part_common::openShaft(state, file.path);
 }
 
 DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) const
@@ -119,7 +142,7 @@ DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) co
 
 QString DrawingPanel::understood(const InputRole&, const project::Source& source) const
 {
-    const auto loaded = session().stores().of<PartStore>()->known(source);
+    const auto loaded = session().stores().of<part_common::PartStore>()->known(source);
     if (!loaded) return {};
     const Shaft& shaft = loaded->file.shaft;
     return understoodText(
@@ -129,7 +152,8 @@ QString DrawingPanel::understood(const InputRole&, const project::Source& source
 
 void DrawingPanel::showResult(const std::shared_ptr<const DrawingPicture>& picture)
 {
-    inputColumn().form().setValues({{segmentsKey, rowsOf(picture->shaft)}});  // also those of a file
+    inputColumn().form().setValues(
+        {{segmentsKey, part_common::rowsOf(picture->shaft.segments)}});  // also those of a file
     views_->setPicture(picture);
 }
 
@@ -151,7 +175,10 @@ report::Document DrawingPanel::document(const DrawingPicture& picture) const
 std::vector<PanelExport> DrawingPanel::exports() const
 {
     const auto picture = result();
-    return picture ? exportsOf(picture) : std::vector<PanelExport>{};
+    if (!picture) return {};
+    part_common::PartToWrite part{picture->shaft, picture->shaft,
+                                  [picture](const Language& language) { return drawingOf(*picture, language); }};
+    return part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
 }
 
 void DrawingPanel::setPresenting(bool presenting)

@@ -3,10 +3,9 @@
 
 #include "widgets/core/panel/panel.h"
 #include "widgets/drawing/drawing_picture.h"
+#include "widgets/drawing/drawing_views.h"
 
 namespace lathelier::drawing_panel {
-
-class DrawingViews;
 
 /// The panel's line of the panel table.
 PanelFacts drawingPanelFacts();
@@ -34,6 +33,8 @@ protected:
     void retranslate() override;
 
 private:
+    void editRows(const QString& step, const RowsChange& change, const QString& merge_key);
+    void followTable(const std::string& key, const Value& table, int gesture, const QString& step);
     void keepShaft();
 
     DrawingViews* views_;

@@ -3,90 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
-#include <filesystem>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/cad/cad_notes.h"
 #include "engine/core/json.h"
 #include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_item.h"
 #include "engine/core/shaft_rules.h"
-#include "engine/io/file.h"
-#include "engine/io/io_codes.h"
-#include "engine/project/project_codes.h"
-#include "engine/receptance/receptance_codes.h"
+#include "engine/core/shaft_sizes.h"
+#include "engine/drawing/drawing_svg.h"
 #include "engine/report/result_json.h"
-#include "widgets/drawing/part_store.h"
+#include "widgets/part_common/drawing_words.h"
+#include "widgets/part_common/taken_part.h"
 
 namespace lathelier::drawing_panel {
 namespace {
 
-const project::Source* sourceOf(const project::PanelState& state)
+void takeShaft(DrawingPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    const auto source = state.inputs.find(shaftRole);
-    return source == state.inputs.end() ? nullptr : &source->second;
-}
-
-void takeItem(DrawingPicture& picture, const project::PanelState& state, const project::Source& source)
-{
-    const auto item = state.items.find(shaftRole);
-    std::optional<Shaft> shaft;
-    if (item != state.items.end() && item->second.kind == shaftItem) shaft = shaftOf(item->second.values);
-    if (!shaft) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(shaftItem)}});
-    picture.shaft = *std::move(shaft);
-    const std::string content = toJson(item->second.values).dump();
-    picture.inputs = {{source.item, static_cast<std::int64_t>(content.size()), io::sha256(content)}};
-    picture.synthetic = source.synthetic;
-}
-
-void takeFile(DrawingPicture& picture, const project::Source& source, Stores& stores, const Progress& progress)
-{
-    const auto loaded = stores.of<PartStore>()->load(source, progress);
-    picture.shaft = loaded->file.shaft;
-    if (picture.shaft.name.empty()) picture.shaft.name = std::filesystem::path(source.path).stem().string();
-    picture.inputs = {loaded->inputs.front()};
-    picture.notes = loaded->file.notes;
-    picture.synthetic = source.synthetic || contains(loaded->file.notes, notes::syntheticData);
-}
-
-/// The table where it was changed; where the file it came from is gone by now, the table is enough.
-void chooseShaft(DrawingPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
-{
-    const DrawingQuestion& question = picture.question;
-    const bool table_rules = !question.segments.empty() && question.segments_of == identity(state);
-    if (const project::Source* source = sourceOf(state)) {
-        try {
-            if (source->item.empty())
-                takeFile(picture, *source, stores, progress);
-            else
-                takeItem(picture, state, *source);
-        } catch (const Error&) {
-            if (!table_rules) throw;
-        }
-        if (table_rules && picture.shaft.segments != question.segments)
-            picture.notes.push_back(
-                {notes::shaftChanged, {{"source", source->item.empty() ? source->path : source->item}}});
-    }
-    if (table_rules || picture.shaft.segments.empty()) picture.shaft.segments = question.segments;
-    if (!question.name.empty()) picture.shaft.name = question.name;
-}
-
-void chooseMaterial(DrawingPicture& picture)
-{
-    const auto [entry, name] = chatter_common::chosen(picture.question.material);
-    if (!entry) return;
-    picture.shaft.material = entry->value;
-    picture.notes.push_back({notes::materialOfLibrary, {{"material", name}, {"source", entry->source}}});
-}
-
-/// The date of today as ISO 8601 has it.
-std::string today()
-{
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    return fmt::format("{:04}-{:02}-{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
+    part_common::TakenPart taken = part_common::takePart(state, shaftRole, stores, progress);
+    picture.shaft = std::move(taken.shaft);
+    picture.inputs = {taken.input};
+    picture.notes = std::move(taken.notes);
+    picture.synthetic = taken.synthetic;
+    picture.recovered = std::move(taken.recovered);
 }
 
 std::optional<drawing::Sheet> sheetOf(SheetChoice choice)
@@ -100,12 +40,6 @@ std::optional<drawing::Sheet> sheetOf(SheetChoice choice)
     return std::nullopt;
 }
 
-std::string decimalSeparator(const Language& language)
-{
-    const std::string half = fixed(0.5, 1, language);
-    return half.size() > 2 ? half.substr(1, half.size() - 2) : ".";
-}
-
 double largestDiameter_mm(const Shaft& shaft)
 {
     double largest_mm = 0;
@@ -116,19 +50,17 @@ double largestDiameter_mm(const Shaft& shaft)
 
 }  // namespace
 
-std::string identity(const project::PanelState& state)
-{
-    const project::Source* source = sourceOf(state);
-    if (!source) return {};
-    return source->item.empty() ? source->path : "item " + source->item;
-}
-
 DrawingPicture drawingPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     DrawingPicture picture;
     picture.question = fromValues<DrawingQuestion>(state.parameters);
-    chooseShaft(picture, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
-    chooseMaterial(picture);
+    const DrawingQuestion& question = picture.question;
+    part_common::chooseSegments(
+        question.segments, question.segments_of, state, picture.shaft, picture.notes, [&](const project::Source&) {
+            takeShaft(picture, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
+        });
+    if (!question.name.empty()) picture.shaft.name = question.name;
+    part_common::chooseMaterial(question.material, picture.shaft, picture.notes);
     picture.remarks = checkShaft(picture.shaft);
     const Notes left_out = cad::cadNotes(picture.shaft);
     picture.remarks.insert(picture.remarks.end(), left_out.begin(), left_out.end());
@@ -147,9 +79,14 @@ drawing::Drawing drawingOf(const DrawingPicture& picture, const Language& langua
     drawing::DrawingOptions options;
     options.sheet = sheetOf(question.sheet);
     options.material = question.material_name;
-    options.date = question.date.empty() ? today() : question.date;
-    options.decimal_separator = decimalSeparator(language);
+    options.date = question.date.empty() ? part_common::today() : question.date;
+    options.decimal_separator = part_common::decimalSeparator(language);
     options.measured = question.measured;
+    options.lengths_from = question.lengths;
+    if (picture.recovered) {
+        options.scan = InputFile{picture.recovered->scan, 0, picture.recovered->scan_sha256};
+        options.method = picture.recovered->method;
+    }
     options.translate = [&language](Text english) { return text(english, language); };
     return drawing::drawShaft(picture.shaft, options);
 }
@@ -181,22 +118,28 @@ report::Table rowsTable(const DrawingPicture& picture, const Language& language)
                      LT_TEXT("Engine", "Kind"),
                      report::Labelled{LT_TEXT("Engine", "z from"), millimetre},
                      report::Labelled{LT_TEXT("Engine", "z to"), millimetre},
+                     report::Labelled{LT_TEXT("Engine", "Length"), millimetre},
                      report::Labelled{LT_TEXT("Engine", "Start ⌀"), millimetre},
                      report::Labelled{LT_TEXT("Engine", "End ⌀"), millimetre},
                      report::Labelled{LT_TEXT("Engine", "Arc radius"), millimetre},
-                     LT_TEXT("Engine", "Role")};
-    table.decimals = {0, 0, 3, 3, 3, 3, 3, 0};
-    const auto add = [&](std::string number, double from_mm, double to_mm, const auto& row) {
+                     LT_TEXT("Engine", "Role"),
+                     LT_TEXT("Engine", "Same ⌀ as")};
+    table.decimals = {0, 0, 3, 3, 3, 3, 3, 3, 0, 0};
+    const auto add = [&](std::string number, double from_mm, double to_mm, const auto& row, const std::string& tied) {
         const Text kind = row.arc_radius_mm                              ? LT_TEXT("Engine", "arc")
                           : row.start_diameter_mm == row.end_diameter_mm ? LT_TEXT("Engine", "cylinder")
                                                                          : LT_TEXT("Engine", "cone");
-        table.rows.push_back({std::move(number), text(kind, language), from_mm, to_mm, row.start_diameter_mm,
-                              row.end_diameter_mm, row.arc_radius_mm ? Value(*row.arc_radius_mm) : Value(), row.role});
+        const Value arc_radius = row.arc_radius_mm ? Value(*row.arc_radius_mm) : Value();
+        table.rows.push_back({std::move(number), text(kind, language), from_mm, to_mm, row.length_mm,
+                              row.start_diameter_mm, row.end_diameter_mm, arc_radius, row.role, tied});
     };
     double z_mm = 0;
     int number = 0;
     for (const ShaftSegment& row : picture.shaft.segments) {
-        add(std::to_string(++number), z_mm, z_mm + row.length_mm, row);
+        std::string tied;
+        for (const std::size_t other : tiedTo(picture.shaft.segments, static_cast<std::size_t>(number)))
+            tied += (tied.empty() ? "" : ", ") + std::to_string(other + 1);
+        add(std::to_string(++number), z_mm, z_mm + row.length_mm, row, tied);
         z_mm += row.length_mm;
     }
     int bores = 0;
@@ -206,9 +149,47 @@ report::Table rowsTable(const DrawingPicture& picture, const Language& language)
         ++bores;
         for (std::size_t i = 0; i < bore.segments.size(); ++i) {
             const double end_mm = at_mm + sense * bore.segments[i].length_mm;
-            add(fmt::format("B{}.{}", bores, i + 1), at_mm, end_mm, bore.segments[i]);
+            add(fmt::format("B{}.{}", bores, i + 1), at_mm, end_mm, bore.segments[i], {});
             at_mm = end_mm;
         }
+    }
+    return table;
+}
+
+report::Table measuredTable(const DrawingPicture& picture, const Language& language)
+{
+    report::Table table;
+    table.title = LT_TEXT("Engine", "Measured − nominal");
+    table.columns = {LT_TEXT("Engine", "Row"),
+                     LT_TEXT("Engine", "Size"),
+                     report::Labelled{LT_TEXT("Engine", "Nominal"), millimetre},
+                     report::Labelled{LT_TEXT("Engine", "Measured"), millimetre},
+                     report::Labelled{LT_TEXT("Engine", "Measured − nominal"), millimetre},
+                     report::Labelled{LT_TEXT("Engine", "U"), millimetre}};
+    table.decimals = {0, 0, 3, 4, 4, 4};
+    std::int64_t number = 0;
+    for (const ShaftSegment& row : picture.shaft.segments) {
+        ++number;
+        if (!row.measured) continue;
+        const MeasuredSize& measured = *row.measured;
+        const auto add = [&](Text name, double nominal_mm, const std::optional<double>& found_mm,
+                             const std::optional<double>& u_um) {
+            if (!found_mm) return;
+            table.rows.push_back({number, text(name, language), nominal_mm, *found_mm, *found_mm - nominal_mm,
+                                  u_um ? Value(1e-3 * *u_um) : Value()});
+        };
+        const SizeUncertainty& u = measured.uncertainty;
+        const bool cylinder = isCylinder(row);
+        add(cylinder ? LT_TEXT("Engine", "diameter") : LT_TEXT("Engine", "diameter at the start"),
+            row.start_diameter_mm, measured.start_diameter_mm, u.start_diameter_um);
+        if (!cylinder)
+            add(LT_TEXT("Engine", "diameter at the end"), row.end_diameter_mm, measured.end_diameter_mm,
+                u.end_diameter_um);
+        add(LT_TEXT("Engine", "length"), row.length_mm, measured.length_mm, u.length_um);
+        if (row.arc_radius_mm)
+            add(LT_TEXT("Engine", "radius"), std::abs(*row.arc_radius_mm),
+                measured.arc_radius_mm ? std::optional(std::abs(*measured.arc_radius_mm)) : std::nullopt,
+                u.arc_radius_um);
     }
     return table;
 }
@@ -230,7 +211,12 @@ report::Document reportOf(const DrawingPicture& picture, const Language& languag
     document.title = LT_TEXT("Engine", "Shaft for drawing and CAD");
     document.inputs = picture.inputs;
     document.synthetic = picture.synthetic;
-    report::Section section{LT_TEXT("Engine", "Result"), {answerOf(picture), rowsTable(picture, language)}};
+    report::Section section{LT_TEXT("Engine", "Result"), {answerOf(picture)}};
+    const drawing::Drawing sheet = drawingOf(picture, language);
+    section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Drawing"), drawing::toSvg(sheet)});
+    section.blocks.push_back(rowsTable(picture, language));
+    if (report::Table measured = measuredTable(picture, language); !measured.rows.empty())
+        section.blocks.push_back(std::move(measured));
     if (!picture.notes.empty()) section.blocks.push_back(picture.notes);
     document.sections = {std::move(section)};
     Json json = {{"shaft", toJson(toValues(picture.shaft))},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/core/input_file.h"
+#include "engine/core/shaft_item.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
@@ -14,20 +15,19 @@
 
 namespace lathelier::drawing_panel {
 
-inline constexpr const char* shaftRole = "shaft";
+using part_common::identity;
+using part_common::shaftRole;
 
 struct DrawingPicture {
-    DrawingQuestion question;       ///< as asked
-    Shaft shaft;                    ///< keeps checkShaft()
-    std::optional<double> mass_kg;  ///< none: no material is known
-    Notes remarks;                  ///< of checkShaft() and of what CAD files leave out
-    Notes notes;                    ///< the same with those of the file
-    std::vector<InputFile> inputs;  ///< the file or item
-    bool synthetic = false;         ///< the source is marked as synthetic
+    DrawingQuestion question;                ///< as asked
+    Shaft shaft;                             ///< keeps checkShaft()
+    std::optional<double> mass_kg;           ///< none: no material is known
+    Notes remarks;                           ///< of checkShaft() and of what CAD files leave out
+    Notes notes;                             ///< the same with those of the file
+    std::vector<InputFile> inputs;           ///< the file or item
+    bool synthetic = false;                  ///< the source is marked as synthetic
+    std::optional<RecoveredFrom> recovered;  ///< the scan that an item was recognised in
 };
-
-/// What tells the input from another one; empty without one.
-std::string identity(const project::PanelState& state);
 
 /// Reads and checks; safe from any thread. Errors: those of PartStore, checkShaft(); itemNotThere.
 DrawingPicture drawingPicture(const project::PanelState& state, Stores& stores, const Progress& progress);
@@ -37,6 +37,8 @@ drawing::Drawing drawingOf(const DrawingPicture& picture, const Language& langua
 
 report::Answer answerOf(const DrawingPicture& picture);
 report::Table rowsTable(const DrawingPicture& picture, const Language& language);
+/// Of rows with measured values beside set ones: each size, measured and nominal, difference and U. Empty without.
+report::Table measuredTable(const DrawingPicture& picture, const Language& language);
 /// The remarks; one line that says so where there are none.
 report::Table remarksTable(const DrawingPicture& picture, const Language& language);
 report::Document reportOf(const DrawingPicture& picture, const Language& language);

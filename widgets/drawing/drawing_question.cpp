@@ -6,14 +6,8 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
 {
     using Q = DrawingQuestion;
     static const auto all = described<Q>(
-        rows(segmentsKey, &Q::segments, Range{0, 10000},
-             Label{LT_TEXT("Engine", "Segments"),
-                   LT_TEXT("Engine",
-                           "From the free end toward the chuck. A file fills the table; once it is changed, the table "
-                           "rules.")}),
-        field(segmentsOfKey, &Q::segments_of,
-              Label{LT_TEXT("Engine", "Segments changed from"),
-                    LT_TEXT("Engine", "The input that the table was changed from.")}),
+        rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
+        field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
         field("name", &Q::name,
               Label{LT_TEXT("Engine", "Part name"),
                     LT_TEXT("Engine", "In the title block and in all files; empty: as the input has it.")}),
@@ -30,6 +24,12 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
                {"a3", LT_TEXT("Engine", "A3")}},
               Label{LT_TEXT("Engine", "Sheet"),
                     LT_TEXT("Engine", "Automatic: A4, or A3 where A4 would be too small to read.")}),
+        field("lengths", &Q::lengths,
+              {{"free_end", LT_TEXT("Engine", "from the free end")}, {"chain", LT_TEXT("Engine", "as a chain")}},
+              Label{LT_TEXT("Engine", "Lengths"),
+                    LT_TEXT("Engine",
+                            "How the drawing gives lengths, and what an edited one leaves in place: from the free end "
+                            "all other shoulders, as a chain all other lengths.")}),
         field("date", &Q::date, Label{LT_TEXT("Engine", "Date"), LT_TEXT("Engine", "As printed; empty: today.")}),
         field("measured", &Q::measured,
               Label{LT_TEXT("Engine", "Measured values"),

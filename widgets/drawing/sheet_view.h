@@ -1,12 +1,18 @@
-// A sheet of paper with a drawing on it: fitted to the view, enlarged with the wheel, moved by dragging.
+// A sheet of paper with a drawing on it: fitted to the view, enlarged with the wheel, moved by dragging. Rows and
+// dimensions can be clicked; a double click on a dimension opens a field over it.
 #pragma once
 
+#include <QLineEdit>
+#include <QPolygonF>
 #include <QWidget>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "engine/drawing/drawing.h"
 
 class QSvgRenderer;
+class QPainter;
 
 namespace lathelier::drawing_panel {
 
@@ -23,9 +29,30 @@ public:
     QRectF sheetRect() const;              ///< where it lies, in pixels
     void fit();
 
+    /// Contours of the rows of the outside, (z, r) in mm of the part.
+    void setRows(std::vector<QPolygonF> contours);
+    /// Lit, with the dimensions that say something of it.
+    void markRow(std::optional<std::size_t> row);
+    /// Where a place of the part, or a text of the drawing, lies in this view.
+    QPointF pixelOf(double z_mm, double radius_mm) const;
+    QRectF pixelsOf(const drawing::Label& label) const;
+    /// Opens the field over a dimension, with `text` in it.
+    void editDimension(std::size_t label, const QString& text, const QString& help);
+    QLineEdit* field() const { return field_; }
+
     QSize sizeHint() const override { return {640, 450}; }
 
+signals:
+    void rowClicked(int row);                                     ///< -1: beside the part
+    void menuWanted(int row, double z_mm, const QPoint& global);  ///< of the row under the pointer, or the lit one
+    void dimensionActivated(int label);                           ///< index into Drawing::labels
+    void dimensionTyped(int label, const QString& text);          ///< of the field
+    void rowKeyPressed(QKeyEvent* event);                         ///< accepted by who has use for it
+
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    bool event(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -38,12 +65,24 @@ protected:
 private:
     void zoomBy(double factor, const QPointF& about);
     void moveBy(const QPointF& by);
+    QPointF partOf(const QPointF& pixel) const;
+    std::optional<std::size_t> rowAt(const QPointF& pixel) const;
+    std::optional<std::size_t> dimensionAt(const QPointF& pixel) const;
+    void paintMark(QPainter& painter) const;
+    void closeField();
 
+    drawing::Drawing drawing_;
+    std::vector<QPolygonF> rows_;
+    std::optional<std::size_t> row_;
+    QLineEdit* field_;
+    int fieldOf_ = -1;  ///< index into Drawing::labels
     std::unique_ptr<QSvgRenderer> svg_;
     QSizeF paper_mm_;  ///< empty: nothing is drawn yet
     double zoom_ = 1;
     QPointF middle_{0.5, 0.5};  ///< of the view, in parts of the sheet
     QPointF dragged_;           ///< last place of the pointer
+    QPointF pressed_;           ///< where the button went down
+    bool moved_ = false;        ///< since then
 };
 
 }  // namespace lathelier::drawing_panel

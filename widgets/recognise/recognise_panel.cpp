@@ -8,12 +8,13 @@
 #include "engine/features/recognition_plots.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/recognition_report.h"
+#include "engine/features/refit.h"
 #include "engine/features/stock_part.h"
 #include "engine/io/file.h"
-#include "engine/io/shaft/shaft_file.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/result_json.h"
 #include "widgets/core/language.h"
+#include "widgets/part_common/part_exports.h"
 #include "widgets/recognise/recognise_views.h"
 
 namespace lathelier::recognise_panel {
@@ -90,6 +91,13 @@ RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
     connect(views_->rows(), &RowsView::sizesAccepted, this, &RecognisePanel::toggle);
     connect(views_->rows(), &RowsView::allAccepted, this, &RecognisePanel::acceptAll);
     connect(views_, &RecogniseViews::shaftWanted, this, &RecognisePanel::keepShaft);
+    connect(views_, &RecogniseViews::changeWanted, this, &RecognisePanel::change);
+    connect(views_, &RecogniseViews::foundWanted, this, [this] {
+        editState(tr("Take back all changes of the rows"), [](project::PanelState& state) {
+            lathelier::set(state.parameters, changesKey, std::string());
+            lathelier::set(state.parameters, acceptedKey, std::string());
+        });
+    });
     connect(views_, &RecogniseViews::notWritten, this, &RecognisePanel::sayNotWritten);
 }
 
@@ -108,6 +116,25 @@ void RecognisePanel::toggle(const std::vector<features::AcceptedSize>& sizes)
         [&](project::PanelState& state) { lathelier::set(state.parameters, acceptedKey, features::textOf(accepted)); });
 }
 
+/// The joint fit is run again with the changed rows; one that cannot be fitted is no step.
+void RecognisePanel::change(const QString& step, const features::RowChange& asked)
+{
+    const auto picture = result();
+    if (!picture) return;
+    std::vector<features::RowChange> changes = picture->changes;
+    changes.push_back(asked);
+    try {
+        refit(*picture->found, changes);
+        editState(step, [&](project::PanelState& state) {
+            lathelier::set(state.parameters, changesKey, features::textOf(changes));
+            lathelier::set(state.parameters, acceptedKey,
+                           features::textOf(features::afterChange(picture->accepted, asked)));
+        });
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
 void RecognisePanel::acceptAll()
 {
     editState(tr("Accept all nominal sizes"),
@@ -120,7 +147,7 @@ void RecognisePanel::keepShaft()
     if (!picture) return;
     try {
         requireComplete(*picture);
-        keepItem(picture->shaft.name, shaftItem, toValues(picture->shaft));
+        keepItem(picture->shaft.name, shaftItem, itemValues(measuredRows(*picture), recoveredFrom(*picture)));
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -164,26 +191,25 @@ std::vector<PanelExport> RecognisePanel::exports() const
     const auto picture = result();
     if (!picture) return {};
     const auto write = [](const QString& path, const std::string& text) { io::writeFile(path.toStdString(), text); };
-    return {{tr("Shaft (SHAFT.json)…"), tr("JSON (*.json)"), "json",
-             [picture, write](const QString& path) { write(path, io::shaftText(picture->shaft)); }},
-            {tr("Stock text…"), tr("Text (*.txt)"), "txt",
-             [picture, write](const QString& path) {
-                 requireComplete(*picture);
-                 const double chucked_mm = picture->result->parameters.length_of_chucked_mm.value_or(0);
-                 write(path, io::stockText(features::outOfChuck(picture->shaft, chucked_mm)));
-             }},
-            {tr("Table of rows (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture, write](const QString& path) { write(path, features::rowsCsv(*picture->result)); }},
-            {tr("Meridian and residuals (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture, write](const QString& path) { write(path, features::meridianCsv(*picture->result)); }},
-            {tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg",
-             [picture, write](const QString& path) {
-                 write(path,
-                       report::toSvg(features::meridianPlot(*picture->result, screenLanguage()), screenLanguage()));
-             }},
-            {tr("Residuals (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
-                 write(path, report::toSvg(features::residualPlot(*picture->result), screenLanguage()));
-             }}};
+    const double chucked_mm = picture->result->parameters.length_of_chucked_mm.value_or(0);
+    part_common::PartToWrite part;
+    part.shaft = picture->shaft;
+    part.stock = picture->result->complete ? features::outOfChuck(picture->shaft, chucked_mm) : picture->shaft;
+    part.drawing = [picture](const Language& language) { return drawingOf(*picture, language); };
+    part.requireComplete = [picture] { requireComplete(*picture); };
+    part.csv = [picture] { return features::rowsCsv(*picture->result); };
+    std::vector<PanelExport> all =
+        part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
+    all.push_back({tr("Meridian and residuals (CSV)…"), tr("Table (*.csv)"), "csv",
+                   [picture, write](const QString& path) { write(path, features::meridianCsv(*picture->result)); }});
+    all.push_back({tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
+                       write(path, report::toSvg(features::meridianPlot(*picture->result, screenLanguage()),
+                                                 screenLanguage()));
+                   }});
+    all.push_back({tr("Residuals (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
+                       write(path, report::toSvg(features::residualPlot(*picture->result), screenLanguage()));
+                   }});
+    return all;
 }
 
 Values RecognisePanel::view() const

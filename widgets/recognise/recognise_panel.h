@@ -33,6 +33,7 @@ protected:
 
 private:
     void toggle(const std::vector<features::AcceptedSize>& sizes);
+    void change(const QString& step, const features::RowChange& asked);
     void acceptAll();
     void keepShaft();
 

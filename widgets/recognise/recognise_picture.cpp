@@ -4,7 +4,10 @@
 #include <filesystem>
 
 #include "engine/cad/steps_view.h"
+#include "engine/drawing/shaft_drawing.h"
+#include "engine/features/refit.h"
 #include "engine/io/io_codes.h"
+#include "widgets/part_common/drawing_words.h"
 
 namespace lathelier::recognise_panel {
 namespace {
@@ -66,6 +69,42 @@ bool sameParameters(const features::RecognitionParameters& a, const features::Re
 
 }  // namespace
 
+Shaft measuredRows(const RecognisePicture& picture)
+{
+    Shaft shaft = picture.shaft;
+    const auto& rows = picture.result->segments;
+    if (rows.size() != shaft.segments.size()) return shaft;  // a gap became a row, or a published table rules
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        ShaftSegment& row = shaft.segments[i];
+        if (row.measured) continue;
+        row.measured = MeasuredSize{row.length_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
+                                    rows[i].uncertainty};
+    }
+    return shaft;
+}
+
+RecoveredFrom recoveredFrom(const RecognisePicture& picture)
+{
+    const InputFile& scan = picture.inputs.front();
+    return {std::filesystem::path(scan.path).filename().string(), scan.sha256, picture.result->method_used};
+}
+
+drawing::Drawing drawingOf(const RecognisePicture& picture, const Language& language)
+{
+    drawing::DrawingOptions options;
+    options.scan = picture.inputs.front();
+    options.method = picture.result->method_used;
+    options.date = part_common::today();
+    options.measured = true;
+    for (const auto& bore : picture.result->bores) {
+        auto& known = options.bore_uncertainties.emplace_back();
+        for (const features::RecognizedRow& row : bore) known.push_back(row.uncertainty);
+    }
+    options.decimal_separator = part_common::decimalSeparator(language);
+    options.translate = [&language](Text english) { return text(english, language); };
+    return drawing::drawShaft(measuredRows(picture), options);
+}
+
 RecognisePicture LastRecognition::find(const project::PanelState& state, ScanStore& scans, const Progress& progress)
 {
     const auto parameters = fromValues<features::RecognitionParameters>(state.parameters);
@@ -81,12 +120,22 @@ RecognisePicture LastRecognition::find(const project::PanelState& state, ScanSto
         last = last_;
     }
     const Scan& scan = picture.points->file.scan;
-    if (last.result && last.points == picture.points && sameParameters(last.result->parameters, parameters)) {
+    if (const Value* changes = lathelier::find(state.parameters, changesKey))
+        if (const auto* text = std::get_if<std::string>(changes)) picture.changes = features::rowChanges(*text);
+    const bool known =
+        last.found && last.points == picture.points && sameParameters(last.found->parameters, parameters);
+    picture.found = known ? last.found
+                          : std::make_shared<const features::Recognition>(features::recognize(
+                                scan, parameters,
+                                progress.part(0.3, 0.85, LT_TEXT("Engine", "Recognising the rows"))));
+    if (known && last.result && last.changes == picture.changes) {
         picture.result = last.result;
         picture.by_kind = last.by_kind;
     } else {
-        picture.result = std::make_shared<const features::Recognition>(
-            features::recognize(scan, parameters, progress.part(0.3, 0.95, LT_TEXT("Engine", "Recognising the rows"))));
+        picture.result = picture.changes.empty()
+                             ? picture.found
+                             : std::make_shared<const features::Recognition>(
+                                   refit(*picture.found, picture.changes, progress.part(0.85, 0.95)));
         picture.by_kind = partedByKind(scan, *picture.result);
     }
     if (const Value* accepted = lathelier::find(state.parameters, acceptedKey))

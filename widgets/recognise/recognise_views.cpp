@@ -1,5 +1,7 @@
 #include "widgets/recognise/recognise_views.h"
 
+#include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -22,14 +24,15 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     : QWidget(parent),
       heroes_(new HeroViews),
       charts_(new QSplitter(Qt::Vertical)),
-      meridian_(new plot::ChartView),
-      residuals_(new plot::ChartView),
+      meridian_(new part_common::RowChart),
+      residuals_(new part_common::RowChart),
       rows_(new RowsView),
       scene_(new scene::SceneView),
       steps_(new CopyTable),
       beside_(new QLabel),
       numbers_(new CopyTable),
       shaft_(new QToolButton),
+      found_(new QToolButton),
       synthetic_(new QLabel)
 {
     meridian_->setObjectName("meridian");
@@ -66,11 +69,17 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     auto* bar = new FlowRow;
     shaft_->setObjectName("useShaft");
     bar->addWidget(shaft_);
+    found_->setObjectName("asFound");
+    bar->addWidget(found_);
+    found_->hide();
+    connect(found_, &QToolButton::clicked, this, &RecogniseViews::foundWanted);
     bar->setTrailing(synthetic_);
     layout->addLayout(bar);
     layout->addWidget(heroes_, 1);
 
-    for (plot::ChartView* chart : {meridian_, residuals_}) {
+    for (part_common::RowChart* chart : {meridian_, residuals_}) {
+        connect(chart, &part_common::RowChart::menuOpened, this, &RecogniseViews::openChartMenu);
+        chart->installEventFilter(this);
         connect(chart, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) { pickAt(z_mm); });
         connect(chart, &plot::PlotCanvas::notWritten, this, &RecogniseViews::notWritten);
     }
@@ -84,6 +93,8 @@ RecogniseViews::RecogniseViews(QWidget* parent)
         row_ = row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
         pointOut(row_);
     });
+    rows_->table()->installEventFilter(this);
+    rows_->table()->viewport()->installEventFilter(this);
     connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
         if (!picture_ || step < 0 || step >= static_cast<int>(picture_->steps.size())) return;
         const ShaftStep& at = picture_->steps[static_cast<std::size_t>(step)];
@@ -132,6 +143,75 @@ void RecogniseViews::show()
                                       : tr("Not in this table: %1").arg(beside.join("; ")));
     numbers_->setQuantities(recognitionReport(result, picture_->steps, picture_->inputs, screenLanguage()));
     synthetic_->setVisible(picture_->synthetic);
+    found_->setVisible(!picture_->changes.empty());
+}
+
+part_common::RowVerbs RecogniseViews::verbsOf(std::size_t row, std::optional<double> z_mm)
+{
+    part_common::RowVerbs verbs;
+    if (!picture_ || row >= picture_->result->segments.size()) return verbs;
+    if (picture_->result->parameters.method != features::RecognitionMethod::Robust) return verbs;
+    using What = features::RowChange::What;
+    const auto& rows = picture_->result->segments;
+    const int number = static_cast<int>(row) + 1;
+    const auto ask = [this, number](const QString& step, What what, double at_mm = 0) {
+        return [=, this] { emit changeWanted(step, {what, number, at_mm}); };
+    };
+    if (rows.size() > 1) verbs.remove = ask(tr("Delete row %1").arg(number), What::Delete);
+    if (row + 1 < rows.size())
+        verbs.merge = ask(tr("Merge rows %1 and %2").arg(number).arg(number + 1), What::Merge);
+    const double from = rows[row].z_start_mm, to = rows[row].z_end_mm;
+    double cut = z_mm.value_or((from + to) / 2);
+    if (!(cut > from && cut < to)) cut = (from + to) / 2;
+    verbs.split = ask(tr("Split row %1").arg(number), What::Split, std::round(cut * 1e3) / 1e3);
+    verbs.forms = {RowForm::Cylinder, RowForm::Cone, RowForm::Round, RowForm::Fillet};
+    const bool arc = rows[row].kind == features::RowKind::Arc;
+    verbs.now = arc                                             ? *rows[row].arc_radius_mm > 0 ? RowForm::Round
+                                                                                               : RowForm::Fillet
+                : rows[row].kind == features::RowKind::Cylinder ? RowForm::Cylinder
+                                                                : RowForm::Cone;
+    verbs.change = [=, this](RowForm form) {
+        const What what = form == RowForm::Cylinder ? What::Cylinder
+                          : form == RowForm::Cone   ? What::Cone
+                          : form == RowForm::Round  ? What::Round
+                                                    : What::Fillet;
+        emit changeWanted(tr("Make row %1 a %2").arg(number).arg(part_common::formName(form).toLower()),
+                          {what, number, 0});
+    };
+    return verbs;
+}
+
+void RecogniseViews::openChartMenu(QMenu* menu, double z_mm)
+{
+    if (!picture_ || picture_->result->ends.empty()) return;
+    const bool here = z_mm >= 0 && z_mm <= picture_->result->ends.back().z_mm;
+    if (here) pickAt(z_mm);
+    if (row_)
+        part_common::addRowVerbs(*menu, static_cast<int>(*row_) + 1,
+                                 verbsOf(*row_, here ? std::optional(z_mm) : std::nullopt));
+}
+
+/// Keys of rows in charts and table; the table's context menu.
+bool RecogniseViews::eventFilter(QObject* watched, QEvent* event)
+{
+    CopyTable* const table = rows_->table();
+    if (event->type() == QEvent::KeyPress && watched != table->viewport() && row_ &&
+        part_common::pressRowKey(*static_cast<QKeyEvent*>(event), verbsOf(*row_)))
+        return true;
+    if (event->type() == QEvent::ContextMenu && watched == table->viewport()) {
+        const auto* const request = static_cast<QContextMenuEvent*>(event);
+        const bool by_key = request->reason() == QContextMenuEvent::Keyboard;
+        const int row = by_key ? table->currentRow() : table->rowAt(request->pos().y());
+        if (picture_ && row >= 0 && row < static_cast<int>(picture_->result->segments.size())) {
+            QMenu menu(this);
+            part_common::addRowVerbs(menu, row + 1, verbsOf(static_cast<std::size_t>(row)));
+            menu.addSeparator();
+            menu.addAction(CopyTable::tr("Copy"), this, [table] { table->copyToClipboard(); });
+            menu.exec(request->globalPos());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 /// In the colours of the meridian.
@@ -237,6 +317,8 @@ void RecogniseViews::retranslate()
     synthetic_->setToolTip(tr("These points were computed, not measured."));
     shaft_->setText(tr("Use this shaft"));
     shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
+    found_->setText(tr("As recognised"));
+    found_->setToolTip(tr("Takes back all changes of the rows"));
     rows_->retranslate();
     showScan();
     show();

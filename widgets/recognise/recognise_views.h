@@ -10,7 +10,8 @@
 #include <optional>
 
 #include "widgets/core/panel/hero_views.h"
-#include "widgets/plot/chart_view.h"
+#include "widgets/part_common/row_chart.h"
+#include "widgets/part_common/row_menu.h"
 #include "widgets/recognise/rows_view.h"
 #include "widgets/scene/scene_view.h"
 
@@ -34,13 +35,22 @@ public:
     void markStretch(double from_mm, double to_mm);          ///< of z
     std::optional<std::size_t> row() const { return row_; }  ///< that is marked
 
+    /// What can be done with a row of the outside; `z_mm`: where it is cut.
+    part_common::RowVerbs verbsOf(std::size_t row, std::optional<double> z_mm = {});
+
     void retranslate();
 
 signals:
     void shaftWanted();                    ///< keep it in the project
+    void changeWanted(const QString& step, const lathelier::features::RowChange& change);
+    void foundWanted();                    ///< the rows as they were recognised
     void notWritten(const QString& path);  ///< the system refused to write this file
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void openChartMenu(QMenu* menu, double z_mm);
     void show();
     void showScan();
     void pointOut(std::optional<std::size_t> row);
@@ -50,14 +60,15 @@ private:
     std::optional<std::size_t> row_;
     HeroViews* heroes_;
     QSplitter* charts_;
-    plot::ChartView* meridian_;
-    plot::ChartView* residuals_;
+    part_common::RowChart* meridian_;
+    part_common::RowChart* residuals_;
     RowsView* rows_;
     scene::SceneView* scene_;
     CopyTable* steps_;
     QLabel* beside_;
     CopyTable* numbers_;
     QToolButton* shaft_;
+    QToolButton* found_;
     QLabel* synthetic_;
 };
 

@@ -18,6 +18,7 @@ public:
 
     void setPicture(const std::shared_ptr<const RecognisePicture>& picture);
     void markRow(std::optional<std::size_t> row);  ///< index into Recognition::segments
+    CopyTable* table() const { return table_; }
     void retranslate();
 
 signals:

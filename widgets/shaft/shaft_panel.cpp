@@ -21,6 +21,7 @@
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
+#include "widgets/part_common/shaft_table.h"
 #include "widgets/shaft/shaft_views.h"
 
 namespace lathelier::shaft_panel {
@@ -50,26 +51,6 @@ PanelInputs panelInputs()
     inputs.defaults = toValues(ShaftQuestion{});
     inputs.invitation = LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, stock text), or state its segments.");
     return inputs;
-}
-
-bool hasSegments(const project::PanelState& state)
-{
-    const Value* const segments = find(state.parameters, segmentsKey);
-    const Rows* const rows = segments ? std::get_if<Rows>(segments) : nullptr;
-    return rows && !rows->rows.empty();
-}
-
-bool isThere(const project::PanelState& state)
-{
-    return state.inputs.count(shaftRole) > 0 || hasSegments(state);
-}
-
-Value rowsOf(const Shaft& shaft)
-{
-    Rows rows;
-    rows.rows.reserve(shaft.segments.size());
-    for (const ShaftSegment& segment : shaft.segments) rows.rows.push_back({toValues(segment)});
-    return rows;
 }
 
 report::Document reportOf(const ShaftPicture& picture, const Language& language)
@@ -114,9 +95,10 @@ PanelFacts shaftPanelFacts()
     facts.item_inputs = {{shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}};
     facts.make = [](Session& session) -> PanelBase* { return new ShaftPanel(session); };
     facts.missing = [](const project::PanelState& state) {
-        return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
+        return part_common::hasShaft(state) ? std::vector<Text>{}
+                                            : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
     };
-    facts.hasWork = isThere;
+    facts.hasWork = part_common::hasShaft;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) { return reportOf(shaftPicture(state, stores, progress), language); };
     return facts;
@@ -131,28 +113,21 @@ ShaftPanel::ShaftPanel(Session& owner, QWidget* parent)
     connect(views_, &ShaftViews::responseWanted, this, &ShaftPanel::offerResponse);
     connect(views_, &ShaftViews::notWritten, this, &ShaftPanel::sayNotWritten);
     // A table changed by hand is of the input that is there now: the same undo step as the change itself.
-    connect(
-        &inputColumn(), &InputColumn::parameterEdited, this,
-        [this](const std::string& key, const Value&, int gesture, const QString& step) {
-            if (key != segmentsKey) return;
-            editState(
-                step,
-                [](project::PanelState& state) { lathelier::set(state.parameters, segmentsOfKey, identity(state)); },
-                QString("shaft/segments/%1").arg(gesture));
-        });
+    connect(&inputColumn(), &InputColumn::parameterEdited, this,
+            [this](const std::string& key, const Value&, int gesture, const QString& step) {
+                if (key != segmentsKey) return;
+                editState(step, part_common::takeTable, QString("shaft/segments/%1").arg(gesture));
+            });
 }
 
 void ShaftPanel::moveEnd(std::size_t segment, double z_mm, double radius_mm, bool dropped)
 {
     const auto picture = result();
     if (!picture) return;
-    const Value rows = rowsOf(receptance::dragged(picture->shaft, segment, z_mm, radius_mm));
+    const Shaft dragged = receptance::dragged(picture->shaft, segment, z_mm, radius_mm);
     editState(
         tr("Move the end of segment %1").arg(segment + 1),
-        [&](project::PanelState& state) {
-            lathelier::set(state.parameters, segmentsKey, rows);
-            lathelier::set(state.parameters, segmentsOfKey, identity(state));
-        },
+        [&](project::PanelState& state) { part_common::setTable(state, dragged.segments); },
         QString("shaft/drag/%1").arg(gesture_));
     gesture_ += dropped;
 }
@@ -177,13 +152,14 @@ void ShaftPanel::offerResponse()
     }
 }
 
-/// A file that is opened is what is meant: an earlier table would hide it.
 void ShaftPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     for (const FoundFile& file : files) {
         const bool spindle = file.kind == &receptance::spindleFiles();
-        state.inputs[spindle ? spindleRole : shaftRole] = newSource(QString::fromStdString(file.path));
-        if (!spindle) lathelier::set(state.parameters, segmentsKey, Rows{});
+        if (spindle)
+            state.inputs[spindleRole] = newSource(QString::fromStdString(file.path));
+        else
+            part_common::openShaft(state, file.path);
     }
 }
 
@@ -212,7 +188,8 @@ QString ShaftPanel::understood(const InputRole& role, const project::Source& sou
 
 void ShaftPanel::showResult(const std::shared_ptr<const ShaftPicture>& picture)
 {
-    inputColumn().form().setValues({{segmentsKey, rowsOf(picture->shaft)}});  // also those of a file
+    inputColumn().form().setValues(
+        {{segmentsKey, part_common::rowsOf(picture->shaft.segments)}});  // also those of a file
     views_->setPicture(picture);
 }
 

@@ -5,31 +5,18 @@
 #include "engine/io/frf/frf_lines.h"
 #include "engine/receptance/receptance_codes.h"
 #include "widgets/chatter_common/shaft_files.h"
+#include "widgets/part_common/shaft_table.h"
 
 namespace lathelier::shaft_panel {
 namespace {
 
-/// What stands for a source in a sentence.
-std::string nameOf(const project::Source& source)
-{
-    return source.item.empty() ? source.path : source.item;
-}
-
-/// The table where it was changed; where the file it came from is gone by now, the table is enough.
 void chooseShaft(ShaftPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     const ShaftQuestion& question = picture.question;
-    picture.table_rules = !question.segments.empty() && question.segments_of == identity(state);
-    if (const project::Source* source = chatter_common::sourceOf(state, shaftRole)) {
-        try {
+    picture.table_rules = part_common::chooseSegments(
+        question.segments, question.segments_of, state, picture.shaft, picture.notes, [&](const project::Source&) {
             picture.shaft = chatter_common::noted(picture, *chatter_common::takeShaft(state, stores, progress));
-        } catch (const Error&) {
-            if (!picture.table_rules) throw;
-        }
-        if (picture.table_rules && picture.shaft.segments != question.segments)
-            picture.notes.push_back({notes::shaftChanged, {{"source", nameOf(*source)}}});
-    }
-    if (picture.table_rules || picture.shaft.segments.empty()) picture.shaft.segments = question.segments;
+        });
 }
 
 /// The material by whom stated it: the user, the library, the file. None: steel is assumed.
@@ -39,11 +26,8 @@ ValueOrigin chooseMaterial(ShaftPicture& picture)
         picture.shaft.material = picture.question.own_material;
         return ValueOrigin::Given;
     }
-    const auto [entry, name] = chatter_common::chosen(picture.question.material);
-    if (!entry) return picture.shaft.material ? ValueOrigin::File : ValueOrigin::Assumed;
-    picture.shaft.material = entry->value;
-    picture.notes.push_back({notes::materialOfLibrary, {{"material", name}, {"source", entry->source}}});
-    return ValueOrigin::Assumed;
+    const bool chosen = part_common::chooseMaterial(picture.question.material, picture.shaft, picture.notes);
+    return !chosen && picture.shaft.material ? ValueOrigin::File : ValueOrigin::Assumed;
 }
 
 void chooseHolding(ShaftPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
@@ -74,13 +58,6 @@ receptance::ReceptanceParameters responseAsked(const ShaftPicture& picture)
 }
 
 }  // namespace
-
-std::string identity(const project::PanelState& state)
-{
-    const project::Source* source = chatter_common::sourceOf(state, shaftRole);
-    if (!source) return {};
-    return source->item.empty() ? source->path : "item " + source->item;
-}
 
 ShaftPicture shaftPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
 {

@@ -27,9 +27,6 @@ struct ShaftPicture {
     bool synthetic = false;            ///< a source is marked as synthetic
 };
 
-/// What tells the input of the shaft from another one; empty without one.
-std::string identity(const project::PanelState& state);
-
 /// Reads and computes; safe from any thread. Errors: those of readShaftFile(), readSpindle(), studyShaft();
 /// itemNotThere.
 ShaftPicture shaftPicture(const project::PanelState& state, Stores& stores, const Progress& progress);

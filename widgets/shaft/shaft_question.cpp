@@ -38,14 +38,8 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
 {
     using Q = ShaftQuestion;
     static const auto all = folded(described<Q>(
-        rows(segmentsKey, &Q::segments, Range{0, 10000},
-             Label{LT_TEXT("Engine", "Segments"),
-                   LT_TEXT("Engine",
-                           "From the free end toward the chuck. A file fills the table; once it is changed, the table "
-                           "rules.")}),
-        field(segmentsOfKey, &Q::segments_of,
-              Label{LT_TEXT("Engine", "Segments changed from"),
-                    LT_TEXT("Engine", "The input that the table was changed from.")}),
+        rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
+        field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
         field("material", &Q::material, chatter_common::materialChoices(LT_TEXT("Engine", "as the file states")),
               Label{LT_TEXT("Engine", "Material"),
                     LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),

@@ -8,6 +8,7 @@
 #include "engine/core/shaft.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "widgets/chatter_common/libraries.h"
+#include "widgets/part_common/shaft_table.h"
 
 namespace lathelier::shaft_panel {
 
@@ -39,7 +40,7 @@ struct ShaftQuestion {
 
 const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*);
 
-inline constexpr const char* segmentsKey = "segments";       ///< of the table
-inline constexpr const char* segmentsOfKey = "segments_of";  ///< is in no form
+using part_common::segmentsKey;
+using part_common::segmentsOfKey;
 
 }  // namespace lathelier::shaft_panel

@@ -24,21 +24,21 @@ namespace {
 
 constexpr int leastRowsShown = 4;
 constexpr int mostRowsShown = 10;
-/// Of a cell in another unit than the engine's: its text as it was filled in, and the number that it stands for, which
-/// the digits of the text do not give back.
+constexpr int digitsShown = 10, digitsConverted = 7;  // significant ones
+/// Of a cell with a number: its text as it was filled in, and the number that it stands for, which the digits of the
+/// text do not give back.
 constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
 /// Of the first cell of a row: the row as it came, for its columns that are not shown.
 constexpr int foldedRole = Qt::UserRole + 2;
 
-/// As it is typed again: numbers in the user's locale with all their digits, choices by their label.
+/// As it is typed again: numbers in the user's locale, without the noise of sums in binary, choices by their label.
 QString cellText(const FieldInfo& column, const Value& value)
 {
     if (const auto* number = std::get_if<double>(&value)) {
         QLocale locale;
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
         const double factor = screenFactor(column.unit);
-        return factor == 1 ? locale.toString(*number, 'g', QLocale::FloatingPointShortest)
-                           : locale.toString(*number * factor, 'g', 7);
+        return locale.toString(*number * factor, 'g', factor == 1 ? digitsShown : digitsConverted);
     }
     if (const auto* key = std::get_if<std::string>(&value))
         for (const FieldChoice& choice : column.choices)
@@ -207,7 +207,7 @@ void RowsEdit::insertRow(int row, const Row& cells)
         const Value* value = lathelier::find(cells.cells, column(c).key);
         setCell(row, c, value ? cellText(column(c), *value) : QString());
         const double* const number = value ? std::get_if<double>(value) : nullptr;
-        if (!number || screenFactor(column(c).unit) == 1) continue;
+        if (!number) continue;
         table_->item(row, c)->setData(shownRole, table_->item(row, c)->text());
         table_->item(row, c)->setData(exactRole, *number);
     }

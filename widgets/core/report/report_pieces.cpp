@@ -112,6 +112,7 @@ public:
     Piece operator()(const report::ColourMap& map) const { return drawing(report::toSvg(map, language_)); }
     Piece operator()(const report::Picture& picture) const
     {
+        if (picture.png.rfind("<svg", 0) == 0) return drawing(picture.png);
         Piece piece;
         piece.kind = Piece::Kind::Png;
         piece.data = picture.png;

@@ -1,9 +1,9 @@
-#include "widgets/drawing/part_store.h"
+#include "widgets/part_common/part_store.h"
 
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/io/text/encoding.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::part_common {
 namespace {
 
 constexpr std::size_t kHead = 4096;
@@ -29,4 +29,4 @@ io::ShaftFile PartStore::read(const project::Source& source, io::InputFiles& inp
     return {std::move(step.part.shaft), std::move(step.facts), std::move(step.notes)};
 }
 
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::part_common

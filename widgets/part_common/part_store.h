@@ -1,11 +1,11 @@
-// Files that the panel "Drawing" takes, read with their bores as they are stated.
+// Files that the panels "Drawing" and "Compare" take as a shaft, read with their bores as they are stated.
 #pragma once
 
 #include "engine/cad/step_kind.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "widgets/core/files/file_cache.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::part_common {
 
 /// SHAFT.json, stock text or STEP, told apart by the content. Errors: those of readShaft(), readStock(), readStep(),
 /// with the path; fileEmpty.
@@ -17,4 +17,4 @@ protected:
     io::ShaftFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
 };
 
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::part_common

@@ -1,0 +1,18 @@
+// What a recognition leaves for a fit with another structure.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "engine/features/dimensions.h"
+#include "engine/features/outline.h"
+
+namespace lathelier::features {
+
+struct RecognitionBasis {
+    Outline outside;                ///< settled, with its walls
+    Eigen::Isometry3d axis_T_scan;  ///< into the frame of the outline
+    double coverage_deg = 360;      ///< of the circle
+    AddedUncertainty added;         ///< to every U
+};
+
+}  // namespace lathelier::features

@@ -1,0 +1,18 @@
+// The last steps of a recognition, which a fit with another structure repeats (refit.h).
+#pragma once
+
+#include "engine/features/outline.h"
+
+namespace lathelier::features {
+
+/// Ends of the outside from its planes, the length, and where an end is not seen the stated length in its place; notes
+/// endConfirmed, endNotSeen. Before it: `segments`, `parameters`. Without a length `complete` becomes false.
+void describeEnds(const Outline& outline, Recognition& result);
+
+/// Rows that marks cover get their role, and over a knurl its diameter.
+void nameRoughRows(Recognition& result);
+
+/// How well the outline fits, the order of the meridian, roles, features and suggestions (describeRows()), the shaft.
+void finishRows(const Outline& outline, Recognition& result);
+
+}  // namespace lathelier::features

@@ -1,0 +1,24 @@
+// A dimension of the drawing typed in place: what stands in the field, and what the rows become.
+#pragma once
+
+#include <QString>
+
+#include "engine/core/shaft_sizes.h"
+#include "engine/drawing/drawing.h"
+
+namespace lathelier::drawing_panel {
+
+/// The size as it is typed again, in the user's locale, in millimetres and degrees as on the sheet: "45", "1 × 45" (leg
+/// and angle of a chamfer), "2 × 27" (width and bottom of a groove), "1:10" or the whole angle of a cone.
+QString typedSize(const ShaftRows& rows, const drawing::DimensionTarget& target);
+
+/// How it is typed, for the tooltip of the field.
+QString typingHelp(const drawing::DimensionTarget& target);
+
+/// The rows with the size that was typed. Errors: valueNotUnderstood; those of shaft_sizes.h.
+ShaftRows withTypedSize(ShaftRows rows, const drawing::DimensionTarget& target, const QString& typed, KeepAfter keep);
+
+/// Text of the undo step.
+QString stepOf(const drawing::DimensionTarget& target);
+
+}  // namespace lathelier::drawing_panel

@@ -114,8 +114,7 @@ private:
             case stock::FindingKind::Tailstock:
                 return refuse(tool, interval, RestCause::Chuck, LT_TEXT("Engine", "it would meet the tailstock"));
             case stock::FindingKind::HolderInStock:
-                return refuse(tool, interval, RestCause::Holder,
-                              LT_TEXT("Engine", "its holder would meet the stock"));
+                return refuse(tool, interval, RestCause::Holder, LT_TEXT("Engine", "its holder would meet the stock"));
             case stock::FindingKind::RapidThroughStock:
                 return refuse(tool, interval, RestCause::Holder,
                               LT_TEXT("Engine", "it would meet the stock on its way there"));

@@ -253,18 +253,29 @@ private:
         plan.verdict = plan.is_refused || is_unstable || !plan.rest.empty() ? Verdict::Fail : Verdict::Pass;
     }
 
-    /// A rest that a refused operation was for has that operation's reason.
+    /// The curves know why a place is not reached; a rest that a refused operation was for has that one's reason.
     void explain(RestInterval& rest, const TurningPlan& plan) const
     {
-        for (const SetupPlan& setup : plan.setups)
-            for (const RefusedOperation& refused : setup.refused) {
-                double from = refused.rest.z_start_mm, to = refused.rest.z_end_mm;
-                if (setup.clamping.is_mirrored) {
-                    from = part_.length_mm() - refused.rest.z_end_mm;
-                    to = part_.length_mm() - refused.rest.z_start_mm;
-                }
-                if (rest.z_start_mm <= to && rest.z_end_mm >= from) rest.cause = refused.cause;
+        const auto meets = [&](const SetupPlan& setup, const Unreached& unreached) {
+            double from = unreached.z_start_mm, to = unreached.z_end_mm;
+            if (setup.clamping.is_mirrored) {
+                from = part_.length_mm() - unreached.z_end_mm;
+                to = part_.length_mm() - unreached.z_start_mm;
             }
+            return rest.z_start_mm <= to && rest.z_end_mm >= from;
+        };
+        for (const SetupPlan& setup : plan.setups) {
+            for (const Unreached& unreached : setup.predicted) {
+                if (!meets(setup, unreached) || std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
+                rest.cause = unreached.cause;
+                rest.tool = unreached.tool;
+                rest.nose_radius_mm.reset();
+                if (unreached.cause == RestCause::NoseRadius) rest.nose_radius_mm = unreached.tool_radius_mm;
+                rest.corner_radius_mm = unreached.fillet_radius_mm;
+            }
+            for (const RefusedOperation& refused : setup.refused)
+                if (meets(setup, refused.rest)) rest.cause = refused.cause;
+        }
     }
 
     const Shaft& part_;

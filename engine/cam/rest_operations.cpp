@@ -28,13 +28,14 @@ void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, i
     moves.rapidX(std::min(frame.safe_x_mm, stock.reachableFromAbove_mm(tool, z_mm, x_mm, frame.safe_x_mm)));
 }
 
-/// Is the corner that the interval holds one between the turned surface and a wall?
+/// Is the corner that the interval holds the foot of a shoulder that rises toward the chuck? The finishing tool runs up
+/// to it by itself.
 bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
 {
     const Contour& pieces = frame.contour.pieces;
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
         if ((pieces[i].to_mm - Vector2d(rest.z_most_mm, rest.x_most_mm)).norm() > 1e-3) continue;
-        return std::abs(endSlope(pieces[i])) > kSteep || std::abs(startSlope(pieces[i + 1])) > kSteep;
+        return startSlope(pieces[i + 1]) > kSteep && endSlope(pieces[i]) > -kSteep;
     }
     return false;
 }

@@ -24,8 +24,8 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
 /// How deep a blade has to reach below the stock around it for a groove; compared with JobTool::max_depth_mm.
 double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock& stock);
 
-/// The intervals of `rest` where the tool would leave less by leastGain_mm. A corner that a nose rounds at a drawn
-/// shoulder stays: a blade is not brought there for it.
+/// The intervals of `rest` where the tool would leave less by leastGain_mm. The foot of a shoulder that rises toward
+/// the chuck keeps the finishing nose: a blade is not brought there for it.
 std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unreached>& rest,
                                   const std::vector<ToolReach>& so_far, const ToolReach& tool);
 

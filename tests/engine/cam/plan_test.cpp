@@ -103,7 +103,7 @@ TEST(TurningPlan, AllPostsMakeTheSameMoves)
         std::vector<gcode::Move> a, b;
         const auto known = [](const std::vector<gcode::Move>& moves, std::vector<gcode::Move>& to) {
             for (const gcode::Move& move : moves)
-                if (gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm) && !move.passes_point) to.push_back(move);
+                if (move.kind == gcode::MoveKind::Feed || move.kind == gcode::MoveKind::Arc) to.push_back(move);
         };
         known(plan.setups[0].check.path.moves, a);
         known(other.setups[0].check.path.moves, b);
@@ -122,10 +122,12 @@ TEST(TurningPlan, RestToolsLeaveLess)
     Job job = paperJob({roughD55(), finishV35(), backV35(), blade(8, ToolUse::Groove, 3, 0.2, 22)}, true);
     const TurningPlan plan = planned(job);
     expectSound(plan, "paper all");
-    // The shoulder keeps the finishing nose; groove and end keep the blade's corner at most.
-    ASSERT_FALSE(plan.rest.empty());
+    // The shoulder keeps the finishing nose; the foot behind the collar and the end keep the blade's corner at most.
+    ASSERT_GE(plan.rest.size(), 2U);
     EXPECT_NEAR(plan.rest[0].left_mm, 0.1657, 0.002);
-    for (const RestInterval& rest : plan.rest) EXPECT_LE(rest.left_mm, 0.1677);
+    EXPECT_NEAR(plan.rest[1].z_start_mm, 108, 0.05);
+    EXPECT_NEAR(plan.rest[1].left_mm, 0.0828, 0.002);
+    for (std::size_t i = 2; i < plan.rest.size(); ++i) EXPECT_LE(plan.rest[i].left_mm, 0.0232);
 }
 
 TEST(TurningPlan, PaperShaftIsTurnedRound)

@@ -51,9 +51,6 @@ Contour outerContour(const Shaft& shaft);
 /// Bore number `bore` from its mouth inward, in the z of the shaft; ends at its last row.
 Contour boreContour(const Shaft& shaft, std::size_t bore);
 
-/// Shaft::bores; else those that ShaftSegment::bore_diameter_mm states, a step for each row of the outside.
-std::vector<ShaftBore> boresOf(const Shaft& shaft);
-
 /// Does the bore run through the whole part?
 bool isThrough(const Shaft& shaft, const ShaftBore& bore);
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "engine/core/quantities.h"
+
 namespace lathelier {
 
 struct ShaftStep {
@@ -14,5 +16,7 @@ struct ShaftStep {
     std::int64_t sections = 0;            ///< of a scan that it was found in; 0: made of a table of rows
     friend bool operator==(const ShaftStep&, const ShaftStep&) = default;
 };
+
+const std::vector<QuantityOf<ShaftStep>>& quantitiesOf(const ShaftStep*);
 
 }  // namespace lathelier

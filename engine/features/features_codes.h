@@ -19,6 +19,13 @@ inline constexpr NoteCode endOnSupport{
         "Engine",
         "The {end} stands on the plane that was cut off: it was put onto that plane, {moved_mm} mm beyond the data.")};
 
+inline constexpr NoteCode facetsRounded{
+    "facets_rounded", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "The facets of the mesh lie up to {sagitta_mm} mm inside the round surface: their corners were taken for it, "
+        "and what lies between was put onto it.")};
+
 inline constexpr NoteCode gapInData{
     "gap", Severity::Warning,
     LT_TEXT("Engine", "There are no data from z {z_start_mm} to {z_end_mm} mm: the rows beside end there.")};

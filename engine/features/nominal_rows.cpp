@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/shaft_contour.h"
+#include "engine/core/shaft_bores.h"
 #include "engine/features/iso286.h"
 #include "engine/features/row_matching.h"
 #include "engine/features/standards.h"

@@ -10,6 +10,7 @@
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/marks.h"
+#include "engine/features/mesh_points.h"
 #include "engine/features/outline.h"
 #include "engine/features/paper_method.h"
 #include "engine/features/recognition_basis.h"
@@ -57,26 +58,48 @@ double largestRadius(const RevolutionFit& fit)
     return largest;
 }
 
-/// The points of the part, where the scan holds more; what is cut off is said.
-std::vector<Vector3d> withoutScene(const std::vector<Vector3d>& points, const Scene& scene, Recognition& result)
+/// Points of a coarse mesh are put onto the round surface that its corners lie on.
+void roundFacets(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
+                 std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
 {
-    std::vector<Vector3d> kept;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (scene.kept[i]) kept.push_back(points[i]);
+    constexpr int rounds = 2;  // the axis of the flat facets is not yet that of their corners
+    double sagitta_mm = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const RevolutionFit fit = registration::fitRevolution(points, progress);
+        if (!registration::isBodyOfRevolution(fit)) break;
+        RoundedPoints rounded = roundedPoints(mesh, samples, fit, progress);
+        if (rounded.points.empty()) break;
+        points = std::move(rounded.points);
+        sagitta_mm = rounded.sagitta_mm;
+    }
+    if (sagitta_mm > 0) result.notes.push_back({notes::facetsRounded, {{"sagitta_mm", sagitta_mm}}});
+}
+
+template <class T>
+void keepOnly(const std::vector<std::uint8_t>& kept, std::vector<T>& items)
+{
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (kept[i]) items[next++] = items[i];
+    items.resize(next);
+}
+
+/// What is cut off is said.
+void sayCut(const Scene& scene, Recognition& result)
+{
     result.scene = scene.groups;
-    const auto all = static_cast<std::int64_t>(points.size());
+    const auto all = static_cast<std::int64_t>(scene.kept.size());
     const auto count = [&](const char* kind) {
         std::int64_t sum = 0;
         for (const SceneGroup& group : scene.groups) sum += group.kind == kind ? group.points : 0;
         return sum;
     };
     result.notes.push_back({notes::sceneCut,
-                            {{"cut_points", all - static_cast<std::int64_t>(kept.size())},
+                            {{"cut_points", all - scene.groups.front().points},
                              {"points", all},
                              {"turntable_points", count("turntable")},
                              {"clamp_points", count("clamp")},
                              {"clutter_points", count("clutter")}}});
-    return kept;
 }
 
 /// The end that stands on the turntable lies on its plane; what was seen of it was cut off with that.
@@ -159,18 +182,28 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
 {
     for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
         check(field.info, field.get(parameters));
-    Scan samples;
-    if (scan.isMesh()) samples = registration::sampleSurface(scan, kMeshSamples, 0, progress);
-    const std::vector<Vector3d>& all = scan.isMesh() ? samples.points_mm : scan.points_mm;
+    std::vector<registration::SurfaceSample> samples;
+    std::vector<Vector3d> own;  // unless the points of the scan do as they are
+    if (scan.isMesh()) {
+        samples = registration::drawSamples(scan, kMeshSamples, 0, progress);
+        own = flatPoints(scan, samples, progress);
+    }
+    const std::vector<Vector3d>& all = scan.isMesh() ? own : scan.points_mm;
     registration::checkPoints(all, "scan", progress);
 
     Recognition result;
     result.parameters = parameters;
     const Scene scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
-    std::vector<Vector3d> part;
-    if (!scene.groups.empty()) part = withoutScene(all, scene, result);
-    const std::vector<Vector3d>& points = scene.groups.empty() ? all : part;
+    const bool is_cut = !scene.groups.empty();
+    if (is_cut) {
+        sayCut(scene, result);
+        if (!scan.isMesh()) own = scan.points_mm;
+        keepOnly(scene.kept, own);
+        if (scan.isMesh()) keepOnly(scene.kept, samples);
+    }
+    const std::vector<Vector3d>& points = is_cut || scan.isMesh() ? own : scan.points_mm;
     result.method_used = "robust";
+    if (scan.isMesh()) roundFacets(scan, samples, own, result, progress.part(0.1, 0.2));
     const RevolutionFit fit =
         fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
     const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));

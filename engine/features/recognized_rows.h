@@ -11,7 +11,6 @@ const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*)
 const std::vector<QuantityOf<RecognizedFeature>>& quantitiesOf(const RecognizedFeature*);
 const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*);
 const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*);
-const std::vector<QuantityOf<ShaftStep>>& quantitiesOf(const ShaftStep*);
 const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*);
 
 /// "cylinder", "cone", "arc".

@@ -11,6 +11,7 @@
 #include "engine/features/shaft_mesh.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
+#include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"
 #include "engine/report/quantity_table.h"
 

@@ -8,6 +8,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/default_reach.h"
+#include "engine/registration/drawn_reference.h"
 #include "engine/registration/general/general.h"
 #include "engine/registration/neighbours/cloud_figure.h"
 #include "engine/registration/point_checks.h"

@@ -13,7 +13,6 @@
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/registration/alignment.h"
 #include "engine/registration/verdict/surface_windows.h"
 #include "engine/registration/verdict/verdict_values.h"
@@ -119,16 +118,6 @@ enum class CompareDetail { Full, Summary };
 /// zones that overlap or have no axis. Throws Cancelled.
 /// Where one of the two scans is at fault, the error names its `role`.
 CompareResult compare(const Scan& reference, const Scan& copy, const CompareParameters& parameters = {},
-                      const Progress& progress = {}, CompareDetail detail = CompareDetail::Full);
-
-/// A reference that is known by its drawing.
-struct DrawnReference {
-    Scan mesh;         ///< closed, z along the axis: what the copy is aligned with
-    Contour meridian;  ///< as closedContour() gives it, in the frame of the mesh: what deviations are measured from
-};
-
-/// The same against a drawing: deviations are exact distances to its meridian (core/contour_distance.h).
-CompareResult compare(const DrawnReference& reference, const Scan& copy, const CompareParameters& parameters = {},
                       const Progress& progress = {}, CompareDetail detail = CompareDetail::Full);
 
 }  // namespace lathelier::registration

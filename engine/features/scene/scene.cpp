@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/core/parallel.h"
+#include "engine/features/scene/scene_footprint.h"
 #include "engine/features/scene/scene_outline.h"
 #include "engine/features/scene/scene_shapes.h"
 #include "engine/features/scene/scene_support.h"
@@ -16,16 +18,18 @@ namespace {
 using Eigen::Vector3d;
 using registration::RevolutionFit;
 
-constexpr std::size_t kRoughSample = 100000;
+constexpr std::size_t kRoughSample = 40000;
 constexpr std::size_t kFitSample = 60000;
 constexpr std::size_t kOutlineSample = 300000;
 constexpr std::size_t kLeastRest = 500;
-constexpr std::size_t kLeastGroup = 20;  // cubes
-constexpr std::size_t kMostTried = 6;    // groups that may be the part
-constexpr double kOnSurface_mm = 0.7;    // farther out than this is beyond the surface
-constexpr double kClampReach_mm = 5;     // a clamp reaches farther out than this somewhere
-constexpr double kOwnShare = 0.6;        // of a group's points on or inside the part's surface: it is the part's
-constexpr std::size_t kMostNamed = 12;   // groups; the small ones beyond are one
+constexpr std::size_t kLeastGroup = 20;   // cubes
+constexpr std::size_t kMostTried = 6;     // groups that may be the part
+constexpr double kOnSurface_mm = 0.7;     // farther out than this is beyond the surface
+constexpr double kClampReach_mm = 5;      // a clamp reaches farther out than this somewhere
+constexpr double kNearContact_mm = 2.5;   // clamps as near to the surface as this show where they touch it
+constexpr double kContactDepth_mm = 1.5;  // of the surface below its outline
+constexpr double kOwnShare = 0.6;         // of a group's points on or inside the part's surface: it is the part's
+constexpr std::size_t kMostNamed = 12;    // groups; the small ones beyond are one
 
 enum Kind : std::uint16_t { Part = 0, Turntable = 1, FirstOther = 2 };
 
@@ -211,8 +215,30 @@ private:
         std::vector<std::uint16_t> label(groups.size(), Part);
         for (std::size_t g = 0; g < groups.size(); ++g)
             if (reach[g] >= kClampReach_mm) label[g] = newLabel(groups[g].size() >= kLeastGroup ? "clamp" : "clutter");
-        for (std::size_t i = 0; i < outside.size(); ++i)
-            if (at(i) >= 0) labels_[rest_[outside[i]]] = label[static_cast<std::size_t>(at(i))];
+        std::map<std::uint16_t, SceneFootprint> footprints;
+        for (std::size_t i = 0; i < outside.size(); ++i) {
+            const std::uint16_t own = at(i) >= 0 ? label[static_cast<std::size_t>(at(i))] : std::uint16_t{Part};
+            labels_[rest_[outside[i]]] = own;
+            if (own != Part && beyond[outside[i]] < kNearContact_mm)
+                footprints[own].add(fit_.axis_T_scan * rest_points_[outside[i]]);
+        }
+        labelContacts(footprints);
+    }
+
+    /// Points of the surface about a contact are not told from those of what touches it: they go with that.
+    void labelContacts(std::map<std::uint16_t, SceneFootprint>& footprints)
+    {
+        for (auto& [label, footprint] : footprints) {
+            footprint.close();
+            parallelFor(rest_.size(), 32768, progress_, [&, own = label](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (labels_[rest_[i]] != Part) continue;
+                    const Vector3d p = fit_.axis_T_scan * rest_points_[i];
+                    const bool at_surface = std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - kContactDepth_mm;
+                    if (at_surface && footprint.contains(p)) labels_[rest_[i]] = own;
+                }
+            });
+        }
     }
 
     const std::vector<Vector3d>& points_;
@@ -237,7 +263,7 @@ Scene findScene(const std::vector<Vector3d>& points, SceneUse use, const Progres
     if (use == SceneUse::Keep || points.size() < kLeastRest) return {};
     const double extent_mm = usualExtent_mm(points);
     if (!(extent_mm > 0)) return {};
-    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 128), progress);
+    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 64), progress);
     const std::optional<SupportPlane> support = findSupport(rough.points, rough.edge_mm);
     if (!support && use == SceneUse::Auto) return {};
     SceneParts parts(points, progress);

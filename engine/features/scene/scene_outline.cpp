@@ -69,14 +69,19 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
     }
 }
 
+double SceneOutline::reach_mm(double z_mm) const
+{
+    if (reach_mm_.empty()) return 0;
+    const double last = static_cast<double>(reach_mm_.size() - 1);
+    return reach_mm_[static_cast<std::size_t>(std::clamp((z_mm - first_mm_) / step_mm_, 0.0, last))];
+}
+
 double SceneOutline::beyond_mm(const Eigen::Vector3d& on_axis) const
 {
     if (reach_mm_.empty()) return 0;
     const double last_mm = first_mm_ + step_mm_ * static_cast<double>(reach_mm_.size());
     const double along = std::max({0.0, first_mm_ - on_axis.z(), on_axis.z() - last_mm});
-    const auto step = static_cast<std::size_t>(
-        std::clamp((on_axis.z() - first_mm_) / step_mm_, 0.0, static_cast<double>(reach_mm_.size() - 1)));
-    const double across = std::max(0.0, std::hypot(on_axis.x(), on_axis.y()) - reach_mm_[step]);
+    const double across = std::max(0.0, std::hypot(on_axis.x(), on_axis.y()) - reach_mm(on_axis.z()));
     return std::hypot(along, across);
 }
 

@@ -14,6 +14,8 @@ public:
 
     /// How far outside the outline a point lies; 0: on it or inside. Beyond its ends along z.
     double beyond_mm(const Eigen::Vector3d& on_axis) const;
+    /// Radius of the outline at this z, that of a millimetre about it included.
+    double reach_mm(double z_mm) const;
     /// Is there a surface of revolution at all?
     bool isEmpty() const { return reach_mm_.empty(); }
 

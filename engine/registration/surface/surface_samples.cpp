@@ -8,7 +8,8 @@
 
 namespace lathelier::registration {
 
-Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, const Progress& progress)
+std::vector<SurfaceSample> drawSamples(const Scan& mesh, std::size_t count, std::uint64_t seed,
+                                       const Progress& progress)
 {
     std::vector<double> area_until(mesh.triangles.size());
     double area = 0;
@@ -19,10 +20,9 @@ Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, cons
         area += (mesh.points_mm[b] - p).cross(mesh.points_mm[c] - p).norm() / 2;
         area_until[i] = area;
     }
-    Scan result;
-    if (!(area > 0)) return result;
-    result.points_mm.resize(count);
-    result.normals.resize(count);
+    std::vector<SurfaceSample> samples;
+    if (!(area > 0)) return samples;
+    samples.resize(count);
     parallelFor(count, 16384, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double place =
@@ -30,17 +30,31 @@ Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, cons
             const auto found = std::upper_bound(area_until.begin(), area_until.end(), place);
             const auto triangle = std::min<std::ptrdiff_t>(found - area_until.begin(),
                                                            static_cast<std::ptrdiff_t>(area_until.size()) - 1);
-            const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(triangle)];
-            const Eigen::Vector3d& p = mesh.points_mm[a];
-            const Eigen::Vector3d u = mesh.points_mm[b] - p;
-            const Eigen::Vector3d v = mesh.points_mm[c] - p;
             double s = randomUniform(seed, 1, i);
             double t = randomUniform(seed, 2, i);
             if (s + t > 1) {  // fold the parallelogram's other half back into the triangle
                 s = 1 - s;
                 t = 1 - t;
             }
-            result.points_mm[i] = p + s * u + t * v;
+            samples[i] = {static_cast<std::uint32_t>(triangle), s, t};
+        }
+    });
+    return samples;
+}
+
+Scan sampleSurface(const Scan& mesh, std::size_t count, std::uint64_t seed, const Progress& progress)
+{
+    const std::vector<SurfaceSample> samples = drawSamples(mesh, count, seed, progress);
+    Scan result;
+    result.points_mm.resize(samples.size());
+    result.normals.resize(samples.size());
+    parallelFor(samples.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [a, b, c] = mesh.triangles[samples[i].triangle];
+            const Eigen::Vector3d& p = mesh.points_mm[a];
+            const Eigen::Vector3d u = mesh.points_mm[b] - p;
+            const Eigen::Vector3d v = mesh.points_mm[c] - p;
+            result.points_mm[i] = p + samples[i].s * u + samples[i].t * v;
             result.normals[i] = u.cross(v).normalized().cast<float>();
         }
     });

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+
 #include "../core/code_of_error.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
@@ -102,6 +105,79 @@ TEST(Recognition, StatedUncertaintiesHold)
         EXPECT_NEAR(r.segments[1].z_start_mm, edges[0], 0.08);
     }
     EXPECT_GE(inside, all * 85 / 100) << inside << " of " << all;
+}
+
+/// What a row truly is; a length only between planes, where no corner's place adds to it.
+struct TrueRow {
+    double diameter_mm = 0;                ///< of a cylinder; 0: none
+    std::optional<double> length_mm = {};  ///< between planes
+    std::optional<double> arc_mm = {};     ///< of an arc, without sign
+    std::optional<double> angle_deg = {};  ///< of a cone, without sign
+};
+
+struct Coverage {
+    int inside = 0, all = 0;
+    double squares = 0;  ///< of errors by standard uncertainty
+    void add(double error, std::optional<double> U)
+    {
+        ASSERT_TRUE(U && *U > 0);
+        inside += std::abs(error) <= *U;
+        squares += 4 * error * error / (*U * *U);
+        ++all;
+    }
+};
+
+void addCoverage(const sample::ShaftModel& part, const std::vector<TrueRow>& truth, std::uint64_t seed,
+                 Coverage& coverage)
+{
+    sample::ScannerModel scanner = askew(seed);
+    scanner.row_pitch_mm = 0.15;
+    scanner.angle_step_deg = 1.8;
+    const Recognition r = recognize(scanShaft(part, scanner), {});
+    ASSERT_EQ(r.segments.size(), truth.size()) << seed;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const RecognizedRow& row = r.segments[i];
+        const SizeUncertainty& u = row.uncertainty;
+        if (truth[i].diameter_mm > 0)
+            coverage.add(1e3 * (row.start_diameter_mm - truth[i].diameter_mm), u.start_diameter_um);
+        if (truth[i].length_mm) coverage.add(1e3 * (row.z_end_mm - row.z_start_mm - *truth[i].length_mm), u.length_um);
+        if (truth[i].arc_mm && row.arc_radius_mm)
+            coverage.add(1e3 * (std::abs(*row.arc_radius_mm) - *truth[i].arc_mm), u.arc_radius_um);
+        if (truth[i].angle_deg) coverage.add(std::abs(row.half_angle_deg) - *truth[i].angle_deg, u.angle_deg);
+    }
+}
+
+/// Expanded uncertainties (k = 2) hold 95 % of all errors, of parts and sizes of all kinds together.
+TEST(Recognition, UncertaintiesCoverTheirErrors)
+{
+    const char* const asked = std::getenv("LATHELIER_COVERAGE_SEEDS");  // more of them take longer
+    const std::uint64_t seeds = asked ? std::strtoull(asked, nullptr, 10) : 4;
+    const double slope_deg = std::atan(0.05) * 180 / M_PI;
+    sample::ShaftModel spindle{piece(0, 1.5, 17, 20), piece(1.5, 30, 20, 20), piece(30, 32, 18.6, 18.6),
+                               piece(32, 50, 25, 25), piece(50, 70, 25, 40),  piece(70, 90, 40, 40)};
+    const double steep_deg = std::atan(7.5 / 20) * 180 / M_PI;
+    const std::vector<std::pair<sample::ShaftModel, std::vector<TrueRow>>> parts{
+        {sample::nominalShaft(), {{30}, {37, 10}, {33.8}, {0, {}, {}, 45}}},
+        {featurePart(),
+         {{0, {}, 1},
+          {16},
+          {0, {}, 0.8},
+          {24},
+          {0, {}, {}, slope_deg},
+          {28},
+          {42, 10},
+          {38, 2},
+          {42},
+          {0, {}, {}, 45}}},
+        {spindle, {{0, {}, {}, 45}, {20}, {18.6, 2}, {25}, {0, {}, {}, steep_deg}, {40}}}};
+    Coverage coverage;
+    for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed)
+        for (const auto& [part, truth] : parts) addCoverage(part, truth, seed, coverage);
+    const double percent = 100.0 * coverage.inside / coverage.all;
+    RecordProperty("coverage_percent", static_cast<int>(percent + 0.5));
+    EXPECT_GE(percent, 90) << coverage.inside << " of " << coverage.all;
+    EXPECT_LE(percent, 99.5) << coverage.inside << " of " << coverage.all;
+    EXPECT_NEAR(std::sqrt(coverage.squares / coverage.all), 1, 0.25);  // neither too small nor too large
 }
 
 TEST(Recognition, AWornSeatIsOneRowWithItsForm)

@@ -1,0 +1,13 @@
+// The bores of a shaft, whichever way it states them.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/shaft.h"
+
+namespace lathelier {
+
+/// Shaft::bores; else those that ShaftSegment::bore_diameter_mm states, a step for each row of the outside.
+std::vector<ShaftBore> boresOf(const Shaft& shaft);
+
+}  // namespace lathelier

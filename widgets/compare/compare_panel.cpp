@@ -85,7 +85,6 @@ PanelFacts comparePanelFacts()
     facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {"copy", copiesRole};
-    facts.item_inputs = {{shaftItem, referenceRole}};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     facts.roles = panelInputs().roles;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,

@@ -10,9 +10,10 @@ namespace lathelier::cli {
 const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
-        std::vector<Verb> table{sampleVerb(),   compareVerb(),    roundnessVerb(), cylindricityVerb(), trajectoryVerb(),
-                                frfVerb(),      spindleVerb(),    lobesVerb(),     speedVerb(),        simulateVerb(),
-                                toolpathVerb(), deflectionVerb(), recognizeVerb(), drawVerb(),         verifyVerb()};
+        std::vector<Verb> table{sampleVerb(),     compareVerb(),  roundnessVerb(), cylindricityVerb(),
+                                trajectoryVerb(), frfVerb(),      spindleVerb(),   lobesVerb(),
+                                speedVerb(),      simulateVerb(), toolpathVerb(),  deflectionVerb(),
+                                recognizeVerb(),  drawVerb(),     surfaceVerb(),   verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),
                             &io::frfFiles(),

@@ -20,6 +20,7 @@ Verb toolpathVerb();
 Verb deflectionVerb();
 Verb recognizeVerb();
 Verb drawVerb();
+Verb surfaceVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

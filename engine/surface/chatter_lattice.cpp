@@ -9,10 +9,11 @@ namespace lathelier::surface {
 namespace {
 
 constexpr double onFeed_bins = 1.6;  // closer than this to a line of the feed: part of it
-constexpr double supporting = 7;     // S of a line that supports a lattice which another line has seeded
-constexpr int mostOrders = 4;        // of the feed, to either side, where lines of the lattice are looked for
+constexpr double supporting =
+    supportingSignificance;    // S of a line that supports a lattice which another line has seeded
+constexpr int mostOrders = 4;  // of the feed, to either side, where lines of the lattice are looked for
 constexpr int mostMultiples = 3;
-constexpr int aliases = 60;  // harmonics of the feed that pixels fold back
+constexpr int aliases = 150;  // harmonics of the feed that pixels fold back
 constexpr double leastPeriods = 4;
 
 /// Is it a harmonic of the feed marks, or one that the pixels have folded back? Those fall as 1/j.
@@ -23,8 +24,23 @@ bool belongsToFeed(const WindowedPicture& picture, const FeedComb& feed, Vector 
             const Vector harmonic = (sign * j) * feed.frequency;
             const bool is_folded = std::abs(harmonic.x) > 0.5 || std::abs(harmonic.y) > 0.5;
             if (picture.binsBetween(folded(harmonic), frequency) > onFeed_bins) continue;
-            if (!is_folded || amplitude < 2 * feed.amplitude / j) return true;
+            if (!is_folded || amplitude < 3 * feed.amplitude / j) return true;
         }
+    return false;
+}
+
+/// A faint image of the comb that turning the picture has left?
+bool isImageOfFeed(const WindowedPicture& picture, const FeedComb& feed, Vector frequency, double amplitude,
+                   const std::optional<Vector>& old_grid)
+{
+    constexpr double faint = 0.1;
+    constexpr int harmonics = 12, grids = 2;
+    if (!old_grid || amplitude > faint * feed.amplitude) return false;
+    for (const Vector grid : {*old_grid, turned(*old_grid, 90)})
+        for (int a = -grids; a <= grids; ++a)
+            for (int j = -harmonics; j <= harmonics; ++j)
+                if (a != 0 && coincide(picture, folded(double(a) * grid + double(j) * feed.frequency), frequency))
+                    return true;
     return false;
 }
 
@@ -32,12 +48,6 @@ bool isShown(const WindowedPicture& picture, Vector frequency)
 {
     return std::abs(frequency.x) < 0.48 && std::abs(frequency.y) < 0.48 &&
            picture.binsBetween(frequency, {}) >= leastPeriods;
-}
-
-/// Two frequencies, or one and the opposite of the other, that a Hann window cannot tell apart.
-bool coincide(const WindowedPicture& picture, Vector a, Vector b)
-{
-    return picture.binsBetween(a, b) <= onFeed_bins || picture.binsBetween(a, -1.0 * b) <= onFeed_bins;
 }
 
 /// The lines of a lattice that exceed `supporting` and stand where they should, within a bin. Where two of them cannot
@@ -114,6 +124,7 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
         const double amplitude = picture.amplitudeAt(frequency);
         if (amplitude < search.least_amplitude * feed.amplitude) break;
         if (belongsToFeed(picture, feed, frequency, amplitude)) continue;
+        if (isImageOfFeed(picture, feed, frequency, amplitude, search.old_grid)) continue;
         seed = frequency;
         seed_significance = peak.significance;
         break;

@@ -31,6 +31,9 @@ struct ChatterLattice {
 struct LatticeSearch {
     double threshold = 18;          ///< T: one line must exceed it
     double least_amplitude = 0.02;  ///< of the feed line's amplitude
+    /// The old grid of pixels as a frequency of a picture that was turned: interpolation leaves faint images of the
+    /// comb at multiples of it.
+    std::optional<Vector> old_grid = {};
 };
 
 /// The lattice that the strongest line beside the feed comb seeds. It may be line 1, 2 or 3 of the vibration: the

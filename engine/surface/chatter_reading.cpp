@@ -10,8 +10,10 @@ namespace lathelier::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double leastNu = 5e-4;      // standard uncertainty that irregular tracks leave
-constexpr double certainWaves = 2;    // across the picture: fewer do not settle m
+constexpr double leastNu = 5e-4;    // standard uncertainty that irregular tracks leave
+constexpr double certainWaves = 2;  // across the picture: fewer do not settle m…
+constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m comes out near a whole number
+constexpr double nearWhole = 0.25;
 constexpr double wholeNumber = 0.02;  // |ν| below it is a whole number of waves
 constexpr std::size_t mostCandidates = 5;
 
@@ -128,7 +130,9 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
         marks.waves_in_view = wavesInView(*readings.front().waves + marks.nu, facts, y);
         const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + 0.01 * *marks.waves_measured;
         const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
-        marks.m_certain = *marks.waves_in_view >= certainWaves && off + 2 * u_m < 0.5;
+        const bool enough = *marks.waves_in_view >= certainWaves ||
+                            (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
+        marks.m_certain = enough && off + 2 * u_m < 0.5;
         marks.m = static_cast<int>(std::lround(*marks.waves_measured));
         if (!marks.m_certain)
             notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});

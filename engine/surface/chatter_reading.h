@@ -22,6 +22,7 @@ struct CutFacts {
     CutDirection cut = CutDirection::Unknown;  ///< as asked
     std::optional<double> expect_hz;           ///< chooses among candidates
     double speed_uncertainty = 0.005;          ///< of the spindle speed, as a share
+    bool unrolled = false;                     ///< the circumference was laid flat
     int columns = 0;                           ///< of the flattened picture
     int rows = 0;                              ///< of the flattened picture
 };

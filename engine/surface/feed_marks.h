@@ -23,6 +23,18 @@ struct FeedComb {
 std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                  std::optional<double> expected, double tolerance = 0.05);
 
+/// Under strong chatter the feed's own line may be weaker than many others. Every pair of lines of the lattice differs,
+/// or adds up, to a multiple of it: of all such distances next to `expected` the one on which the lines together stand
+/// best (lattice_fit.h). `peaks`: the largest first. Nothing when no distance fits.
+std::optional<FeedComb> feedUnderChatter(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
+                                         double expected);
+
+/// Two frequencies, or one and the opposite of the other, that a Hann window cannot tell apart.
+bool coincide(const WindowedPicture& picture, Vector a, Vector b);
+
+/// S of a line that supports others, though it would not be enough by itself.
+inline constexpr double supportingSignificance = 7;
+
 /// A feed line within this share of 1/f is looked for at first; a strong chatter line at 0.9/f is none.
 inline constexpr double feedTolerance = 0.05;
 

@@ -81,6 +81,7 @@ public:
     }
 
     std::size_t lines() const { return lines_.size(); }
+    double power() const { return data_.squaredNorm(); }
 
 private:
     /// The bins about a place, each once, with phases about the picture's middle.
@@ -170,7 +171,8 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
     if ((p - start).cwiseAbs().maxCoeff() > 1.0 || !p.allFinite()) return std::nullopt;
     const double freedom = std::max(1.0, double(r.size()) - 2.0 * double(fit.lines()) - 4);
     const Eigen::Matrix4d covariance = r.squaredNorm() / freedom * curvature.inverse();
-    LatticeVectors found{{p[0] / columns, p[1] / rows}, {p[2] / columns, p[3] / rows}, {}};
+    LatticeVectors found{
+        {p[0] / columns, p[1] / rows}, {p[2] / columns, p[3] / rows}, fit.power() - r.squaredNorm(), {}};
     found.chatter_spread = {std::sqrt(std::max(0.0, covariance(2, 2))) / columns,
                             std::sqrt(std::max(0.0, covariance(3, 3))) / rows};
     return found;

@@ -15,6 +15,7 @@ namespace lathelier::surface {
 struct LatticeVectors {
     Vector feed{};            ///< K_f
     Vector chatter{};         ///< K_c
+    double explained = 0;     ///< power of the samples about all lines that the lines explain
     Vector chatter_spread{};  ///< standard deviations of K_c's components, as the residuals of the fit tell
 };
 

@@ -54,15 +54,19 @@ std::vector<Vector> latticeLines(const ChatterLattice& lattice)
 /// The comb next to 1/f; where there is none there, the best of all.
 std::optional<FeedComb> feedOf(const WindowedPicture& picture, const Significance& significance,
                                const std::vector<SpectralPeak>& peaks, const std::vector<SpectralPeak>& further,
-                               const LineSearch& search)
+                               double threshold, const LineSearch& search)
 {
-    if (search.feed_cycles_per_px)
-        for (const auto* list : {&peaks, &further})
-            if (auto comb = feedComb(picture, *list, search.feed_cycles_per_px, feedTolerance)) {
-                comb->significance = significance.at(comb->frequency, NoiseLevel::Medians);
-                return comb;
-            }
-    return feedComb(picture, peaks, std::nullopt);
+    if (!search.feed_cycles_per_px) return feedComb(picture, peaks, std::nullopt);
+    std::vector<SpectralPeak> sure = further;
+    std::erase_if(sure, [&](const SpectralPeak& peak) { return peak.significance <= threshold; });
+    std::optional<FeedComb> comb = feedComb(picture, peaks, search.feed_cycles_per_px, feedTolerance);
+    if (!comb) comb = feedComb(picture, sure, search.feed_cycles_per_px, feedTolerance);
+    const bool is_strongest = comb && !sure.empty() && coincide(picture, sure.front().frequency, comb->frequency);
+    if (!is_strongest)  // strong chatter: all lines together tell which comb they stand on
+        if (const auto found = feedUnderChatter(picture, further, *search.feed_cycles_per_px)) comb = found;
+    if (!comb) return feedComb(picture, peaks, std::nullopt);
+    comb->significance = significance.at(comb->frequency, NoiseLevel::Medians);
+    return comb;
 }
 
 }  // namespace
@@ -82,17 +86,17 @@ PictureLines findLines(const Grid& flat, const LineSearch& search, const Progres
     progress.report(0.5);
     if (peaks.empty()) return found;
     const std::vector<SpectralPeak> further =
-        significance.peaks(NoiseLevel::Medians, found.threshold, nullptr, progress);
+        significance.peaks(NoiseLevel::Medians, supportingSignificance, nullptr, progress);
     progress.report(0.7);
-    found.feed = feedOf(picture, significance, peaks, further, search);
+    found.feed = feedOf(picture, significance, peaks, further, found.threshold, search);
     if (!found.feed || search.feed_only) return found;
     found.least_chatter =
         std::max(search.least_chatter * found.feed->amplitude,
                  2 * std::sqrt(found.threshold * significance.typicalLevel(length(found.feed->frequency))) /
                      picture.windowSum());
     found.feed_weight = weightOf(picture, found.spectrum, combLines(*found.feed));
-    found.chatter =
-        chatterLattice(picture, significance, *found.feed, further, {found.threshold, search.least_chatter});
+    found.chatter = chatterLattice(picture, significance, *found.feed, further,
+                                   {found.threshold, search.least_chatter, search.old_grid});
     if (found.chatter) found.feed->frequency = found.chatter->feed;
     if (found.chatter) found.chatter_weight = weightOf(picture, found.spectrum, latticeLines(*found.chatter));
     progress.report(1);

@@ -32,6 +32,7 @@ struct LineSearch {
     std::optional<double> feed_cycles_per_px;  ///< 1/f in pixels; none: the best comb is the feed
     double alpha = 1e-3;                       ///< chance of a false line
     double least_chatter = 0.02;               ///< amplitude relative to the feed line
+    std::optional<Vector> old_grid = {};       ///< LatticeSearch::old_grid
     bool feed_only = false;                    ///< no lattice, no weights: quicker
 };
 

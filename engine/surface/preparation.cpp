@@ -102,7 +102,7 @@ Grid unrolled(const Grid& picture, const Cylinder& cylinder)
     }
     Grid result(columns, rows);
     cv::Mat out = viewOf(result);
-    cv::remap(viewOf(picture), out, map, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    cv::remap(viewOf(picture), out, map, cv::noArray(), cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
     return result;
 }
 

@@ -178,8 +178,9 @@ private:
 
     LineSearch search() const
     {
-        LineSearch search{std::nullopt, p_.alpha, leastChatter, false};
+        LineSearch search{std::nullopt, p_.alpha, leastChatter, {}, false};
         if (const auto px = feed_px()) search.feed_cycles_per_px = 1 / *px;
+        if (marks_.unrolled) search.old_grid = turned({1, 0}, -turned_deg_);
         return search;
     }
 
@@ -190,7 +191,7 @@ private:
         if (!px) return;
         if (*px < leastFeed_px) {
             const PictureLines lines =
-                findLines(flattened(picture_), {std::nullopt, p_.alpha, leastChatter, true}, progress);
+                findLines(flattened(picture_), {std::nullopt, p_.alpha, leastChatter, {}, true}, progress);
             Values values{{"path", marks_.path},
                           {"feed_mm_rev", *p_.feed_mm_rev},
                           {"found_px", *px},
@@ -304,6 +305,7 @@ private:
         facts.cut = p_.cut_direction;
         facts.expect_hz = p_.expect_hz;
         facts.speed_uncertainty = p_.speed_uncertainty_percent / 100;
+        facts.unrolled = marks_.unrolled;
         facts.columns = flat.columns;
         facts.rows = flat.rows;
         ChatterMarks chatter = readChatter(*lines_.chatter, *lines_.feed, facts, marks_.path, notes_);

@@ -60,9 +60,16 @@ std::vector<Candidate> candidatesOf(const std::vector<Reading>& readings, double
     constexpr double otherHand = 0.75;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < readings.size(); ++i)
-        addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : otherHand);
+        addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : i == 1 ? otherHand : 2 * otherHand);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    std::vector<Candidate> different;  // two hands tell the same frequencies when nu is about 0 or a half
+    for (const Candidate& candidate : candidates)
+        if (std::none_of(different.begin(), different.end(), [&](const Candidate& other) {
+                return std::abs(other.frequency_hz - candidate.frequency_hz) < 1e-3 * speed_hz;
+            }))
+            different.push_back(candidate);
+    candidates = std::move(different);
     if (candidates.size() > mostCandidates) candidates.resize(mostCandidates);
     return candidates;
 }
@@ -77,7 +84,10 @@ std::vector<Reading> readingsOf(Vector line, Vector feed, const CutFacts& facts)
     const CutDirection usual = facts.cut == CutDirection::Up ? CutDirection::Up : CutDirection::Down;
     std::vector<Reading> both{read(usual), read(usual == CutDirection::Down ? CutDirection::Up : CutDirection::Down)};
     if (!isRegenerative(both[0].nu) && isRegenerative(both[1].nu)) std::swap(both[0], both[1]);
-    return both;
+    // The helix is laid the other way in the other hand, which moves m by 2 ν: the same m comes before.
+    Reading other{-both[0].nu, both[0].waves};
+    if (std::abs(std::abs(other.nu) - 0.5) < 1e-9) other = both[0];
+    return {both[0], other, both[1]};
 }
 
 void describeCrests(ChatterMarks& marks, const CutFacts& facts)

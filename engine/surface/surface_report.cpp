@@ -131,7 +131,7 @@ report::Document surfaceReport(const SurfaceResult& result, const Language& lang
                   "whose "
                   "wave vector gives the frequency f_c = n (πD k_y + f k_z). Heights cannot be told from a picture."),
               {}},
-          report::parametersTable(result.parameters)}});
+          report::parametersTable(result.parameters, language)}});
     return document;
 }
 

@@ -73,7 +73,7 @@ std::optional<FeedComb> feedUnderChatter(const WindowedPicture& picture, const s
     for (const Vector& distance : distances(picture, peaks, expected)) {
         const SpectralPeak* seed = besideComb(picture, peaks, distance);
         if (!seed) continue;
-        const auto fit = fittedLattice(picture, distance, picture.refined(seed->frequency));
+        const auto fit = fittedLattice(picture, distance, picture.refined(seed->frequency), 4);
         if (!fit || std::abs(length(fit->feed) / expected - 1) > feedTolerance) continue;
         if (!best || fit->explained > best->explained) best = fit;
     }

@@ -69,7 +69,7 @@ public:
                 const Vector offset = places_[static_cast<std::size_t>(i)] - line;
                 // beyond a few bins the transform of the window is nothing
                 model(i, k) =
-                    std::abs(offset.x) * bins_.x > 6 || std::abs(offset.y) * bins_.y > 6
+                    std::abs(offset.x) * bins_.x > 4.5 || std::abs(offset.y) * bins_.y > 4.5
                         ? 0
                         : windowTransform(offset.x, picture_.columns()) * windowTransform(offset.y, picture_.rows());
             }
@@ -117,24 +117,22 @@ private:
     Eigen::MatrixXd data_;
 };
 
-Eigen::MatrixXd slopes(const Fit& fit, const Eigen::Vector4d& p)
+/// `r`: the residuals at p.
+Eigen::MatrixXd slopes(const Fit& fit, const Eigen::Vector4d& p, const Eigen::VectorXd& r)
 {
-    constexpr double step = 1e-3;  // bins
-    Eigen::MatrixXd result;
+    constexpr double step = 1e-4;  // bins
+    Eigen::MatrixXd result(r.size(), 4);
     for (int k = 0; k < 4; ++k) {
-        Eigen::Vector4d up = p, down = p;
-        up[k] += step;
-        down[k] -= step;
-        const Eigen::VectorXd slope = (fit.residuals(up) - fit.residuals(down)) / (2 * step);
-        if (k == 0) result.resize(slope.size(), 4);
-        result.col(k) = slope;
+        Eigen::Vector4d next = p;
+        next[k] += step;
+        result.col(k) = (fit.residuals(next) - r) / step;
     }
     return result;
 }
 
 }  // namespace
 
-std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter)
+std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter, int iterations)
 {
     const Fit fit(picture, feed, chatter);
     if (!fit.isDetermined()) return std::nullopt;
@@ -144,10 +142,9 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
     Eigen::VectorXd r = fit.residuals(p);
     Eigen::Matrix4d curvature = Eigen::Matrix4d::Identity();
     double damping = 1e-2;
-    constexpr int mostIterations = 12;
-    constexpr double settled_bins = 1e-4;
-    for (int iteration = 0; iteration < mostIterations; ++iteration) {
-        const Eigen::MatrixXd jacobian = slopes(fit, p);
+    constexpr double settled_bins = 5e-4;
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        const Eigen::MatrixXd jacobian = slopes(fit, p, r);
         curvature = jacobian.transpose() * jacobian;
         const Eigen::Vector4d gradient = jacobian.transpose() * r;
         bool better = false;

@@ -21,6 +21,7 @@ struct LatticeVectors {
 
 /// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. Nothing where the fit leaves its
 /// start by more than a bin or does not settle.
-std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter);
+std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter,
+                                            int iterations = 10);
 
 }  // namespace lathelier::surface

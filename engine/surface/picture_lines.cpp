@@ -6,34 +6,49 @@
 namespace lathelier::surface {
 namespace {
 
-/// Power of all bins for which `counts` holds, on one side of zero.
-template <class Counts>
-double powerWhere(const PowerSpectrum& spectrum, Counts counts)
+constexpr double lineHalfWidth_bins = 1.5;
+
+/// Power of the bins about a frequency.
+double powerAbout(const PowerSpectrum& spectrum, Vector line)
 {
+    const double x = line.x * spectrum.power.columns + spectrum.zeroColumn();
+    const double y = line.y * spectrum.power.rows + spectrum.zeroRow();
     double sum = 0;
-    const int zero = spectrum.zeroColumn();
-    for (int y = 0; y < spectrum.power.rows; ++y)
-        for (int x = zero; x < spectrum.power.columns; ++x)
-            if (counts(spectrum.frequencyOf(x, y))) sum += double(spectrum.power.at(x, y)) * (x == zero ? 0.5 : 1);
+    for (int row = static_cast<int>(std::ceil(y - lineHalfWidth_bins)); row <= y + lineHalfWidth_bins; ++row)
+        for (int column = static_cast<int>(std::ceil(x - lineHalfWidth_bins)); column <= x + lineHalfWidth_bins;
+             ++column)
+            if (row >= 0 && column >= 0 && row < spectrum.power.rows && column < spectrum.power.columns &&
+                std::hypot(column - x, row - y) <= lineHalfWidth_bins)
+                sum += double(spectrum.power.at(column, row));
     return sum;
 }
 
-/// `lines`: the strongest first.
-Weight weightOf(const WindowedPicture& picture, const PowerSpectrum& spectrum, const std::vector<Vector>& lines)
+/// Power on one side of zero between two radii, in cycles per pixel. The spectrum is not turned.
+double powerBetween(const PowerSpectrum& spectrum, double inner, double outer)
 {
-    constexpr double lineHalfWidth_bins = 1.5, band = 0.2;
-    const auto near = [&](Vector f, Vector line) {
-        return picture.binsBetween(f, line) <= lineHalfWidth_bins ||
-               picture.binsBetween(f, -1.0 * line) <= lineHalfWidth_bins;
-    };
+    double sum = 0;
+    for (int y = 0; y < spectrum.power.rows; ++y) {
+        const double fy = double(y - spectrum.zeroRow()) / spectrum.power.rows;
+        for (int x = 0; x < spectrum.power.columns; ++x) {
+            const double fx = double(x - spectrum.zeroColumn()) / spectrum.power.columns;
+            const double square = fx * fx + fy * fy;
+            if (square >= inner * inner && square <= outer * outer) sum += double(spectrum.power.at(x, y));
+        }
+    }
+    return 0.5 * sum;
+}
+
+/// `lines`: the strongest first.
+Weight weightOf(const PowerSpectrum& spectrum, const std::vector<Vector>& lines)
+{
+    constexpr double band = 0.2;
     const double radius = length(lines.front());
-    const double all = powerWhere(spectrum, [](Vector) { return true; });
-    const double around = powerWhere(spectrum, [&](Vector f) { return std::abs(length(f) / radius - 1) <= band; });
-    const double strongest = powerWhere(spectrum, [&](Vector f) { return near(f, lines.front()); });
+    const double all = powerBetween(spectrum, 0, 1);
+    const double around = powerBetween(spectrum, (1 - band) * radius, (1 + band) * radius);
     double family = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        family += powerWhere(spectrum, [&](Vector f) { return near(f, lines[i]); });
-    return {around > 0 ? std::min(1.0, strongest / around) : 0, all > 0 ? std::min(1.0, family / all) : 0};
+    for (const Vector& line : lines) family += powerAbout(spectrum, line);
+    return {around > 0 ? std::min(1.0, powerAbout(spectrum, lines.front()) / around) : 0,
+            all > 0 ? std::min(1.0, family / all) : 0};
 }
 
 std::vector<Vector> combLines(const FeedComb& feed)
@@ -62,7 +77,8 @@ std::optional<FeedComb> feedOf(const WindowedPicture& picture, const Significanc
     std::optional<FeedComb> comb = feedComb(picture, peaks, search.feed_cycles_per_px, feedTolerance);
     if (!comb) comb = feedComb(picture, sure, search.feed_cycles_per_px, feedTolerance);
     const bool is_strongest = comb && !sure.empty() && coincide(picture, sure.front().frequency, comb->frequency);
-    if (!is_strongest)  // strong chatter: all lines together tell which comb they stand on
+    if (!is_strongest &&
+        !(comb && search.feed_only))  // strong chatter: all lines together tell which comb they stand on
         if (const auto found = feedUnderChatter(picture, further, *search.feed_cycles_per_px)) comb = found;
     if (!comb) return feedComb(picture, peaks, std::nullopt);
     comb->significance = significance.at(comb->frequency, NoiseLevel::Medians);
@@ -94,11 +110,11 @@ PictureLines findLines(const Grid& flat, const LineSearch& search, const Progres
         std::max(search.least_chatter * found.feed->amplitude,
                  2 * std::sqrt(found.threshold * significance.typicalLevel(length(found.feed->frequency))) /
                      picture.windowSum());
-    found.feed_weight = weightOf(picture, found.spectrum, combLines(*found.feed));
+    found.feed_weight = weightOf(found.spectrum, combLines(*found.feed));
     found.chatter = chatterLattice(picture, significance, *found.feed, further,
                                    {found.threshold, search.least_chatter, search.old_grid});
     if (found.chatter) found.feed->frequency = found.chatter->feed;
-    if (found.chatter) found.chatter_weight = weightOf(picture, found.spectrum, latticeLines(*found.chatter));
+    if (found.chatter) found.chatter_weight = weightOf(found.spectrum, latticeLines(*found.chatter));
     progress.report(1);
     return found;
 }

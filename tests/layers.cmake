@@ -18,7 +18,7 @@ macro(room name)
 endmacro()
 include(${SOURCE_DIR}/engine/rooms.cmake)
 set(shared_widgets core plot scene)  # widgets/<folder> that every panel may include
-set(foreign_in_headers "PCL|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
+set(foreign_in_headers "PCL|png\\.h|jpeglib|tiffio|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
 set(findings "")
 
 function(includes_of file result)

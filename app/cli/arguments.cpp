@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "app/cli/help.h"
@@ -148,6 +149,34 @@ int usageError(const std::string& message, const CLI::App* command)
     return 2;
 }
 
+bool isNumber(const std::string& word)
+{
+    double number = 0;
+    const char* end = word.data() + word.size();
+    const auto [stop, problem] = std::from_chars(word.data(), end, number);
+    return !word.empty() && problem == std::errc() && stop == end;
+}
+
+/// Of a list of numbers the further ones may stand behind the first ("--speed-rpm 2016 2154"): each gets the option's
+/// name before it.
+std::vector<std::string> withLists(int argc, char** argv)
+{
+    std::vector<std::string> words(argv, argv + argc);
+    if (argc < 2) return words;
+    for (const Verb& verb : verbs()) {
+        if (verb.name != words[1]) continue;
+        for (const Option& option : verb.parameters) {
+            const bool is_list = option.info.kind == FieldInfo::Kind::Rows && option.info.columns.size() == 1 &&
+                                 option.info.columns.front().kind == FieldInfo::Kind::Number;
+            const std::string name = is_list ? optionName(option.info.key) : std::string();
+            for (std::size_t i = 2; is_list && i + 2 < words.size(); ++i)
+                if (words[i] == name && isNumber(words[i + 1]) && isNumber(words[i + 2]))
+                    words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 2, name);
+        }
+    }
+    return words;
+}
+
 /// A first word that is no verb is told apart from a missing one.
 bool isUnknownCommand(const std::string& word)
 {
@@ -175,7 +204,10 @@ Parsed parseArguments(int argc, char** argv)
         return {std::nullopt, usageError(std::string(argv[1]) + " is not a command", nullptr)};
     const CLI::App* command = nullptr;
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = withLists(argc, argv);
+        if (!words.empty()) words.erase(words.begin());
+        std::reverse(words.begin(), words.end());  // as the library takes them
+        app.parse(std::move(words));
         for (const Verb& verb : verbs())
             if (app.got_subcommand(verb.name)) {
                 command = typed[&verb].command;

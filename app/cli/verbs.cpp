@@ -10,10 +10,11 @@ namespace lathelier::cli {
 const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
-        std::vector<Verb> table{
-            sampleVerb(),  compareVerb(),    roundnessVerb(),     cylindricityVerb(), trajectoryVerb(), frfVerb(),
-            spindleVerb(), lobesVerb(),      speedVerb(),         simulateVerb(),     toolpathVerb(),   turnVerb(),
-            checkVerb(),   deflectionVerb(), remanufactureVerb(), recognizeVerb(),    drawVerb(),       verifyVerb()};
+        std::vector<Verb> table{sampleVerb(),     compareVerb(),    roundnessVerb(),     cylindricityVerb(),
+                                trajectoryVerb(), frfVerb(),        spindleVerb(),       lobesVerb(),
+                                speedVerb(),      simulateVerb(),   toolpathVerb(),      turnVerb(),
+                                checkVerb(),      deflectionVerb(), remanufactureVerb(), recognizeVerb(),
+                                drawVerb(),       surfaceVerb(),    verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),
                             &io::frfFiles(),

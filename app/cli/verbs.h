@@ -23,6 +23,7 @@ Verb deflectionVerb();
 Verb remanufactureVerb();
 Verb recognizeVerb();
 Verb drawVerb();
+Verb surfaceVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

@@ -98,8 +98,9 @@ void checkRows(const FieldInfo& info, const Value& value)
 Rows parseRows(const FieldInfo& info, std::string_view typed)
 {
     Rows result;
+    const std::string_view between = info.columns.size() == 1 ? ";," : ";";  // a list of single values
     while (!typed.empty()) {
-        const std::size_t end = std::min(typed.find(';'), typed.size());
+        const std::size_t end = std::min(typed.find_first_of(between), typed.size());
         std::string_view line = typed.substr(0, end);
         Row row;
         for (const FieldInfo& column : info.columns) {

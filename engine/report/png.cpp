@@ -21,12 +21,12 @@ void appendChunk(std::string& out, std::string_view type, const std::string& dat
                           crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
 }
 
-std::string compressed(const std::string& raw)
+std::string compressed(const std::string& raw, int level)
 {
     uLongf size = compressBound(static_cast<uLong>(raw.size()));
     std::string result(size, '\0');
     if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(raw.data()),
-                  static_cast<uLong>(raw.size()), Z_BEST_COMPRESSION) != Z_OK)
+                  static_cast<uLong>(raw.size()), level) != Z_OK)
         throw std::bad_alloc();  // the only failure left: the room is always large enough
     result.resize(size);
     return result;
@@ -60,7 +60,30 @@ std::string encodePng(const IndexedImage& image)
         opacity.back() = '\0';
         appendChunk(out, "tRNS", opacity);
     }
-    appendChunk(out, "IDAT", compressed(rows));
+    appendChunk(out, "IDAT", compressed(rows, Z_BEST_COMPRESSION));
+    appendChunk(out, "IEND", {});
+    return out;
+}
+
+std::string encodePng(const GreyImage& image)
+{
+    std::string header;
+    appendNumber(header, static_cast<std::uint32_t>(image.width));
+    appendNumber(header, static_cast<std::uint32_t>(image.height));
+    header += static_cast<char>(image.bits);
+    header += std::string(4, '\0');  // grey, deflate, no filter choice, not interlaced
+
+    std::string rows;
+    const auto width = static_cast<std::size_t>(image.width);
+    for (std::size_t i = 0; i < image.samples.size(); ++i) {
+        if (i % width == 0) rows += '\0';  // filter "none"
+        if (image.bits == 16) rows += static_cast<char>(image.samples[i] >> 8);
+        rows += static_cast<char>(image.samples[i] & 0xFF);
+    }
+    std::string out("\x89PNG\r\n\x1a\n", 8);
+    appendChunk(out, "IHDR", header);
+    if (!image.comment.empty()) appendChunk(out, "tEXt", std::string("Comment\0", 8) + image.comment);
+    appendChunk(out, "IDAT", compressed(rows, Z_DEFAULT_COMPRESSION));
     appendChunk(out, "IEND", {});
     return out;
 }

@@ -1,4 +1,4 @@
-// Pictures with a palette as PNG (W3C PNG Specification, 3rd edition), and any bytes as base64 (RFC 4648).
+// Pictures with a palette or in grey as PNG (W3C PNG Specification, 3rd edition), and any bytes as base64 (RFC 4648).
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,17 @@ struct IndexedImage {
 };
 
 std::string encodePng(const IndexedImage& image);
+
+/// Brightness without a palette.
+struct GreyImage {
+    int width = 0;                       ///< in pixels
+    int height = 0;                      ///< in pixels
+    int bits = 8;                        ///< of a sample: 8 or 16
+    std::vector<std::uint16_t> samples;  ///< row-major from the top, 0 black to 2^bits - 1
+    std::string comment;                 ///< Latin-1, in the file; empty: none
+};
+
+std::string encodePng(const GreyImage& image);
 
 std::string base64(std::string_view bytes);
 

@@ -1,0 +1,10 @@
+// Pictures as a kind of file: PNG, JPEG, TIFF.
+#pragma once
+
+#include "engine/io/file_kind.h"
+
+namespace lathelier::io {
+
+const FileKind& imageFiles();
+
+}  // namespace lathelier::io

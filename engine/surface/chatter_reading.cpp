@@ -1,0 +1,181 @@
+#include "engine/surface/chatter_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/surface/surface_codes.h"
+
+namespace lathelier::surface {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double leastNu = 5e-4;    // standard uncertainty that irregular tracks leave
+constexpr double certainWaves = 2;  // across the picture: fewer do not settle m…
+constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m comes out near a whole number
+constexpr double nearWhole = 0.25;
+constexpr double wholeNumber = 0.02;  // |ν| below it is a whole number of waves
+constexpr std::size_t mostCandidates = 5;
+
+/// One way to read the marks.
+struct Candidate {
+    int m = 0;
+    double nu = 0;
+    double frequency_hz = 0;
+    double distance = 0;  ///< of m from what was measured, plus a penalty for the less usual hand
+};
+
+bool isRegenerative(double nu)
+{
+    return nu < -wholeNumber && nu > -0.5;
+}
+
+/// Uncertainty of a line along a direction, in cycles per pixel.
+double lineUncertainty(const ChatterLattice& lattice, const CutFacts& facts, Vector direction)
+{
+    const double bin = std::hypot(direction.x / facts.columns, direction.y / facts.rows);
+    return 0.3 * bin / std::sqrt(std::max(1.0, lattice.significance));
+}
+
+/// Waves of the vibration that the picture shows along the circumference.
+double wavesInView(double waves, const CutFacts& facts, Vector y)
+{
+    const double across = std::abs(y.x) > std::abs(y.y) ? facts.columns / std::abs(y.x) : facts.rows / std::abs(y.y);
+    return std::abs(waves) * across / (pi * *facts.diameter_px);
+}
+
+void addCandidates(std::vector<Candidate>& candidates, const Reading& reading, double speed_hz, bool certain,
+                   double penalty)
+{
+    const int middle = static_cast<int>(std::lround(*reading.waves));
+    const int reach = certain ? 0 : static_cast<int>(mostCandidates);
+    for (int m = std::max(0, middle - reach); m <= middle + reach; ++m)
+        if (m + reading.nu > 0)
+            candidates.push_back({m, reading.nu, speed_hz * (m + reading.nu), std::abs(m - *reading.waves) + penalty});
+}
+
+/// The usual hand first, the other half a wave behind: m of a small field is off by one at times.
+std::vector<Candidate> candidatesOf(const std::vector<Reading>& readings, double speed_hz, bool certain)
+{
+    constexpr double otherHand = 0.75;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : i == 1 ? otherHand : 2 * otherHand);
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    std::vector<Candidate> different;  // two hands tell the same frequencies when nu is about 0 or a half
+    for (const Candidate& candidate : candidates)
+        if (std::none_of(different.begin(), different.end(), [&](const Candidate& other) {
+                return std::abs(other.frequency_hz - candidate.frequency_hz) < 1e-3 * speed_hz;
+            }))
+            different.push_back(candidate);
+    candidates = std::move(different);
+    if (candidates.size() > mostCandidates) candidates.resize(mostCandidates);
+    return candidates;
+}
+
+/// Both hands where the directions are not known, the regenerative one first.
+std::vector<Reading> readingsOf(Vector line, Vector feed, const CutFacts& facts)
+{
+    const auto read = [&](CutDirection cut) {
+        return readingOf(line, feed, facts.feed_mm_rev, facts.diameter_mm, facts.diameter_px, cut);
+    };
+    if (facts.cut != CutDirection::Unknown && facts.feed_direction_deg) return {read(facts.cut)};
+    const CutDirection usual = facts.cut == CutDirection::Up ? CutDirection::Up : CutDirection::Down;
+    std::vector<Reading> both{read(usual), read(usual == CutDirection::Down ? CutDirection::Up : CutDirection::Down)};
+    if (!isRegenerative(both[0].nu) && isRegenerative(both[1].nu)) std::swap(both[0], both[1]);
+    // The helix is laid the other way in the other hand, which moves m by 2 ν: the same m comes before.
+    Reading other{-both[0].nu, both[0].waves};
+    if (std::abs(std::abs(other.nu) - 0.5) < 1e-9) other = both[0];
+    return {both[0], other, both[1]};
+}
+
+void describeCrests(ChatterMarks& marks, const CutFacts& facts)
+{
+    if (!facts.diameter_mm || !marks.m || *marks.m == 0) return;
+    marks.circumferential_pitch_mm = pi * *facts.diameter_mm / *marks.m;
+    if (facts.feed_mm_rev)
+        marks.inclination_deg = inclination_deg(marks.nu, *marks.m, *facts.diameter_mm, *facts.feed_mm_rev);
+}
+
+void chooseExpected(std::vector<Candidate>& candidates, double expect_hz, const std::string& path, Notes& notes)
+{
+    const auto nearest = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+        return std::abs(a.frequency_hz - expect_hz) < std::abs(b.frequency_hz - expect_hz);
+    });
+    if (candidates.size() < 2) return;
+    std::rotate(candidates.begin(), nearest, nearest + 1);
+    notes.push_back({notes::chosenByExpectation,
+                     {{"path", path}, {"frequency_hz", candidates.front().frequency_hz}, {"expected_hz", expect_hz}}});
+}
+
+}  // namespace
+
+Vector towardFeed(Vector comb, const std::optional<double>& feed_direction_deg)
+{
+    const Vector wanted = turned({1, 0}, feed_direction_deg.value_or(0));
+    const double along = dot(comb, wanted);
+    if (!feed_direction_deg && std::abs(along) < 1e-3 * length(comb)) return comb.y < 0 ? -1.0 * comb : comb;
+    return along < 0 ? -1.0 * comb : comb;
+}
+
+ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, const CutFacts& facts,
+                         const std::string& path, Notes& notes)
+{
+    const Vector comb = towardFeed(feed.frequency, facts.feed_direction_deg);
+    const std::vector<Reading> readings = readingsOf(lattice.fundamental, comb, facts);
+    const Vector z = axisDirection(comb, facts.feed_mm_rev, facts.diameter_mm, facts.cut);
+    const Vector y = turned(z, 90);
+    const double u_nu = std::max(leastNu, lineUncertainty(lattice, facts, z) / dot(comb, z));
+
+    ChatterMarks marks;
+    marks.nu = readings.front().nu;
+    marks.amplitude = lattice.amplitude;
+    marks.relative_to_feed = lattice.amplitude / feed.amplitude;
+    marks.significance = lattice.significance;
+    marks.lines = static_cast<int>(lattice.lines.size());
+    const bool sign_known = readings.size() == 1;
+    if (readings.front().waves) {
+        marks.waves_measured = readings.front().waves;
+        marks.waves_in_view = wavesInView(*readings.front().waves + marks.nu, facts, y);
+        const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + 0.01 * *marks.waves_measured;
+        const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
+        const bool enough = *marks.waves_in_view >= certainWaves ||
+                            (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
+        marks.m_certain = enough && off + 2 * u_m < 0.5;
+        marks.m = static_cast<int>(std::lround(*marks.waves_measured));
+        if (!marks.m_certain)
+            notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});
+    }
+    if (marks.waves_measured && facts.speed_rpm) {
+        const double speed_hz = *facts.speed_rpm / 60;
+        std::vector<Candidate> candidates = candidatesOf(readings, speed_hz, marks.m_certain);
+        if (facts.expect_hz && !candidates.empty()) chooseExpected(candidates, *facts.expect_hz, path, notes);
+        for (const Candidate& candidate : candidates) marks.candidates_hz.push_back(candidate.frequency_hz);
+        if (!candidates.empty()) {
+            const Candidate& best = candidates.front();
+            marks.m = best.m;
+            marks.nu = best.nu;
+            marks.frequency_hz = best.frequency_hz;
+            marks.frequency_uncertainty_hz = std::hypot(speed_hz * u_nu, best.frequency_hz * facts.speed_uncertainty);
+            marks.harmonic_of_hz = {best.frequency_hz / 2, best.frequency_hz / 3};
+            double nearest = speed_hz;  // m one more or less
+            if (!sign_known) nearest = std::min(nearest, 2 * std::abs(best.nu) * speed_hz);
+            marks.nearest_other_hz = nearest;
+            if (!sign_known && std::abs(best.nu) > wholeNumber)
+                notes.push_back(
+                    {notes::directionsUnknown,
+                     {{"path", path}, {"first_hz", best.frequency_hz}, {"second_hz", speed_hz * (best.m - best.nu)}}});
+        }
+    }
+    marks.phase_deg = phase_deg(marks.nu);
+    if (facts.feed_mm_rev && std::abs(marks.nu) > 1e-6) marks.axial_period_mm = *facts.feed_mm_rev / std::abs(marks.nu);
+    describeCrests(marks, facts);
+    if (std::abs(marks.nu) <= wholeNumber)
+        marks.kind = ChatterKind::Forced;
+    else if (sign_known)
+        marks.kind = isRegenerative(marks.nu) ? ChatterKind::Regenerative : ChatterKind::Forced;
+    return marks;
+}
+
+}  // namespace lathelier::surface

@@ -1,0 +1,27 @@
+// All lines of comb and lattice fitted at once. In a small field several lines lie within the width of the window, and
+// each one alone would be drawn toward its neighbours: least squares over the amplitudes of all lines, inside a
+// Levenberg-Marquardt search for the two wave vectors.
+// Source: G. H. Golub and V. Pereyra, "The differentiation of pseudo-inverses and nonlinear least squares problems
+// whose variables separate", SIAM J. Numer. Anal. 10 (1973).
+#pragma once
+
+#include <optional>
+
+#include "engine/surface/spectrum.h"
+
+namespace lathelier::surface {
+
+/// The wave vectors of feed marks and chatter, in cycles per pixel.
+struct LatticeVectors {
+    Vector feed{};            ///< K_f
+    Vector chatter{};         ///< K_c
+    double explained = 0;     ///< power of the samples about all lines that the lines explain
+    Vector chatter_spread{};  ///< standard deviations of K_c's components, as the residuals of the fit tell
+};
+
+/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. Nothing where the fit leaves its
+/// start by more than a bin or does not settle.
+std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter,
+                                            int iterations = 10);
+
+}  // namespace lathelier::surface

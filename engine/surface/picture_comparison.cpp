@@ -1,0 +1,102 @@
+#include "engine/surface/picture_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "engine/surface/surface_codes.h"
+
+namespace lathelier::surface {
+namespace {
+
+constexpr int leastShared_px = 32;  // side of what both pictures show
+constexpr int mostShared_px = 2048;
+
+/// mm of a pixel of the view, or pixels of the file.
+double scaleOf(const ImageMarks& image, bool in_mm)
+{
+    return image.view.px_per_px * (in_mm ? *image.mm_per_px : 1);
+}
+
+/// Direction of the feed in the view.
+double direction_deg(const ImageMarks& image)
+{
+    return image.feed_marks ? angleModulo180(image.feed_marks->direction_deg - image.view.turned_deg) : 0;
+}
+
+/// Width and height of the largest rectangle of the common size's proportion that a turned view still fills, roughly.
+cv::Size2d shown(const ImageMarks& image, double scale)
+{
+    const double angle = std::abs(direction_deg(image)) * std::numbers::pi / 180;
+    const double zoom = scaleOf(image, scale > 0) / (scale > 0 ? scale : 1);
+    const double width = image.view.flat.columns * zoom, height = image.view.flat.rows * zoom;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {std::max(width * c - height * s, 0.5 * width), std::max(height * c - width * s, 0.5 * height)};
+}
+
+Grid brought(const ImageMarks& image, double scale, const cv::Size& size)
+{
+    const double zoom = scaleOf(image, scale > 0) / (scale > 0 ? scale : 1);
+    const double angle = -direction_deg(image) * std::numbers::pi / 180;
+    const Grid& flat = image.view.flat;
+    const double c = zoom * std::cos(angle), s = zoom * std::sin(angle);
+    const double cx = 0.5 * (flat.columns - 1), cy = 0.5 * (flat.rows - 1);
+    const cv::Matx23d move(c, -s, 0.5 * (size.width - 1) - c * cx + s * cy, s, c,
+                           0.5 * (size.height - 1) - s * cx - c * cy);
+    Grid result(size.width, size.height);
+    cv::Mat out(size.height, size.width, CV_32F, result.values.data());
+    cv::warpAffine(cv::Mat(flat.rows, flat.columns, CV_32F, const_cast<float*>(flat.values.data())), out, move, size,
+                   cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);
+    return result;
+}
+
+double responseOf(const Grid& first, const Grid& second)
+{
+    const auto view = [](const Grid& grid) {
+        return cv::Mat(grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data()));
+    };
+    cv::Mat window;
+    cv::createHanningWindow(window, {first.columns, first.rows}, CV_32F);
+    double response = 0;
+    cv::phaseCorrelate(view(first), view(second), window, &response);
+    return std::isfinite(response) ? std::clamp(response, 0.0, 1.0) : 0;
+}
+
+}  // namespace
+
+AlignedPictures aligned(const std::vector<ImageMarks>& images)
+{
+    AlignedPictures result;
+    const bool in_mm = std::all_of(images.begin(), images.end(), [](const auto& image) { return image.mm_per_px; });
+    if (in_mm)
+        for (const ImageMarks& image : images) result.mm_per_px = std::max(result.mm_per_px, scaleOf(image, true));
+    double width = mostShared_px, height = mostShared_px;
+    for (const ImageMarks& image : images) {
+        const cv::Size2d size = shown(image, result.mm_per_px);
+        width = std::min(width, size.width);
+        height = std::min(height, size.height);
+    }
+    const cv::Size size(std::max(leastShared_px, static_cast<int>(width)),
+                        std::max(leastShared_px, static_cast<int>(height)));
+    for (const ImageMarks& image : images) result.pictures.push_back(brought(image, result.mm_per_px, size));
+    return result;
+}
+
+SurfaceComparison compared(const std::vector<ImageMarks>& images, Notes& notes)
+{
+    const AlignedPictures pictures = aligned(images);
+    SurfaceComparison comparison;
+    comparison.same_scale = pictures.mm_per_px > 0;
+    comparison.registration_response = responseOf(pictures.pictures[0], pictures.pictures[1]);
+    comparison.registered = comparison.registration_response > sameSurface;
+    for (const ImageMarks& image : images)
+        comparison.relative_to_feed.push_back(image.chatter_marks ? std::optional(image.chatter_marks->relative_to_feed)
+                                                                  : std::nullopt);
+    notes.push_back({notes::sameLightingAssumed, {}});
+    if (!comparison.registered)
+        notes.push_back({notes::notRegistered, {{"response", comparison.registration_response}}});
+    return comparison;
+}
+
+}  // namespace lathelier::surface

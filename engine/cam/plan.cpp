@@ -70,7 +70,8 @@ private:
                       TurningPlan& plan, const Progress& progress)
     {
         const WorkStock begin = left ? turnedRound(*left, clamping) : barOf(clamping);
-        SetupOperations planned = planSetup(clamping, begin, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
+        SetupOperations planned =
+            planSetup(clamping, begin, parameters_.skipped, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
         SetupPlan setup;
         setup.clamping = clamping;
         const std::vector<SectionSpeed> sections =
@@ -80,12 +81,12 @@ private:
         head.number = 100 + static_cast<int>(index);
         head.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
         head.has_tailstock = clamping.job.setup.tailstock.has_value();
-        head.comments = headComments(
-            {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
+        head.comments =
+            headComments({clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
         WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
-        setup.check = checked(written.text, clamping, count,
-                              plan.setups.empty() ? std::string() : plan.setups.front().text,
-                              progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
+        setup.check =
+            checked(written.text, clamping, count, plan.setups.empty() ? std::string() : plan.setups.front().text,
+                    progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
         // The same number of lines, with the outcome in the head.
         head.comments = headComments(
             {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, checkLine(setup.check)},
@@ -150,6 +151,7 @@ private:
     {
         CheckParameters parameters;
         parameters.program.dialect = inputs_.post.dialect.value_or(gcode::Dialect::Auto);
+        parameters.keeps_outlines = inputs_.keeps_outlines;
         CheckInputs inputs;
         if (clamping.is_mirrored) {
             parameters.setup = 2;
@@ -233,9 +235,8 @@ private:
             explain(rest, plan);
             plan.rest.push_back(rest);
         }
-        std::stable_sort(plan.rest.begin(), plan.rest.end(), [](const RestInterval& a, const RestInterval& b) {
-            return a.z_start_mm < b.z_start_mm;
-        });
+        std::stable_sort(plan.rest.begin(), plan.rest.end(),
+                         [](const RestInterval& a, const RestInterval& b) { return a.z_start_mm < b.z_start_mm; });
         for (const RestInterval& rest : plan.rest) plan.left_max_mm = std::max(plan.left_max_mm, rest.left_mm);
         bool is_unstable = false;
         for (const Note& note : plan.notes) is_unstable = is_unstable || note.code == notes::noStableSpeedHere;
@@ -319,7 +320,12 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                     LT_TEXT("Engine", "Body whose dynamics decide the speeds of the finish.")}),
         field("tool_change_s", &P::tool_change_s, {0, 600},
               Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
-                    LT_TEXT("Engine", "s")}));
+                    LT_TEXT("Engine", "s")}),
+        rows("skipped", &P::skipped, Range{0, 100},
+             Label{LT_TEXT("Engine", "Left out"),
+                   LT_TEXT("Engine", "Operations that are switched off: clamping, kind, tool."),
+                   {},
+                   true}));
     return all;
 }
 
@@ -336,7 +342,8 @@ TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& 
     std::optional<Error> refusal;
     if (parameters.setups != SetupChoice::Two) {
         try {
-            one = planner.plan({wholeClamping(part, job)}, progress.part(0, parameters.setups == SetupChoice::One ? 1 : 0.4));
+            one = planner.plan({wholeClamping(part, job)},
+                               progress.part(0, parameters.setups == SetupChoice::One ? 1 : 0.4));
         } catch (const Error& error) {
             if (parameters.setups == SetupChoice::One || !(error.code() == errors::noSetupPossible)) throw;
             refusal = error;

@@ -28,21 +28,22 @@ struct Chosen {
     std::optional<double> frequency_hz;
     int lobe = 0;
     bool is_stable = true;  ///< false: the catalogue's speed is kept
+    FrfPtr receptance;
 };
 
 Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
                  double cutting_speed_m_min, const SpeedRequest& request, const Progress& progress)
 {
     Chosen chosen;
-    chosen.speed_rpm =
-        std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
+    chosen.speed_rpm = std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
     receptance::ReceptanceParameters parameters;
     parameters.respond_z_mm = parameters.excite_z_mm = std::clamp(z_mm, 0.0, body.length_mm());
     parameters.from_hz = kFrom_hz;
     parameters.to_hz = kTo_hz;
     parameters.step_hz = kStep_hz;
-    const Frf frf = receptance::receptanceOf(body, material.value_or(Material{}), parameters,
-                                             {request.spindle, {}}, progress);
+    chosen.receptance = std::make_shared<const Frf>(
+        receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress));
+    const Frf& frf = *chosen.receptance;
     stability::SpeedParameters speed;
     speed.diameter_mm = diameter_mm;
     speed.cutting_speed_m_min = cutting_speed_m_min;
@@ -104,8 +105,7 @@ std::vector<SectionSpeed> statedSections(const Clamping& clamping)
         double at = 0;
         for (const ShaftSegment& row : clamping.part.segments) {
             if (at < stated.to_z_mm - kSame_mm && at + row.length_mm > begin + kSame_mm)
-                section.diameter_mm =
-                    std::max({section.diameter_mm, row.start_diameter_mm, row.end_diameter_mm});
+                section.diameter_mm = std::max({section.diameter_mm, row.start_diameter_mm, row.end_diameter_mm});
             at += row.length_mm;
         }
         section.cutting_speed_m_min = cuttingSpeed(stated.rpm, section.diameter_mm);
@@ -154,6 +154,7 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
         section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
         section.frequency_hz = chosen.frequency_hz;
         section.lobe = chosen.lobe;
+        section.receptance = chosen.receptance;
         section.Rz_um = rzOf(clamping);
         section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
                                           : LT_TEXT("Engine", "no stable speed, that of the job is kept");
@@ -178,13 +179,13 @@ void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& section
         std::vector<CutMove>& moves = finish.moves;
         for (std::size_t k = 1; k < moves.size(); ++k) {
             const Vector2d start = moves[k - 1].to;
-            const bool passes = moves[k].kind != CutKind::Rapid &&
-                                (moves[k].to.x() > z + kSame_mm ||
-                                 (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm));
+            const bool passes =
+                moves[k].kind != CutKind::Rapid &&
+                (moves[k].to.x() > z + kSame_mm || (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm));
             if (!passes) continue;
             const double ramp = moves[k].feed_mm_rev * (from + to) / 120 * std::abs(to - from) / spindleRamp_rpm_s;
-            const bool is_face = std::abs(moves[k].to.x() - start.x()) < kSame_mm &&
-                                 std::abs(moves[k].to.y() - start.y()) >= ramp;
+            const bool is_face =
+                std::abs(moves[k].to.x() - start.x()) < kSame_mm && std::abs(moves[k].to.y() - start.y()) >= ramp;
             CutMove& before = moves[k - 1];
             const double room = k >= 2 ? before.to.x() - moves[k - 2].to.x() : 0;
             if (!is_face && before.kind == CutKind::Line && room > ramp &&

@@ -11,9 +11,9 @@
 
 #include "engine/cam/check/check_report.h"
 #include "engine/cam/plan_report.h"
-#include "engine/stock/turning_insert.h"
 #include "widgets/core/language.h"
 #include "widgets/program_common/program_editor.h"
+#include "widgets/turning/tool_shapes.h"
 
 namespace lathelier::turning_panel {
 namespace {
@@ -314,7 +314,7 @@ void TurningViews::moveTool(int place)
     showStock(shown, false);
     plot::PointedOut out;
     out.place = tip;
-    if (place < places) out.shapes = toolAt(tip, drawn.toolOf(at));
+    if (place < places) out.shapes = toolShapes(*clamping, tip, drawn.toolOf(at));
     contour_->pointOut(out);
     path_->pointOut(std::move(out));
     scrubber_->say(tr("Line %1 · %2 · tool %3 · Ø %4 · Z %5")
@@ -345,7 +345,7 @@ void TurningViews::goToLine(std::int64_t line)
     const stock::Corner& end = clamping->drawn.corner(pieces.back());
     plot::PointedOut out;
     out.place = QPointF(end.z_mm, end.x_mm);
-    out.shapes = toolAt(*out.place, clamping->drawn.toolOf(pieces.back()));
+    out.shapes = toolShapes(*clamping, *out.place, clamping->drawn.toolOf(pieces.back()));
     contour_->pointOut(out);
     path_->pointOut(std::move(out));
 }
@@ -365,25 +365,6 @@ void TurningViews::pick(plot::ChartView* chart, double z_mm, double x_mm)
     const stock::PathPiece piece = clamping->drawn.nearest({z_mm, x_mm}, shown.width() / std::max(1, chart->width()),
                                                            shown.height() / std::max(1, chart->height()));
     if (piece != stock::DrawnPath::none) goToLine(clamping->drawn.lineOf(piece));
-}
-
-std::vector<QPolygonF> TurningViews::toolAt(const QPointF& tip, int number) const
-{
-    std::vector<QPolygonF> shapes;
-    const ClampingPicture* clamping = shownClamping();
-    if (!clamping || !clamping->bare) return shapes;
-    const auto& tools = clamping->bare->parameters.tools;
-    const auto tool = std::find_if(tools.begin(), tools.end(),
-                                   [number](const stock::TurningTool& each) { return each.number == number; });
-    if (tool == tools.end()) return shapes;
-    const stock::ToolOutline outline = stock::outlineOf(*tool);  // the plan has checked it
-    std::vector<stock::ConvexPolygon> bodies = outline.holders;
-    bodies.push_back(outline.insert);
-    for (const stock::ConvexPolygon& body : bodies) {
-        QPolygonF& shape = shapes.emplace_back();
-        for (const stock::Corner& corner : body) shape << tip + QPointF(corner.z_mm, corner.x_mm);
-    }
-    return shapes;
 }
 
 void TurningViews::setPresenting(bool presenting)

@@ -69,7 +69,6 @@ private:
     void showWhy(int section);
     void moveTool(int place);
     void pick(plot::ChartView* chart, double z_mm, double x_mm);
-    std::vector<QPolygonF> toolAt(const QPointF& tip, int number) const;
     const ClampingPicture* shownClamping() const;
 
     std::shared_ptr<const TurningPicture> picture_;

@@ -58,7 +58,7 @@ TurningViews::TurningViews(QWidget* parent)
       why_(new plot::ChartView),
       courses_(new QButtonGroup(this)),
       editor_(new ProgramEditor),
-      operations_(new CopyTable),
+      operations_(new OperationsTable),
       sections_(new CopyTable),
       rest_(new CopyTable),
       findings_(new CopyTable),
@@ -148,11 +148,6 @@ void TurningViews::connectTables()
             if (picture_ && row >= 0 && row != before) chosen(static_cast<std::size_t>(row));
         });
     };
-    onRow(operations_, [this](std::size_t row) {
-        const auto listed = listedOperations(*picture_, clamping_);
-        if (row < listed.size() && listed[row].planned)
-            goToLine(picture_->plan->setups[clamping_].operations[*listed[row].planned].first_line);
-    });
     onRow(sections_, [this](std::size_t row) { showWhy(static_cast<int>(row)); });
     onRow(rest_, [this](std::size_t row) {
         if (row >= picture_->plan->rest.size()) return;
@@ -164,14 +159,8 @@ void TurningViews::connectTables()
         const auto& found = picture_->plan->setups[clamping_].check.findings;
         if (row < found.size()) goToLine(found[row].line);
     });
-    connect(operations_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-        if (!picture_ || item->column() != 0) return;
-        const auto listed = listedOperations(*picture_, clamping_);
-        const auto row = static_cast<std::size_t>(item->row());
-        if (row >= listed.size()) return;
-        const bool on = item->checkState() == Qt::Checked;
-        if (on != listed[row].planned.has_value()) emit operationSwitched(listed[row].which, on);
-    });
+    connect(operations_, &OperationsTable::lineChosen, this, &TurningViews::goToLine);
+    connect(operations_, &OperationsTable::switched, this, &TurningViews::operationSwitched);
 }
 
 void TurningViews::setPicture(const std::shared_ptr<const TurningPicture>& picture)
@@ -234,18 +223,7 @@ void TurningViews::showTables()
 {
     const cam::TurningPlan& plan = *picture_->plan;
     const cam::SetupPlan& setup = plan.setups[clamping_];
-    fill(operations_, operationTable(*picture_, clamping_));
-    {
-        const QSignalBlocker quiet(operations_);
-        const auto listed = listedOperations(*picture_, clamping_);
-        for (std::size_t i = 0; i < listed.size(); ++i) {
-            QTableWidgetItem* item = operations_->item(static_cast<int>(i), 0);
-            if (!item) continue;
-            item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-            item->setCheckState(listed[i].planned ? Qt::Checked : Qt::Unchecked);
-        }
-        operations_->fitCells();
-    }
+    operations_->setPicture(*picture_, clamping_);
     fill(sections_, cam::sectionTable(plan));
     fill(rest_, cam::restTable(plan));
     fill(findings_, cam::findingTable(setup.check));
@@ -312,11 +290,7 @@ void TurningViews::moveTool(int place)
     StockShown shown;
     if (place < places) shown = stockAt(*picture_, clamping_, line_, !drawn.isRapid(at));
     showStock(shown, false);
-    plot::PointedOut out;
-    out.place = tip;
-    if (place < places) out.shapes = toolShapes(*clamping, tip, drawn.toolOf(at));
-    contour_->pointOut(out);
-    path_->pointOut(std::move(out));
+    pointOutTool(tip, place < places ? drawn.toolOf(at) : 0);
     scrubber_->say(tr("Line %1 · %2 · tool %3 · Ø %4 · Z %5")
                        .arg(QString::number(line_), drawn.isRapid(at) ? tr("rapid") : tr("feed"),
                             QString::number(drawn.toolOf(at)), screenQuantity(2 * tip.y(), LT_TEXT("Engine", "mm"), 3),
@@ -343,11 +317,16 @@ void TurningViews::goToLine(std::int64_t line)
     const QSignalBlocker quiet(editor_);
     editor_->goToLine(line);
     const stock::Corner& end = clamping->drawn.corner(pieces.back());
+    pointOutTool({end.z_mm, end.x_mm}, clamping->drawn.toolOf(pieces.back()));
+}
+
+/// 0: the place alone.
+void TurningViews::pointOutTool(const QPointF& tip, int number)
+{
     plot::PointedOut out;
-    out.place = QPointF(end.z_mm, end.x_mm);
-    out.shapes = toolShapes(*clamping, *out.place, clamping->drawn.toolOf(pieces.back()));
-    contour_->pointOut(out);
-    path_->pointOut(std::move(out));
+    out.place = tip;
+    if (number > 0) out.shapes = toolShapes(*shownClamping(), tip, number);
+    for (plot::ChartView* chart : {contour_, path_}) chart->pointOut(out);
 }
 
 void TurningViews::showStretch(const Interval& z_mm)

@@ -11,6 +11,7 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
+#include "widgets/turning/operations_table.h"
 #include "widgets/turning/tool_scrubber.h"
 #include "widgets/turning/turning_charts.h"
 #include "widgets/turning/turning_picture.h"
@@ -35,7 +36,7 @@ public:
     plot::ChartView* course() const { return course_; }
     plot::ChartView* why() const { return why_; }
     program_common::ProgramEditor* editor() const { return editor_; }
-    CopyTable* operations() const { return operations_; }
+    OperationsTable* operations() const { return operations_; }
     CopyTable* sections() const { return sections_; }
     CopyTable* rest() const { return rest_; }
     CopyTable* findings() const { return findings_; }
@@ -68,6 +69,7 @@ private:
     void showCourse();
     void showWhy(int section);
     void moveTool(int place);
+    void pointOutTool(const QPointF& tip, int number);
     void pick(plot::ChartView* chart, double z_mm, double x_mm);
     const ClampingPicture* shownClamping() const;
 
@@ -83,7 +85,7 @@ private:
     plot::ChartView* why_;
     QButtonGroup* courses_;
     program_common::ProgramEditor* editor_;
-    CopyTable* operations_;
+    OperationsTable* operations_;
     CopyTable* sections_;
     CopyTable* rest_;
     CopyTable* findings_;

@@ -25,19 +25,20 @@ constexpr std::size_t shownDigits = 12;
 
 /// Files that options name.
 struct TurnFiles {
-    std::string job;              ///< path; empty: the operand is the job
-    std::string post = "fanuc_a"; ///< name of a post that is built in, or path
-    std::string spindle;          ///< path; empty: no speeds from dynamics
+    std::string job;               ///< path; empty: the operand is the job
+    std::string post = "fanuc_a";  ///< name of a post that is built in, or path
+    std::string spindle;           ///< path; empty: no speeds from dynamics
 };
 
 const std::vector<Field<TurnFiles>>& fieldsOf(const TurnFiles*)
 {
     static const std::vector<Field<TurnFiles>> all{
-        field("job", &TurnFiles::job,
-              Label{LT_TEXT("Engine", "Job"),
-                    LT_TEXT("Engine",
-                            "Stock, set-up, tools and cutting data, from JOB.json; without it the operand is a job that "
-                            "holds its shaft.")}),
+        field(
+            "job", &TurnFiles::job,
+            Label{LT_TEXT("Engine", "Job"),
+                  LT_TEXT("Engine",
+                          "Stock, set-up, tools and cutting data, from JOB.json; without it the operand is a job that "
+                          "holds its shaft.")}),
         field("post", &TurnFiles::post,
               Label{LT_TEXT("Engine", "Post"),
                     LT_TEXT("Engine",

@@ -1,8 +1,8 @@
 // One clamping or two: which stretch of the part each turns, and where the second one is gripped.
 //
-// The second program turns the part seen from its other end: the same functions on the mirrored shaft. The part is split
-// in the middle of the row with the largest radius; both sides turn a little beyond. The first clamping is the one that
-// the job states, at the drawn free end. The second grips a cylinder that is finished by then.
+// The second program turns the part seen from its other end: the same functions on the mirrored shaft. The part is
+// split in the middle of the row with the largest radius; both sides turn a little beyond. The first clamping is the
+// one that the job states, at the drawn free end. The second grips a cylinder that is finished by then.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 
 namespace lathelier::cam {
 
-inline constexpr double splitOverlap_mm = 0.5;      ///< turned by both sides
-inline constexpr double jawsFromShoulder_mm = 5;    ///< between the chuck's face and what stands before it
-inline constexpr double leastGripLength_mm = 15;    ///< of the second clamping, where the job states none
+inline constexpr double splitOverlap_mm = 0.5;    ///< turned by both sides
+inline constexpr double jawsFromShoulder_mm = 5;  ///< between the chuck's face and what stands before it
+inline constexpr double leastGripLength_mm = 15;  ///< of the second clamping, where the job states none
 
 /// One clamping of a plan.
 struct Clamping {

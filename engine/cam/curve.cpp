@@ -54,8 +54,7 @@ std::vector<double> breaksOf(const Curve& pieces)
         std::erase_if(active, [&](const CurvePiece* other) { return other->to.x() <= piece.from.x() + kSame_mm; });
         for (const CurvePiece* other : active) {
             double u[2];
-            const double low = std::max(piece.from.x(), other->from.x()),
-                         high = std::min(piece.to.x(), other->to.x());
+            const double low = std::max(piece.from.x(), other->from.x()), high = std::min(piece.to.x(), other->to.x());
             for (int i = crossings(piece, *other, u); i-- > 0;)
                 if (u[i] > low && u[i] < high) breaks.push_back(u[i]);
         }

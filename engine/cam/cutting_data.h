@@ -16,10 +16,10 @@ namespace lathelier::cam {
 
 /// What Kienzle's equation needs of a work material.
 struct WorkMaterial {
-    std::string name;             ///< as drawings state it, "C45"
-    double k_c11_N_mm2 = 0;       ///< specific cutting force at a chip of 1 by 1 mm
-    double m_c = 0;               ///< exponent of the thickness
-    std::string standing;         ///< "given" or "assumed"
+    std::string name;        ///< as drawings state it, "C45"
+    double k_c11_N_mm2 = 0;  ///< specific cutting force at a chip of 1 by 1 mm
+    double m_c = 0;          ///< exponent of the thickness
+    std::string standing;    ///< "given" or "assumed"
     friend bool operator==(const WorkMaterial&, const WorkMaterial&) = default;
 };
 

@@ -8,13 +8,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFacingFeed_mm_rev = 0.2;   // largest
-constexpr double kDrillFeed_mm_rev = 0.05;   // where none is stated
+constexpr double kFacingFeed_mm_rev = 0.2;  // largest
+constexpr double kDrillFeed_mm_rev = 0.05;  // where none is stated
 constexpr double kPartingFeed_mm_rev = 0.08;
-constexpr double kPartingShare = 0.475;      // of the cutting speed of roughing
-constexpr double kDrillSpeed_m_min = 25;     // of high-speed steel
+constexpr double kPartingShare = 0.475;   // of the cutting speed of roughing
+constexpr double kDrillSpeed_m_min = 25;  // of high-speed steel
 constexpr double kSlowRadius_mm = 3;
-constexpr double kPilotShare = 0.4;          // pilot diameter over that of the centre hole
+constexpr double kPilotShare = 0.4;  // pilot diameter over that of the centre hole
 constexpr double kRad = 3.14159265358979323846 / 180;
 
 }  // namespace
@@ -27,8 +27,8 @@ std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool)
     Operation result{OperationKind::Face, tool.number, rough.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(tool));
     const double feed = std::min(kFacingFeed_mm_rev, tool.feed_mm_rev.value_or(rough.feed_mm_rev));
-    const double inner = frame.job->setup.tailstock ? frame.job->setup.tailstock->centre_hole_mm / 2 + 1
-                                                    : -tool.radius_mm();
+    const double inner =
+        frame.job->setup.tailstock ? frame.job->setup.tailstock->centre_hole_mm / 2 + 1 : -tool.radius_mm();
     const int passes = static_cast<int>(std::ceil(away / std::min(rough.depth_mm, largestFacing_mm) - 1e-9));
     moves.rapid({-frame.face_mm - clearance_mm, frame.safe_x_mm});
     for (int i = 1; i <= passes; ++i) {

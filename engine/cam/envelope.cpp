@@ -133,7 +133,8 @@ Curve bladeCurve(const HeightContour& contour, double corner_radius_mm, double s
             floor.source = piece.source;
             all.push_back(floor);
         };
-        const bool has_top = piece.radius_mm > 0 && piece.centre.x() > piece.from.x() && piece.centre.x() < piece.to.x();
+        const bool has_top =
+            piece.radius_mm > 0 && piece.centre.x() > piece.from.x() && piece.centre.x() < piece.to.x();
         if (has_top) bridge(piece.centre.x());
         if (piece.from.y() > piece.to.y() || piece.from.y() == piece.to.y()) bridge(piece.from.x());
         if (piece.to.y() >= piece.from.y()) bridge(piece.to.x());

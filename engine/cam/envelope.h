@@ -5,7 +5,8 @@
 // - every line, shifted by r along its normal;
 // - every arc: convex, radius R + r; hollow, R - r, none where R ≤ r;
 // - the upper half of the disc around every corner, both ends of walls among them;
-// - a ray that falls at the back angle κ' = 180° - κ - ε from the offset of every corner or convex arc where the drawing
+// - a ray that falls at the back angle κ' = 180° - κ - ε from the offset of every corner or convex arc where the
+// drawing
 //   falls more steeply; in front of it one at κ, where κ < 90°, for what rises more steeply.
 // f with r + δ keeps the allowance δ normal to the surface everywhere. What f leaves is the closing of the drawing by
 // the tool; a corner that turns by φ keeps r (1/cos(φ/2) - 1).
@@ -22,8 +23,8 @@ namespace lathelier::cam {
 
 /// The part of a tool that its envelope depends on.
 struct ToolWedge {
-    double radius_mm = 0;          ///< r of the nose, or c of a blade's corners
-    double back_angle_deg = 90;    ///< as planned, margin taken off; 90 or more: no part of it is in the way
+    double radius_mm = 0;            ///< r of the nose, or c of a blade's corners
+    double back_angle_deg = 90;      ///< as planned, margin taken off; 90 or more: no part of it is in the way
     double entering_angle_deg = 90;  ///< κ; 90 or more: no part of the main edge is in the way
 };
 

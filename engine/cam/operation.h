@@ -24,12 +24,12 @@ enum class CutKind : std::uint8_t { Rapid, Line, Arc };
 
 /// One move to a place.
 struct CutMove {
-    CutKind kind = CutKind::Rapid;                       ///< how
-    Eigen::Vector2d to = Eigen::Vector2d::Zero();        ///< of the tip
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();    ///< of an arc of the tip
-    bool clockwise = false;                              ///< of an arc: G2, seen with Z to the right and X upward
-    double feed_mm_rev = 0;                              ///< of feed moves
-    std::optional<double> speed_rpm{};                   ///< from this move on, where it changes
+    CutKind kind = CutKind::Rapid;                     ///< how
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();      ///< of the tip
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of an arc of the tip
+    bool clockwise = false;                            ///< of an arc: G2, seen with Z to the right and X upward
+    double feed_mm_rev = 0;                            ///< of feed moves
+    std::optional<double> speed_rpm{};                 ///< from this move on, where it changes
 };
 
 struct Operation {

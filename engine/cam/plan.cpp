@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cam/check/check_quantities.h"
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
@@ -30,6 +29,14 @@ Shaft bodyInClamping(const Shaft& part, const Clamping& clamping)
     body.marks.clear();
     if (body.length_mm() > face) return cutAt(body, face);
     if (const double stub = face - body.length_mm(); stub > 1e-9) {
+        // While the part hangs on the bar, what falls behind its last cylinder is not cut yet.
+        for (std::size_t i = body.segments.size(); i-- > 1;) {
+            ShaftSegment& row = body.segments[i];
+            if (row.start_diameter_mm == row.end_diameter_mm && !row.arc_radius_mm) break;
+            if (row.end_diameter_mm > row.start_diameter_mm) break;
+            row.end_diameter_mm = row.start_diameter_mm;
+            row.arc_radius_mm.reset();
+        }
         ShaftSegment bar;
         bar.length_mm = stub;
         bar.start_diameter_mm = bar.end_diameter_mm = clamping.job.stock.diameter_mm;
@@ -223,6 +230,8 @@ private:
         for (const ShaftMark& mark : part_.marks)
             if (mark.kind == "thread")
                 plan.notes.push_back({notes::threadNotPlanned, {{"designation", mark.designation}}});
+        if (job_.edge_break_mm > 0)
+            plan.notes.push_back({notes::edgesStaySharp, {{"edge_break_mm", job_.edge_break_mm}}});
         if (!part_.bores.empty()) plan.notes.push_back({notes::boresNotPlanned, {}});
         // The last clamping's check has seen the cuts of both.
         const SetupPlan& last = plan.setups.back();
@@ -299,36 +308,6 @@ const CheckResult& TurningPlan::worstCheck() const
     return std::max_element(setups.begin(), setups.end(), worse)->check;
 }
 
-const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
-{
-    using P = TurningParameters;
-    const std::vector<FieldChoice> setups{{"auto", LT_TEXT("Engine", "two where one leaves more")},
-                                          {"1", LT_TEXT("Engine", "one")},
-                                          {"2", LT_TEXT("Engine", "two")}};
-    const std::vector<FieldChoice> relations{{"exact", LT_TEXT("Engine", "exact")},
-                                             {"published", LT_TEXT("Engine", "as published")}};
-    const std::vector<FieldChoice> models{{"finished", LT_TEXT("Engine", "the finished part")},
-                                          {"moment", LT_TEXT("Engine", "the work at that moment")}};
-    static const auto all = described<P>(
-        field("setups", &P::setups, setups,
-              Label{LT_TEXT("Engine", "Clampings"),
-                    LT_TEXT("Engine", "Auto turns the part round where that leaves less on the drawing.")}),
-        field("relation", &P::relation, relations,
-              Label{LT_TEXT("Engine", "Relation"), LT_TEXT("Engine", "Between lobes and speeds.")}),
-        field("part_model", &P::part_model, models,
-              Label{LT_TEXT("Engine", "Part for the speeds"),
-                    LT_TEXT("Engine", "Body whose dynamics decide the speeds of the finish.")}),
-        field("tool_change_s", &P::tool_change_s, {0, 600},
-              Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
-                    LT_TEXT("Engine", "s")}),
-        rows("skipped", &P::skipped, Range{0, 100},
-             Label{LT_TEXT("Engine", "Left out"),
-                   LT_TEXT("Engine", "Operations that are switched off: clamping, kind, tool."),
-                   {},
-                   true}));
-    return all;
-}
-
 TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
                         const TurningParameters& parameters, const Progress& progress)
 {
@@ -376,27 +355,6 @@ TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& 
         if (!one || !(error.code() == errors::noSetupPossible)) throw;
     }
     return *std::move(one);
-}
-
-void throwIfRefused(const TurningPlan& plan)
-{
-    if (!plan.is_refused) return;
-    Rows findings;
-    std::int64_t count = 0;
-    double gouge = 0;
-    for (std::size_t i = 0; i < plan.setups.size(); ++i) {
-        const CheckResult& check = plan.setups[i].check;
-        for (const gcode::Diagnostic& diagnostic : check.path.diagnostics)
-            if (diagnostic.error) throw Error(*diagnostic.error);
-        gouge = std::max(gouge, check.gouge_um);
-        for (const CheckFinding& finding : check.findings) {
-            Row row{describedValues(finding)};
-            row.cells.emplace_back("setup", static_cast<std::int64_t>(i) + 1);
-            findings.rows.push_back(std::move(row));
-            ++count;
-        }
-    }
-    throw Error(errors::programRefused, {{"count", count}, {"gouge_um", gouge}, {"findings", findings}});
 }
 
 }  // namespace lathelier::cam

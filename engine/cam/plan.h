@@ -84,7 +84,8 @@ struct TurningPlan {
     const CheckResult& worstCheck() const;
 };
 
-/// Errors: those of job_rules.h; feedBeyondNose, noSetupPossible, postCannot; those of receptanceOf(). Throws Cancelled.
+/// Errors: those of job_rules.h; feedBeyondNose, noSetupPossible, postCannot; those of receptanceOf(). Throws
+/// Cancelled.
 TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
                         const TurningParameters& parameters = {}, const Progress& progress = {});
 

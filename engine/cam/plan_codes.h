@@ -57,8 +57,7 @@ inline constexpr NoteCode materialForPowerMissing{
 
 inline constexpr NoteCode noStableSpeedHere{
     "no_stable_speed", Severity::Warning,
-    LT_TEXT("Engine",
-            "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.")};
+    LT_TEXT("Engine", "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.")};
 
 inline constexpr NoteCode secondClampingAssumed{
     "second_clamping_assumed", Severity::Warning,
@@ -83,6 +82,10 @@ inline constexpr NoteCode finishCutsDeep{
 inline constexpr NoteCode threadNotPlanned{
     "thread_not_planned", Severity::Warning,
     LT_TEXT("Engine", "The thread {designation} is not cut: its body is turned to the drawn diameter.")};
+
+inline constexpr NoteCode edgesStaySharp{
+    "edges_stay_sharp", Severity::Info,
+    LT_TEXT("Engine", "The job asks for edges broken by {edge_break_mm} mm; the program leaves them sharp.")};
 
 inline constexpr NoteCode boresNotPlanned{"bores_not_planned", Severity::Warning,
                                           LT_TEXT("Engine", "Bores of the part are not in the program.")};

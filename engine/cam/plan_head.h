@@ -14,13 +14,13 @@ namespace lathelier::cam {
 
 /// All of it.
 struct HeadFacts {
-    const Clamping& clamping;                     ///< how the work is held
-    const Shaft& part;                            ///< as drawn
-    const std::vector<std::string>& origin;       ///< files and hashes
-    const std::vector<SectionSpeed>& sections;    ///< of the finish
-    const std::vector<Unreached>& rest;           ///< what no tool reaches
-    std::size_t setup = 1, setups = 1;            ///< this clamping, of how many
-    std::string check;                            ///< its outcome; empty: not known yet
+    const Clamping& clamping;                   ///< how the work is held
+    const Shaft& part;                          ///< as drawn
+    const std::vector<std::string>& origin;     ///< files and hashes
+    const std::vector<SectionSpeed>& sections;  ///< of the finish
+    const std::vector<Unreached>& rest;         ///< what no tool reaches
+    std::size_t setup = 1, setups = 1;          ///< this clamping, of how many
+    std::string check;                          ///< its outcome; empty: not known yet
 };
 
 /// Lines for comments; their number does not depend on `check`.

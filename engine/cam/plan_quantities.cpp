@@ -46,13 +46,13 @@ const std::vector<QuantityOf<SetupPlan>>& quantitiesOf(const SetupPlan*)
     using R = SetupPlan;
     static const auto all = describedBy<R>(
         quantity<R>("program", [](const R& r) { return r.program.empty() ? Value() : Value(r.program); }),
-        quantity<R>("z_zero", [](const R& r) {
-            return r.clamping.is_mirrored ? LT_TEXT("Engine", "the face of the other end, finished")
-                                          : LT_TEXT("Engine", "the face of the free end, finished");
-        }),
-        quantity<R>("z_zero_mm", &R::z_zero_mm), quantity<R>("turned_round", [](const R& r) {
-            return r.clamping.is_mirrored;
-        }),
+        quantity<R>("z_zero",
+                    [](const R& r) {
+                        return r.clamping.is_mirrored ? LT_TEXT("Engine", "the face of the other end, finished")
+                                                      : LT_TEXT("Engine", "the face of the free end, finished");
+                    }),
+        quantity<R>("z_zero_mm", &R::z_zero_mm),
+        quantity<R>("turned_round", [](const R& r) { return r.clamping.is_mirrored; }),
         quantity<R>("chuck_face_z_mm", [](const R& r) { return r.clamping.job.setup.chuck_face_z_mm; },
                     {LT_TEXT("Engine", "Chuck face"), mm, 2}),
         quantity<R>("finished_to_z_mm", [](const R& r) { return r.clamping.finished_to_mm; },
@@ -72,8 +72,7 @@ const std::vector<QuantityOf<SectionSpeed>>& quantitiesOf(const SectionSpeed*)
         quantity<R>("speed_rpm", &R::speed_rpm, {LT_TEXT("Engine", "Speed"), LT_TEXT("Engine", "1/min"), 0}),
         quantity<R>("cutting_speed_m_min", &R::cutting_speed_m_min,
                     {LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "m/min"), 1}),
-        quantity<R>("frequency_hz", &R::frequency_hz,
-                    {LT_TEXT("Engine", "Frequency f_m"), LT_TEXT("Engine", "Hz"), 1}),
+        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency f_m"), LT_TEXT("Engine", "Hz"), 1}),
         quantity<R>("lobe", [](const R& r) { return r.lobe > 0 ? Value(std::int64_t{r.lobe}) : Value(); },
                     {LT_TEXT("Engine", "Lobe"), {}, 0}),
         quantity<R>("reason", &R::reason, {LT_TEXT("Engine", "Reason"), {}, 0}),

@@ -38,9 +38,10 @@ report::Answer answer(const TurningPlan& plan, const Language&)
     answer.verdict_words = plan.is_refused     ? LT_TEXT("Engine", "✗ the program is refused")
                            : plan.rest.empty() ? LT_TEXT("Engine", "✓ as drawn")
                                                : LT_TEXT("Engine", "✗ material stays");
-    answer.sentence = LT_TEXT("Engine",
-                              "{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · "
-                              "places with material left: {rest}");
+    answer.sentence =
+        LT_TEXT("Engine",
+                "{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · "
+                "places with material left: {rest}");
     answer.values = {{"setups", static_cast<std::int64_t>(plan.setups.size())},
                      {"time_min", timeOf(plan) / 60},
                      {"gouge_um", plan.worstCheck().gouge_um},
@@ -69,9 +70,9 @@ report::Plot meridianPlot(const TurningPlan& plan, std::size_t setup, const Lang
 
 report::Table operationTable(const SetupPlan& setup)
 {
-    return report::listTable<PlannedOperation>(LT_TEXT("Engine", "Operations"), setup.operations,
-                                               {"kind_name", "tool", "blocks", "first_line", "feed_length_mm", "time_s",
-                                                "volume_cm3", "power_max_kW"});
+    return report::listTable<PlannedOperation>(
+        LT_TEXT("Engine", "Operations"), setup.operations,
+        {"kind_name", "tool", "blocks", "first_line", "feed_length_mm", "time_s", "volume_cm3", "power_max_kW"});
 }
 
 report::Table restTable(const TurningPlan& plan)

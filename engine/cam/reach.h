@@ -39,8 +39,8 @@ struct Unreached {
     double path_from_mm = 0, path_to_mm = 0;   ///< the interval as way along the drawing
 };
 
-inline constexpr double leastRest_mm = 0.005;     ///< what is less is no rest
-inline constexpr double restSpacing_mm = 0.02;    ///< of points along the drawing
+inline constexpr double leastRest_mm = 0.005;   ///< what is less is no rest
+inline constexpr double restSpacing_mm = 0.02;  ///< of points along the drawing
 
 /// The intervals where every tool leaves more than leastRest_mm, within [0, length] of the drawing, in its order.
 /// Ends and maxima are refined to 1e-5 mm. O(length / spacing · log pieces · tools).

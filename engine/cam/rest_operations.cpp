@@ -8,13 +8,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOverlap_mm = 0.5;       // onto what is finished, on both sides of a rest
-constexpr double kAboveFloor_mm = 0.05;   // left by plunges
-constexpr double kPlungeShare = 0.7;      // of a blade's width between plunges
-constexpr double kBladeShare = 0.6;       // of the cutting speed of roughing
+constexpr double kOverlap_mm = 0.5;      // onto what is finished, on both sides of a rest
+constexpr double kAboveFloor_mm = 0.05;  // left by plunges
+constexpr double kPlungeShare = 0.7;     // of a blade's width between plunges
+constexpr double kBladeShare = 0.6;      // of the cutting speed of roughing
 constexpr double kBladeFeed_mm_rev = 0.06;
-constexpr double kAbove_mm = 1;           // of rapid moves over what is approached
-constexpr double kSteep = 1.0;            // slope of a drawn shoulder, at least
+constexpr double kAbove_mm = 1;  // of rapid moves over what is approached
+constexpr double kSteep = 1.0;   // slope of a drawn shoulder, at least
 constexpr double kSame_mm = 1e-6;
 
 /// Rapid over a place of the tip and as far down as the stock allows, never lower than `x_mm`.
@@ -215,7 +215,7 @@ double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock&
 }
 
 std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unreached>& rest,
-                                     const std::vector<ToolReach>& so_far, const ToolReach& tool)
+                                  const std::vector<ToolReach>& so_far, const ToolReach& tool)
 {
     std::vector<Unreached> found;
     for (const Unreached& interval : rest) {
@@ -234,8 +234,8 @@ std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unre
                 if (piece.isArc()) {
                     const auto [start, end] = piece.arcAngles();
                     const double angle = start + share * (end - start);
-                    point = piece.centre_mm() +
-                            std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
+                    point =
+                        piece.centre_mm() + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
                 }
                 const double left = leftAt_mm(point, so_far, 1e4);
                 gain = std::max(gain, left - std::max(0.0, tool.left_mm(point, left)));

@@ -27,6 +27,6 @@ double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock&
 /// The intervals of `rest` where the tool would leave less by leastGain_mm. A corner that a nose rounds at a drawn
 /// shoulder stays: a blade is not brought there for it.
 std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unreached>& rest,
-                                     const std::vector<ToolReach>& so_far, const ToolReach& tool);
+                                  const std::vector<ToolReach>& so_far, const ToolReach& tool);
 
 }  // namespace lathelier::cam

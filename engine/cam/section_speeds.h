@@ -32,7 +32,7 @@ enum class PartModel : std::uint8_t {
 inline constexpr double spindleRamp_rpm_s = 1000;  ///< α, assumed
 
 struct SpeedRequest {
-    std::optional<receptance::SpindleReceptance> spindle;                                 ///< none: no dynamics
+    std::optional<receptance::SpindleReceptance> spindle;                     ///< none: no dynamics
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel model = PartModel::Finished;                                    ///< for finishing
     double max_rpm = 0;                                                       ///< limit of the spindle
@@ -41,17 +41,17 @@ struct SpeedRequest {
 
 /// A stretch of the part with one speed in the finish.
 struct SectionSpeed {
-    double z_start_mm = 0;                ///< from the free end of the clamping
-    double z_end_mm = 0;                  ///< up to here
-    double diameter_mm = 0;               ///< of its cylinder, or the largest
-    std::optional<double> speed_rpm;      ///< fixed; none: constant cutting speed
-    double cutting_speed_m_min = 0;       ///< at the diameter
-    std::optional<double> frequency_hz;   ///< where Re G is least; none: no dynamics
-    int lobe = 0;                         ///< k of the selected speed; 0: none
-    Text reason;                          ///< in words
-    double Rz_um = 0;                     ///< ideal
-    int setup = 1;                        ///< clamping
-    FrfPtr receptance;                    ///< of the work at that moment, where it is cut; null: no dynamics
+    double z_start_mm = 0;               ///< from the free end of the clamping
+    double z_end_mm = 0;                 ///< up to here
+    double diameter_mm = 0;              ///< of its cylinder, or the largest
+    std::optional<double> speed_rpm;     ///< fixed; none: constant cutting speed
+    double cutting_speed_m_min = 0;      ///< at the diameter
+    std::optional<double> frequency_hz;  ///< where Re G is least; none: no dynamics
+    int lobe = 0;                        ///< k of the selected speed; 0: none
+    Text reason;                         ///< in words
+    double Rz_um = 0;                    ///< ideal
+    int setup = 1;                       ///< clamping
+    FrfPtr receptance;                   ///< of the work at that moment, where it is cut; null: no dynamics
 };
 
 /// What the finish of this clamping runs at. Without spindle and stated sections: constant cutting speed.

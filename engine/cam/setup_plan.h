@@ -14,10 +14,10 @@ namespace lathelier::cam {
 
 /// An operation on a rest that was tried and refused.
 struct RefusedOperation {
-    int tool = 0;                           ///< number
-    Unreached rest;                         ///< what it was for
-    RestCause cause = RestCause::Holder;    ///< holder or chuck
-    Text reason;                            ///< in words
+    int tool = 0;                         ///< number
+    Unreached rest;                       ///< what it was for
+    RestCause cause = RestCause::Holder;  ///< holder or chuck
+    Text reason;                          ///< in words
 };
 
 /// Operations that are left out: all of one kind with one tool in one clamping.

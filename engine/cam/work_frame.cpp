@@ -65,6 +65,13 @@ Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm
 ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_mm)
 {
     ToolReach reach{tool.number, toolCurve(frame, tool, allowance_mm), tool.radius_mm(), 0};
+    if (tool.isProfile() && tool.hand == Hand::TowardChuck && !reach.curve.empty()) {
+        CurvePiece face;  // the tool comes up the face
+        face.to = reach.curve.front().from;
+        face.from = {face.to.x(), 0};
+        face.touch = Touch::Join;
+        if (face.to.y() > 0) reach.curve.insert(reach.curve.begin(), face);
+    }
     if (tool.isBlade()) {
         reach.radius_mm = std::max(tool.corner_radius_mm, 1e-6);
         reach.span_mm = *tool.width_mm - 2 * tool.corner_radius_mm;

@@ -69,9 +69,7 @@ std::optional<Refusal> WorkStock::run(const Operation& operation)
     const auto note = [&first](const std::optional<Refusal>& found) {
         if (found && !first) first = found;
     };
-    const auto place = [this](const Vector2d& tip) {
-        return stock::Corner{tip.x() + parameters_.z_zero_mm, tip.y()};
-    };
+    const auto place = [this](const Vector2d& tip) { return stock::Corner{tip.x() + parameters_.z_zero_mm, tip.y()}; };
     Vector2d at = operation.moves.empty() ? Vector2d(0, 0) : operation.moves.front().to;
     for (const CutMove& move : operation.moves) {
         for (const Vector2d& to : chordsOf(at, move, kChord_mm)) {
@@ -84,7 +82,8 @@ std::optional<Refusal> WorkStock::run(const Operation& operation)
                 for (const auto& holder : tool->holders)
                     note(test(sweep(holder, 0, 1), stock::FindingKind::RapidThroughStock));
             } else {
-                const double steps = tool->holders.empty() ? 1 : std::max(1.0, std::ceil(length_mm(way) / kHolderStep_mm));
+                const double steps =
+                    tool->holders.empty() ? 1 : std::max(1.0, std::ceil(length_mm(way) / kHolderStep_mm));
                 for (double i = 0; i < steps; ++i) {
                     const stock::ConvexPolygon cut = sweep(tool->insert, i / steps, (i + 1) / steps);
                     removed_mm3_ += columns_.remove(cut).volume_mm3;

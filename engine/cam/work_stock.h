@@ -15,8 +15,8 @@ namespace lathelier::cam {
 /// What an operation met first.
 struct Refusal {
     stock::FindingKind kind = stock::FindingKind::RapidThroughStock;  ///< what
-    double z_mm = 0;                                                 ///< where, of the part
-    double depth_mm = 0;                                             ///< how deep
+    double z_mm = 0;                                                  ///< where, of the part
+    double depth_mm = 0;                                              ///< how deep
 };
 
 class WorkStock {

@@ -62,12 +62,17 @@ double largestRadius(const RevolutionFit& fit)
 void roundFacets(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
                  std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
 {
-    const RevolutionFit fit = registration::fitRevolution(points, progress);
-    if (!registration::isBodyOfRevolution(fit)) return;
-    RoundedPoints round = roundedPoints(mesh, samples, fit, progress);
-    if (round.points.empty()) return;
-    points = std::move(round.points);
-    result.notes.push_back({notes::facetsRounded, {{"sagitta_mm", round.sagitta_mm}}});
+    constexpr int rounds = 2;  // the axis of the flat facets is not yet that of their corners
+    double sagitta_mm = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const RevolutionFit fit = registration::fitRevolution(points, progress);
+        if (!registration::isBodyOfRevolution(fit)) break;
+        RoundedPoints rounded = roundedPoints(mesh, samples, fit, progress);
+        if (rounded.points.empty()) break;
+        points = std::move(rounded.points);
+        sagitta_mm = rounded.sagitta_mm;
+    }
+    if (sagitta_mm > 0) result.notes.push_back({notes::facetsRounded, {{"sagitta_mm", sagitta_mm}}});
 }
 
 template <class T>

@@ -45,6 +45,16 @@ void shift(double by_mm, Recognition& result)
             if (*z) **z += by_mm;
 }
 
+/// An end of the part that was seen is one whatever row leads to it now.
+void keepEndsSeen(const Recognition& found, Outline& outline)
+{
+    for (std::size_t i = 0; i < found.ends.size() && i < 2; ++i) {
+        if (found.ends[i].closed_by == "data") continue;
+        if (!outline.ends[i]) outline.ends[i].emplace();
+        outline.ends[i]->tilt_share = outline.ends[i]->tilt_share_sigma = 0;
+    }
+}
+
 void takeGaps(const Outline& outline, double zero_mm, Recognition& result)
 {
     std::erase_if(result.notes, [](const Note& note) {
@@ -89,6 +99,7 @@ Recognition refit(const Recognition& found, const std::vector<RowChange>& change
     addMeridian(outline, zero_mm, false, 0, result.meridian);
     takeGaps(outline, zero_mm, result);
     result.notes.push_back({notes::rowsChangedByHand, {{"count", static_cast<std::int64_t>(changes.size())}}});
+    keepEndsSeen(found, outline);
     result.ends.clear();
     result.length_mm.reset();
     describeEnds(outline, result);

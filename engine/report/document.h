@@ -58,7 +58,7 @@ struct Paragraph {
 /// A ready picture (PNG bytes), such as a 3-D view.
 struct Picture {
     Caption title;
-    std::string png;  ///< content of the file
+    std::string png;  ///< content of the file; or an SVG, which begins with "<svg" and takes the width of the page
 };
 
 using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;

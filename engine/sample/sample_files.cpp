@@ -9,6 +9,7 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project.h"
+#include "engine/sample/chain_sample.h"
 #include "engine/sample/chatter_sample.h"
 #include "engine/sample/cylinder_sample.h"
 #include "engine/sample/deflection_sample.h"
@@ -39,7 +40,8 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 const std::vector<const SamplePart*>& sampleParts()
 {
     static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),     &cylinderSample(),
-                                                    &chatterSample(), &deflectionSample(), &wornSample()};
+                                                    &chatterSample(), &deflectionSample(), &wornSample(),
+                                                    &chainSample()};
     return all;
 }
 

@@ -16,6 +16,7 @@
 #include "engine/report/result_json.h"
 #include "widgets/compare/compare_views.h"
 #include "widgets/compare/zone_dialog.h"
+#include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/part_common/part_store.h"
@@ -194,11 +195,11 @@ void ComparePanel::addSwapButton()
 
 void ComparePanel::swapInputs()
 {
+    if (const auto shown = result(); shown && shown->drawn) return;  // a drawing is no copy
     session().edit(tr("Swap reference and copy"), [](project::Project& project) {
         auto& inputs = project.panels["compare"].inputs;
         const auto reference = inputs.find("reference");
         const auto copy = inputs.find("copy");
-        if (reference != inputs.end() && isDrawn(reference->second)) return;  // a drawing is no copy
         if (reference != inputs.end() && copy != inputs.end()) return std::swap(reference->second, copy->second);
         const auto only = reference != inputs.end() ? reference : copy;
         if (only == inputs.end()) return;

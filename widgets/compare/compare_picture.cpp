@@ -136,7 +136,7 @@ void judgeAgain(const ComparePicture& last, const registration::CompareParameter
 void computeAnew(const registration::CompareParameters& parameters, const Progress& progress, ComparePicture& picture)
 {
     if (picture.drawn)
-        takeSizes(compareWithShaft(picture.drawn->part.shaft, picture.copyScan(), parameters, progress), picture);
+        takeSizes(features::compareWithShaft(picture.drawn->part.shaft, picture.copyScan(), parameters, progress), picture);
     else
         picture.result = std::make_shared<const registration::CompareResult>(
             compare(picture.reference->file.scan, picture.copyScan(), parameters, progress));

@@ -1,6 +1,8 @@
 // A chart along the axis of a part whose context menu says what can be done with the row under the pointer.
 #pragma once
 
+#include <QMenu>
+
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::part_common {

@@ -127,6 +127,7 @@ void RecognisePanel::change(const QString& step, const features::RowChange& aske
         refit(*picture->found, changes);
         editState(step, [&](project::PanelState& state) {
             lathelier::set(state.parameters, changesKey, features::textOf(changes));
+            lathelier::set(state.parameters, changesOfKey, state.inputs.at(scanRole).path);
             lathelier::set(state.parameters, acceptedKey,
                            features::textOf(features::afterChange(picture->accepted, asked)));
         });

@@ -120,8 +120,12 @@ RecognisePicture LastRecognition::find(const project::PanelState& state, ScanSto
         last = last_;
     }
     const Scan& scan = picture.points->file.scan;
-    if (const Value* changes = lathelier::find(state.parameters, changesKey))
-        if (const auto* text = std::get_if<std::string>(changes)) picture.changes = features::rowChanges(*text);
+    const auto word = [&](const char* key) {
+        const Value* const value = lathelier::find(state.parameters, key);
+        const auto* const text = value ? std::get_if<std::string>(value) : nullptr;
+        return text ? *text : std::string();
+    };
+    if (word(changesOfKey) == source.path) picture.changes = features::rowChanges(word(changesKey));
     const bool known =
         last.found && last.points == picture.points && sameParameters(last.found->parameters, parameters);
     picture.found = known ? last.found

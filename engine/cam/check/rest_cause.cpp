@@ -50,17 +50,15 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
     RestCause found = RestCause::Uncut;
     for (std::size_t i = 0; i < points.size(); i += every) {
         const Corner off = points[i].at - centre;
+        // A nose that is in the way sinks its edges as well: it counts first.
+        if (dot(off, off) < (r - touch_mm) * (r - touch_mm)) return RestCause::NoseRadius;
         if (dot(off, of_main) > r - touch_mm || dot(off, of_back) > r - touch_mm) continue;
-        if (dot(off, off) < (r - touch_mm) * (r - touch_mm)) {
-            found = RestCause::NoseRadius;
-            continue;
-        }
-        // Between both edges but before the nose: in front of the centre, toward the axis.
         const double along = feed * off.z_mm;
-        if (along < 0 && dot(off, {-feed * std::cos(back), std::sin(back)}) > 0) return RestCause::BackAngle;
+        const bool is_behind = along < 0 && dot(off, {-feed * std::cos(back), std::sin(back)}) > 0;
         // No wall is steeper than 90°: an edge that leads at more meets none before the nose does.
-        if (leads && along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0)
-            return RestCause::LeadingAngle;
+        const bool is_ahead = leads && along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0;
+        if (is_behind) found = RestCause::BackAngle;
+        if (is_ahead && found == RestCause::Uncut) found = RestCause::LeadingAngle;
     }
     return found;
 }

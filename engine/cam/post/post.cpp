@@ -40,12 +40,10 @@ std::string oneTemplate(const JsonCursor& cursor)
     for (std::size_t at = 0; (at = text.find_first_of("{}", at)) != std::string::npos;) {
         const std::size_t end = text.find('}', at);
         static constexpr const char* known[]{"title", "number", "tool", "tool2", "max_rpm", "vc", "rpm"};
-        const bool is_named =
-            text[at] == '{' && end != std::string::npos &&
-            std::any_of(std::begin(known), std::end(known),
-                        [&](const char* name) { return text.substr(at + 1, end - at - 1) == name; });
-        if (!is_named)
-            cursor.reject(LT_TEXT("Engine", "braces around title, number, tool, tool2, max_rpm, vc or rpm"));
+        const bool is_named = text[at] == '{' && end != std::string::npos &&
+                              std::any_of(std::begin(known), std::end(known),
+                                          [&](const char* name) { return text.substr(at + 1, end - at - 1) == name; });
+        if (!is_named) cursor.reject(LT_TEXT("Engine", "braces around title, number, tool, tool2, max_rpm, vc or rpm"));
         at = end + 1;
     }
     return text;
@@ -72,10 +70,8 @@ public:
             {"program_end_tailstock", &Post::program_end_tailstock}};
         for (const auto& [key, member] : offered)
             if (const auto list = root_.member(key)) post_.*member = templates(*list);
-        static const std::pair<const char*, std::string Post::*> words[]{{"rapid", &Post::rapid},
-                                                                         {"line", &Post::line},
-                                                                         {"arc_cw", &Post::arc_cw},
-                                                                         {"arc_ccw", &Post::arc_ccw}};
+        static const std::pair<const char*, std::string Post::*> words[]{
+            {"rapid", &Post::rapid}, {"line", &Post::line}, {"arc_cw", &Post::arc_cw}, {"arc_ccw", &Post::arc_ccw}};
         for (const auto& [key, member] : words) {
             const JsonCursor cursor = root_.at(key, textExpected);
             if ((post_.*member = oneLine(cursor)).empty()) cursor.reject(LT_TEXT("Engine", "a word such as G1"));
@@ -85,8 +81,7 @@ public:
         readWords(root_.at("words", LT_TEXT("Engine", "an object with X, Z, F and style")));
         if (const auto modal = root_.member("modal")) post_.modal = modal->flag();
         if (const auto feed = root_.member("feed"))
-            post_.feed_per_min =
-                choice(*feed, {"per_rev", "per_min"}, LT_TEXT("Engine", "per_rev or per_min")) == 1;
+            post_.feed_per_min = choice(*feed, {"per_rev", "per_min"}, LT_TEXT("Engine", "per_rev or per_min")) == 1;
         if (const auto css = root_.member("css")) post_.css = css->flag();
         if (const auto numbers = root_.member("block_numbers"))
             post_.block_numbers = BlockNumbers{whole(numbers->at("start", LT_TEXT("Engine", "a number")), 0, 99999),
@@ -174,12 +169,36 @@ private:
 
     void noteUnknown(Notes& notes) const
     {
-        static constexpr const char* known[]{
-            "name",        "dialect",       "program_start",        "header_comments",       "safe_start", "tool_start",
-            "tool_end",    "spindle_css",   "spindle_rpm",          "speed_change",          "coolant_on", "program_end",
-            "stop",        "rapid",         "tool_start_tailstock", "program_end_tailstock", "line",       "arc_cw",
-            "arc_ccw",     "arc",           "words",                "modal",                 "feed",       "css",
-            "comment",     "block_numbers", "end_of_line",          "cycles",                "about",      "source"};
+        static constexpr const char* known[]{"name",
+                                             "dialect",
+                                             "program_start",
+                                             "header_comments",
+                                             "safe_start",
+                                             "tool_start",
+                                             "tool_end",
+                                             "spindle_css",
+                                             "spindle_rpm",
+                                             "speed_change",
+                                             "coolant_on",
+                                             "program_end",
+                                             "stop",
+                                             "rapid",
+                                             "tool_start_tailstock",
+                                             "program_end_tailstock",
+                                             "line",
+                                             "arc_cw",
+                                             "arc_ccw",
+                                             "arc",
+                                             "words",
+                                             "modal",
+                                             "feed",
+                                             "css",
+                                             "comment",
+                                             "block_numbers",
+                                             "end_of_line",
+                                             "cycles",
+                                             "about",
+                                             "source"};
         root_.members(kMostKeys, [&](const std::string& key, const JsonCursor& value) {
             if (std::any_of(std::begin(known), std::end(known), [&](const char* name) { return key == name; })) return;
             const io::JsonPlace place = value.place();
@@ -245,7 +264,8 @@ std::string postText(const Post& post)
 
 std::string asSystemA(const std::string& text)
 {
-    static constexpr std::pair<const char*, const char*> codes[]{{"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}};
+    static constexpr std::pair<const char*, const char*> codes[]{
+        {"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}};
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
         if (text[at] == '(') {  // comments stay

@@ -1,5 +1,7 @@
 #include "engine/cam/post/program_writer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -23,10 +25,19 @@ std::string numberText(std::int64_t units, int decimals, bool point)
     std::string fraction = digits.substr(digits.size() - static_cast<std::size_t>(decimals));
     while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
     if (!fraction.empty())
-        text += "." + fraction;
+        text.append(1, '.').append(fraction);
     else if (point)
         text += ".";
-    return units < 0 ? "-" + text : text;
+    if (units < 0) text.insert(text.begin(), '-');
+    return text;
+}
+
+/// A word: its letter and its number. (Appended: GCC 12 warns wrongly of literal + string.)
+std::string wordText(const char* letter, std::int64_t units, int decimals, bool point)
+{
+    std::string text(letter);
+    text += numberText(units, decimals, point);
+    return text;
 }
 
 std::int64_t unitsOf(double value, int decimals)
@@ -145,8 +156,8 @@ private:
     }
 
     std::string word(CutKind kind) const { return kind == CutKind::Rapid ? post_.rapid : post_.line; }
-    std::string xWord(std::int64_t units) const { return "X" + numberText(units, post_.x_decimals, post_.decimal_point); }
-    std::string zWord(std::int64_t units) const { return "Z" + numberText(units, post_.z_decimals, post_.decimal_point); }
+    std::string xWord(std::int64_t units) const { return wordText("X", units, post_.x_decimals, post_.decimal_point); }
+    std::string zWord(std::int64_t units) const { return wordText("Z", units, post_.z_decimals, post_.decimal_point); }
 
     /// Empty where a line does as well.
     std::string circleWords(const CutMove& move, std::int64_t x, std::int64_t z) const
@@ -160,15 +171,15 @@ private:
         if (post_.arc != ArcWords::CentreOffsets) {
             // The control needs a radius of at least half the chord.
             const std::int64_t least = static_cast<std::int64_t>(std::ceil(chord / 2 / z_unit - 1e-6));
-            return (post_.arc == ArcWords::Radius ? "R" : "CR=") +
-                   numberText(std::max(unitsOf(radius, post_.z_decimals), least), post_.z_decimals,
-                              post_.decimal_point);
+            return wordText(post_.arc == ArcWords::Radius ? "R" : "CR=",
+                            std::max(unitsOf(radius, post_.z_decimals), least), post_.z_decimals, post_.decimal_point);
         }
         // I counts radii, with as many decimals as X.
         const std::int64_t i = unitsOf(move.centre.y() - from.y(), post_.x_decimals);
         const std::int64_t k = unitsOf(-move.centre.x() - from.x(), post_.z_decimals);
-        return "I" + numberText(i, post_.x_decimals, post_.decimal_point) + " K" +
-               numberText(k, post_.z_decimals, post_.decimal_point);
+        std::string text = wordText("I", i, post_.x_decimals, post_.decimal_point);
+        append(text, wordText("K", k, post_.z_decimals, post_.decimal_point));
+        return text;
     }
 
     std::string feedWord(double feed_mm_rev)
@@ -184,7 +195,7 @@ private:
         const std::int64_t units = unitsOf(feed, post_.f_decimals);
         if (units == feed_units_ && post_.modal) return {};
         feed_units_ = units;
-        return "F" + numberText(units, post_.f_decimals, post_.decimal_point);
+        return wordText("F", units, post_.f_decimals, post_.decimal_point);
     }
 
     static void append(std::string& text, const std::string& words)
@@ -221,7 +232,7 @@ private:
         if (name == "title") return commentText(post_, head_.title);
         if (name == "number") return std::to_string(head_.number);
         if (name == "tool") return std::to_string(tool_);
-        if (name == "tool2") return (tool_ < 10 ? "0" : "") + std::to_string(tool_);
+        if (name == "tool2") return fmt::format("{:02}", tool_);
         if (name == "max_rpm") return whole(std::floor(head_.max_rpm));
         if (name == "vc") return whole(vc_);
         if (name == "rpm") return whole(rpm_.value_or(0));
@@ -242,7 +253,7 @@ private:
     {
         if (!post_.block_numbers) return addPlain(text);
         if (number_ == 0) number_ = post_.block_numbers->start;
-        std::string numbered = "N" + std::to_string(number_);
+        std::string numbered = wordText("N", number_, 0, false);
         append(numbered, text);
         addPlain(numbered);
         number_ += post_.block_numbers->step;
@@ -273,9 +284,9 @@ private:
 std::string commentText(const Post& post, const std::string& text)
 {
     static constexpr std::pair<const char*, const char*> replaced[]{
-        {"Ø", "D"}, {"µ", "U"},  {"·", "."}, {"×", "X"}, {"–", "-"}, {"…", "-"}, {"°", " DEG"}, {"ä", "AE"}, {"ö", "OE"},
-        {"ü", "UE"}, {"ß", "SS"}, {"ą", "A"}, {"ć", "C"}, {"ę", "E"}, {"ł", "L"}, {"ń", "N"},   {"ó", "O"},  {"ś", "S"},
-        {"ź", "Z"},  {"ż", "Z"},  {"Ł", "L"}, {"Ś", "S"}, {"Ż", "Z"}, {"Ó", "O"}};
+        {"Ø", "D"},  {"µ", "U"},  {"·", "."},  {"×", "X"}, {"–", "-"}, {"…", "-"}, {"°", " DEG"}, {"ä", "AE"},
+        {"ö", "OE"}, {"ü", "UE"}, {"ß", "SS"}, {"ą", "A"}, {"ć", "C"}, {"ę", "E"}, {"ł", "L"},    {"ń", "N"},
+        {"ó", "O"},  {"ś", "S"},  {"ź", "Z"},  {"ż", "Z"}, {"Ł", "L"}, {"Ś", "S"}, {"Ż", "Z"},    {"Ó", "O"}};
     std::string ascii;
     for (std::size_t at = 0; at < text.size();) {
         const auto byte = static_cast<unsigned char>(text[at]);

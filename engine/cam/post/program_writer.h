@@ -33,8 +33,8 @@ struct WrittenProgram {
     std::vector<WrittenOperation> operations;  ///< as they were given
 };
 
-/// A fixed speed takes the place of constant cutting speed where the control has none: that of the largest diameter cut.
-/// Error postCannot (feed per minute without a speed).
+/// A fixed speed takes the place of constant cutting speed where the control has none: that of the largest diameter
+/// cut. Error postCannot (feed per minute without a speed).
 WrittenProgram writeProgram(const Post& post, const ProgramHead& head, const std::vector<Operation>& operations);
 
 /// A text for a comment of this post: ASCII, upper case, nothing that ends it, no longer than it may be.

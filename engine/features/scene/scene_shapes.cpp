@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr int kMostTries = 2000;
+constexpr int kMostTries = 500;
 constexpr double kSure = 0.999;  // chance that a sample of inliers only was among the tries
 
 /// Single precision about the middle of the points.

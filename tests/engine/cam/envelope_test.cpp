@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tests/engine/cam/plan_data.h"
 #include "engine/cam/reach.h"
 #include "engine/cam/work_frame.h"
+#include "tests/engine/cam/plan_data.h"
 
 namespace lathelier::cam {
 namespace {
@@ -126,8 +126,7 @@ TEST(NoseCurve, NeverGougesRandomShafts)
         for (const ToolWedge& tool : tools) {
             const Curve curve = noseCurve(contour, tool);
             EXPECT_LT(worstGouge(contour, curve, tool.radius_mm), 1e-9);
-            for (std::size_t k = 1; k < curve.size(); ++k)
-                EXPECT_LT((curve[k].from - curve[k - 1].to).norm(), 2e-9);
+            for (std::size_t k = 1; k < curve.size(); ++k) EXPECT_LT((curve[k].from - curve[k - 1].to).norm(), 2e-9);
         }
     }
 }

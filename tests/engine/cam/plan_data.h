@@ -1,7 +1,6 @@
 // Jobs for plans, made here: tools of the trade, the papers' shaft, random shafts.
 #pragma once
 
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -21,7 +20,8 @@ inline ShaftSegment row(double length, double start, double end, double arc = 0)
     return segment;
 }
 
-inline JobTool insert(int number, ToolUse use, double radius, double entering, double tip, Hand hand = Hand::TowardChuck)
+inline JobTool insert(int number, ToolUse use, double radius, double entering, double tip,
+                      Hand hand = Hand::TowardChuck)
 {
     JobTool tool;
     tool.number = number;
@@ -45,12 +45,30 @@ inline JobTool blade(int number, ToolUse use, double width, double corner, doubl
     return tool;
 }
 
-inline JobTool roughC80() { return insert(1, ToolUse::Rough, 0.8, 95, 80); }
-inline JobTool finishC80() { return insert(2, ToolUse::Finish, 0.4, 95, 80); }
-inline JobTool roughD55() { return insert(5, ToolUse::Rough, 0.8, 93, 55); }
-inline JobTool finishD55() { return insert(3, ToolUse::Finish, 0.4, 93, 55); }
-inline JobTool finishV35() { return insert(4, ToolUse::Finish, 0.4, 93, 35); }
-inline JobTool backV35() { return insert(6, ToolUse::FinishBack, 0.4, 93, 35, Hand::FromChuck); }
+inline JobTool roughC80()
+{
+    return insert(1, ToolUse::Rough, 0.8, 95, 80);
+}
+inline JobTool finishC80()
+{
+    return insert(2, ToolUse::Finish, 0.4, 95, 80);
+}
+inline JobTool roughD55()
+{
+    return insert(5, ToolUse::Rough, 0.8, 93, 55);
+}
+inline JobTool finishD55()
+{
+    return insert(3, ToolUse::Finish, 0.4, 93, 55);
+}
+inline JobTool finishV35()
+{
+    return insert(4, ToolUse::Finish, 0.4, 93, 35);
+}
+inline JobTool backV35()
+{
+    return insert(6, ToolUse::FinishBack, 0.4, 93, 35, Hand::FromChuck);
+}
 
 inline Job jobWith(std::vector<ShaftSegment> rows, double bar, double chuck, std::vector<JobTool> tools)
 {
@@ -74,8 +92,8 @@ inline std::vector<ShaftSegment> paperRows()
 
 inline std::vector<ShaftSegment> neckRows()
 {
-    return {row(2, 16, 20),      row(25, 20, 20), row(3, 17, 17),  row(30, 24, 24), row(2, 24, 28, -2),
-            row(15, 28, 28),     row(12, 28, 20), row(8, 20, 20),  row(6, 20, 30),  row(20, 30, 30)};
+    return {row(2, 16, 20),  row(25, 20, 20), row(3, 17, 17), row(30, 24, 24), row(2, 24, 28, -2),
+            row(15, 28, 28), row(12, 28, 20), row(8, 20, 20), row(6, 20, 30),  row(20, 30, 30)};
 }
 
 inline Job paperJob(std::vector<JobTool> tools, bool part_off = false)
@@ -148,7 +166,7 @@ inline Job randomJob(std::mt19937& random, bool rest_tools)
                                      : std::vector<JobTool>{roughD55(), finishD55()};
     if (rest_tools) {
         tools.push_back(backV35());
-        tools.push_back(blade(8, ToolUse::Groove, 2, 0.2, 25));
+        tools.push_back(blade(8, ToolUse::Groove, 2, 0.2, 30));
     }
     const Shaft shaft = randomShaft(random);
     double largest = 0;

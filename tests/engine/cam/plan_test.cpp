@@ -37,8 +37,8 @@ void expectSound(const TurningPlan& plan, const std::string& what)
         EXPECT_FALSE(setup.check.path.has_errors) << what;
         EXPECT_LE(setup.check.gouge_um, 1.5) << what;
         for (const CheckFinding& finding : setup.check.findings)
-            ADD_FAILURE() << what << " line " << finding.line << " " << key(finding.kind) << " z " << finding.z_mm << " "
-                          << finding.depth_mm << "\n"
+            ADD_FAILURE() << what << " line " << finding.line << " " << key(finding.kind) << " z " << finding.z_mm
+                          << " " << finding.depth_mm << "\n"
                           << setup.text;
     }
 }
@@ -56,31 +56,31 @@ std::vector<Practice> practiceJobs()
                           54, 90, {roughC80(), finishC80()});
     Job ball = jobWith({row(10, 0.001, 20, 10), row(8, 16, 16), row(6, 16, 28, 9), row(30, 28, 28)}, 30, 90,
                        {roughC80(), finishD55()});
-    Job neck = jobWith(neckRows(), 32, 150, {roughD55(), finishD55(), backV35(), blade(8, ToolUse::Groove, 2, 0.2, 18)});
+    Job neck =
+        jobWith(neckRows(), 32, 150, {roughD55(), finishD55(), backV35(), blade(8, ToolUse::Groove, 2, 0.2, 18)});
     neck.part_off = true;
     Job first = jobWith({row(98, 30, 30), row(6, 37, 37)}, 40, 130, {roughC80(), finishC80()});
     first.sections = {{98, 2154}, {104, 1750}};
-    return {{"contour", contour, {}},
-            {"ball", ball, {{10, 13.52, 1.7321}, {17.76, 18.07, 0.0952}}},
-            {"neck_all",
-             neck,
-             {{27, 27.16, 0.0828}, {29.84, 30, 0.0828}, {88.99, 89.02, 0.0052}, {96.97, 97.03, 0.0126}}},
-            {"neck_c80",
-             jobWith(neckRows(), 32, 150, {roughC80(), finishC80()}),
-             {{27, 30, 1.498}, {77.01, 100.41, 3.3666}}},
-            {"neck_d55",
-             jobWith(neckRows(), 32, 150, {roughD55(), finishD55()}),
-             {{27, 30, 1.2991}, {88.99, 89.02, 0.0052}, {96.91, 97.07, 0.0255}}},
-            {"paper_c80",
-             paperJob({roughC80(), finishC80()}),
-             {{97.65, 98, 0.1657}, {108, 138.47, 1.5979}, {178, 183, 4.7385}}},
-            {"paper_v35",
-             paperJob({roughD55(), finishV35()}),
-             {{97.65, 98, 0.1657}, {108, 109.47, 1.0283}, {182.76, 183, 0.1657}}},
-            {"paper_s1", first, {{97.65, 98, 0.1657}}},
-            {"paper_s2",
-             jobWith({row(5, 23.8, 33.8), row(70, 33.8, 33.8), row(4.2, 37, 37)}, 40, 90, {roughC80(), finishC80()}),
-             {{74.65, 75, 0.1657}}}};
+    return {
+        {"contour", contour, {}},
+        {"ball", ball, {{10, 13.52, 1.7321}, {17.76, 18.07, 0.0952}}},
+        {"neck_all", neck, {{27, 27.16, 0.0828}, {29.84, 30, 0.0828}, {88.99, 89.02, 0.0052}, {96.97, 97.03, 0.0126}}},
+        {"neck_c80",
+         jobWith(neckRows(), 32, 150, {roughC80(), finishC80()}),
+         {{27, 30, 1.498}, {77.01, 100.41, 3.3666}}},
+        {"neck_d55",
+         jobWith(neckRows(), 32, 150, {roughD55(), finishD55()}),
+         {{27, 30, 1.2991}, {88.99, 89.02, 0.0052}, {96.91, 97.07, 0.0255}}},
+        {"paper_c80",
+         paperJob({roughC80(), finishC80()}),
+         {{97.65, 98, 0.1657}, {108, 138.47, 1.5979}, {178, 183, 4.7385}}},
+        {"paper_v35",
+         paperJob({roughD55(), finishV35()}),
+         {{97.65, 98, 0.1657}, {108, 109.47, 1.0283}, {182.76, 183, 0.1657}}},
+        {"paper_s1", first, {{97.65, 98, 0.1657}}},
+        {"paper_s2",
+         jobWith({row(5, 23.8, 33.8), row(70, 33.8, 33.8), row(4.2, 37, 37)}, 40, 90, {roughC80(), finishC80()}),
+         {{74.65, 75, 0.1657}}}};
 }
 
 TEST(TurningPlan, PracticeJobsWithAllPosts)
@@ -103,7 +103,7 @@ TEST(TurningPlan, AllPostsMakeTheSameMoves)
         std::vector<gcode::Move> a, b;
         const auto known = [](const std::vector<gcode::Move>& moves, std::vector<gcode::Move>& to) {
             for (const gcode::Move& move : moves)
-                if (gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm)) to.push_back(move);
+                if (gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm) && !move.passes_point) to.push_back(move);
         };
         known(plan.setups[0].check.path.moves, a);
         known(other.setups[0].check.path.moves, b);
@@ -159,20 +159,24 @@ TEST(TurningPlan, RandomShaftsLeaveWhatTheCurvesSay)
         expectSound(plan, what);
         if (i % 2 == 1) continue;
         const SetupPlan& setup = plan.setups[0];
-        std::vector<RestInterval> rest;
-        for (const RestInterval& found : setup.check.rest)
-            if (found.left_mm > leastRest_mm + 0.001) rest.push_back(found);
-        std::size_t large = 0;
+        // Rounding moves what is left by up to 2 µm, and with it what is large enough to be listed.
+        constexpr double rounding_mm = 0.002;
         for (const Unreached& unreached : setup.predicted) {
-            if (unreached.left_mm <= leastRest_mm + 0.001) continue;
-            ++large;
+            if (unreached.left_mm <= leastRest_mm + rounding_mm) continue;
             double nearest = 1e9;
-            for (const RestInterval& found : rest)
+            for (const RestInterval& found : setup.check.rest)
                 if (found.z_start_mm <= unreached.z_most_mm + 0.05 && found.z_end_mm >= unreached.z_most_mm - 0.05)
                     nearest = std::min(nearest, std::abs(found.left_mm - unreached.left_mm));
-            EXPECT_LT(nearest, 0.002) << what << " z " << unreached.z_most_mm;
+            EXPECT_LT(nearest, rounding_mm) << what << " z " << unreached.z_most_mm;
         }
-        EXPECT_EQ(rest.size(), large) << what;
+        for (const RestInterval& found : setup.check.rest) {
+            if (found.left_mm <= leastRest_mm + rounding_mm) continue;
+            double nearest = 1e9;
+            for (const Unreached& unreached : setup.predicted)
+                if (unreached.z_start_mm <= found.z_end_mm + 0.05 && unreached.z_end_mm >= found.z_start_mm - 0.05)
+                    nearest = std::min(nearest, std::abs(found.left_mm - unreached.left_mm));
+            EXPECT_LT(nearest, rounding_mm) << what << " z " << found.z_start_mm;
+        }
     }
 }
 

@@ -81,11 +81,11 @@ TEST(TurningCheck, FaultsInOneWordAreFoundAtTheirLines)
 {
     const std::string sound = textOf("small.nc");
     const Job job = jobOf("small");
-    for (const Planted& fault : {Planted{"G3 X20. Z-1.4", "G3 X19.97 Z-1.4", CheckKind::InsertBelowDrawing, "N350"},
-                                 Planted{"N120 X30.6", "N120 X26.6", CheckKind::InsertBelowDrawing, "N130"},
-                                 Planted{"N170 G1 Z-17.7", "N170 G0 Z-17.7", CheckKind::RapidThroughStock, "N170"},
-                                 Planted{"N360 G2", "N360 G3", CheckKind::InsertBelowDrawing, "N360"},
-                                 Planted{"N130 G1 Z-30.3", "N130 G1 Z-63.3", CheckKind::Chuck, "N130"}}) {
+    for (const Planted& fault :
+         {Planted{"N350 G1 Z-16.4", "N350 G1 X19.97 Z-8.\nN355 X20. Z-16.4", CheckKind::InsertBelowDrawing, "N350"},
+          Planted{"N120 X30.6", "N120 X26.6", CheckKind::InsertBelowDrawing, "N130"},
+          Planted{"N170 G1 Z-17.7", "N170 G0 Z-17.7", CheckKind::RapidThroughStock, "N170"},
+          Planted{"N130 G1 Z-30.3", "N130 G1 Z-63.3", CheckKind::Chuck, "N130"}}) {
         const std::string text = replaced(sound, fault.words, fault.by);
         const CheckResult result = checked(text, job);
         const std::int64_t line = lineOf(text, fault.block);
@@ -98,9 +98,20 @@ TEST(TurningCheck, FaultsInOneWordAreFoundAtTheirLines)
     }
 }
 
+TEST(TurningCheck, ArcTheOtherWayLeavesItsFillet)
+{
+    // Three quarters of a turn through the air: nothing is met, and the fillet stays.
+    const std::string text = replaced(textOf("small.nc"), "N360 G2", "N360 G3");
+    const CheckResult result = checked(text, jobOf("small"));
+    ASSERT_EQ(result.rest.size(), 1U);
+    EXPECT_NEAR(static_cast<double>(result.rest.front().line), static_cast<double>(lineOf(text, "N360")), 1);
+    EXPECT_GT(result.rest.front().left_mm, 0.1);
+    EXPECT_EQ(result.rest.front().cause, RestCause::Uncut);
+}
+
 TEST(TurningCheck, DepthOfAFaultIsThatOfTheFault)
 {
-    const std::string text = replaced(textOf("small.nc"), "G3 X20. Z-1.4", "G3 X19.97 Z-1.4");
+    const std::string text = replaced(textOf("small.nc"), "N350 G1 Z-16.4", "N350 G1 X19.97 Z-8.\nN355 X20. Z-16.4");
     const CheckResult result = checked(text, jobOf("small"));
     EXPECT_NEAR(result.gouge_um, 15, 1);
     ASSERT_TRUE(result.gouge_line);
@@ -118,16 +129,18 @@ TEST(TurningCheck, AnotherNoseAndAnotherInsertAreFound)
     EXPECT_FALSE(nose.findings.empty() && nose.rest.empty());
     EXPECT_GT(nose.gouge_um + 1000 * nose.left_max_mm, 100);
 
-    // An edge that leads at 75° cannot turn a face: the nose stays off the drawing, the edge does not.
-    job = jobOf("small");
-    job.tools[1].entering_angle_deg = 75;
-    job.tools[1].tip_angle_deg = 90;
-    const CheckResult insert = checked(textOf("small.nc"), job);
+    // 80° in place of 55°: the nose stays off the drawing, the back edge cuts into the falling cone.
+    job = jobOf("neck_all");
+    job.tools[1].tip_angle_deg = 80;
+    const std::string text = textOf("neck_all_fanuc_a.nc");
+    const CheckResult insert = checked(text, job);
     EXPECT_LT(insert.gouge_um, 1.5);
-    ASSERT_FALSE(insert.findings.empty());
-    for (const CheckFinding& finding : insert.findings) EXPECT_EQ(finding.kind, CheckKind::InsertBelowDrawing);
-    EXPECT_NEAR(static_cast<double>(insert.findings.front().line),
-                static_cast<double>(lineOf(textOf("small.nc"), "N350")), 1);
+    const std::int64_t cone = lineOf(text, "Z-89.465");
+    bool is_found = false;
+    for (const CheckFinding& finding : insert.findings)
+        is_found = is_found || (finding.kind == CheckKind::InsertBelowDrawing && std::abs(finding.line - cone) <= 1 &&
+                                finding.depth_mm > 0.5);
+    EXPECT_TRUE(is_found);
 }
 
 TEST(TurningCheck, RapidIntoStockOfAPracticeProgram)
@@ -141,16 +154,16 @@ TEST(TurningCheck, RapidIntoStockOfAPracticeProgram)
 
 TEST(TurningCheck, CorrectedProgramIsCheckedAgainstDrawingAndCorrection)
 {
-    const std::string text =
-        replaced(replaced(textOf("small.nc"), "X20. Z-1.4", "X19.98 Z-1.4"), "N350 G1 Z-16.4", "N350 G1 X19.96 Z-16.4");
+    const std::string text = replaced(textOf("small.nc"), "N350 G1 Z-16.4", "N350 G1 X19.97 Z-8.\nN355 X20. Z-16.4");
     const Job job = jobOf("small");
-    const CheckResult plain = checked(text, job);
-    EXPECT_NEAR(plain.gouge_um, 20, 2);
-    CheckInputs inputs;
-    inputs.correction.z_mm = {0, 1.39, 1.4, 16.4, 16.5, 28};
-    inputs.correction.radius_mm = {0, 0, -0.01, -0.02, 0, 0};
+    EXPECT_NEAR(checked(text, job).gouge_um, 15, 1);
+    CheckInputs inputs;  // where the nose touches, its radius before the tip
+    inputs.correction.z_mm = {0, 1, 7.6, 16, 28};
+    inputs.correction.radius_mm = {0, 0, -0.015, 0, 0};
     const CheckResult corrected = checked(text, job, {}, inputs);
-    EXPECT_LT(corrected.gouge_um, plain.gouge_um / 2);
+    EXPECT_LT(corrected.gouge_um, 1.5);
+    EXPECT_TRUE(corrected.findings.empty());
+    EXPECT_TRUE(corrected.rest.empty());
 }
 
 TEST(TurningCheck, SecondClampingStandsOnWhatTheFirstLeft)

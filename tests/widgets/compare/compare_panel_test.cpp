@@ -12,12 +12,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cad/step_writer.h"
+#include "engine/core/shaft_item.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/project/project_codes.h"
 #include "engine/report/html.h"
 #include "tests/widgets/compare/compare_fixture.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
+#include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/hero_views.h"
@@ -35,6 +39,24 @@ class ComparePanelTest : public QObject, CompareFixture {
         QFile file(folder_.filePath("broken.xyz"));
         if (file.open(QIODevice::WriteOnly)) file.write("1 2 no number\n");
         return file.fileName();
+    }
+
+    /// The published shaft as a drawing, its first diameter with limits that the copy does not keep.
+    Shaft drawing() const
+    {
+        Shaft shaft;
+        shaft.name = "drawing";
+        shaft.segments = {{98, 30, 30, 0, {}, ""}, {10, 37, 37, 0, {}, ""}, {70, 33.8, 33.8, 0, {}, ""},
+                          {5, 33.8, 23.8, 0, {}, "chamfer"}};
+        shaft.segments[1].tolerance = SizeTolerance{{}, -10, 10};
+        return shaft;
+    }
+    QString drawingFile(const std::string& text, const char* name) const
+    {
+        const QString path = folder_.filePath(name);
+        QFile file(path);
+        if (file.open(QIODevice::WriteOnly)) file.write(QByteArray::fromStdString(text));
+        return path;
     }
 
 private slots:
@@ -68,6 +90,59 @@ private slots:
         settle();
         QVERIFY(std::abs(panel_->result()->result->statistics.mean_mm) < 1e-3);
         QVERIFY(!notes().contains("was changed after it was read"));
+    }
+
+    void aDrawingIsTheReference()
+    {
+        for (const QString& file : {drawingFile(io::shaftText(drawing()), "nominal.json"),
+                                    drawingFile(cad::stepText(drawing()), "nominal.step")}) {
+            drop(panel_.get(), {file, copy_});
+            settle();
+            const auto picture = panel_->result();
+            QVERIFY(picture->drawn && picture->sizes);
+            QCOMPARE(session_->panel("compare").inputs.at("reference").path, file.toStdString());
+            auto* sizes = part<CopyTable>("sizes");
+            QCOMPARE(sizes->rowCount(), static_cast<int>(picture->sizes->rows.size()));
+            QVERIFY(sizes->rowCount() >= 8);
+            QVERIFY(panel_->views().heroes()->keys().contains("sizes"));
+            emit sizes->cellClicked(0, 0);  // the first row: z 0-98
+            QVERIFY(panel_->views().place());
+            QVERIFY(std::abs(*panel_->views().place()->z_mm - 49) < 1);
+        }
+    }
+
+    void aSizeThatIsOutIsAFinding()
+    {
+        drop(panel_.get(), {drawingFile(io::shaftText(drawing()), "nominal.json"), copy_});
+        settle();
+        const report::Answer said = features::answer(*panel_->result()->sizes, screenLanguage());
+        QVERIFY(said.verdict == Verdict::Fail);  // the collar of the copy is 0.1 mm too large
+        QVERIFY(!said.findings.empty());
+        const Interval place = *said.findings.front().place.z_mm;
+        QVERIFY(std::abs(place.from - 98) < 1 && std::abs(place.to - 108) < 1);
+        const auto before = panel_->result()->sizes;
+        setTolerance(0.2);  // judged again, nothing recognised again
+        QVERIFY(panel_->result()->reference == panel_->result()->drawn->mesh);
+        QCOMPARE(panel_->result()->sizes->rows.size(), before->rows.size());
+        panel_->swapInputs();  // a drawing is no copy
+        settle();
+        QVERIFY(panel_->result()->drawn);
+        const report::Document report = *panel_->reportDocument();
+        QVERIFY(std::any_of(report.sections.begin(), report.sections.end(), [](const report::Section& section) {
+            return report::captionText(section.title, {}) == "Sizes against the drawing";
+        }));
+    }
+
+    void aShaftOfAnotherPanelIsTheReference()
+    {
+        session_->edit("item", [&](project::Project& project) {
+            project.items["pin"] = {shaftItem, toValues(drawing()), {}};
+            project.panels["compare"].inputs["reference"].item = "pin";
+        });
+        drop(panel_.get(), {copy_});
+        settle();
+        QVERIFY(panel_->result()->drawn && panel_->result()->sizes);
+        QCOMPARE(panel_->result()->inputs.front().path, std::string("pin"));
     }
 
     void twoDroppedFilesAreAnswered()

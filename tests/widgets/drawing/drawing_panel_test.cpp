@@ -13,6 +13,7 @@
 #include "engine/io/shaft/shaft_file.h"
 #include "tests/widgets/core/drop_files.h"
 #include "tests/widgets/core/panel_fixture.h"
+#include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 #include "widgets/drawing/drawing_panel.h"
@@ -69,6 +70,38 @@ class DrawingPanelTest : public QObject, PanelFixture<DrawingPanel> {
             lathelier::set(state.parameters, segmentsKey, rows);
             lathelier::set(state.parameters, segmentsOfKey, identity(state));
         });
+    }
+
+    const ShaftRows& rows() const { return panel_->result()->shaft.segments; }
+    int labelOf(const QString& text) const
+    {
+        const auto& labels = panel_->views().drawing().labels;
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            if (labels[i].text == text.toStdString()) return static_cast<int>(i);
+        return -1;
+    }
+    QPoint labelAt(const QString& text) const
+    {
+        const auto& label = panel_->views().drawing().labels[static_cast<std::size_t>(labelOf(text))];
+        return panel_->views().sheet()->pixelsOf(label).center().toPoint();
+    }
+    /// A double click on a dimension, another size, Return.
+    void type(const QString& dimension, const QString& size)
+    {
+        QVERIFY2(labelOf(dimension) >= 0, qPrintable(dimension));
+        SheetView* sheet = panel_->views().sheet();
+        QTest::mouseDClick(sheet, Qt::LeftButton, {}, labelAt(dimension));
+        QVERIFY(sheet->field()->isVisible());
+        sheet->field()->selectAll();
+        QTest::keyClicks(sheet->field(), size);
+        QTest::keyClick(sheet->field(), Qt::Key_Return);
+        settle();
+    }
+    Value tableWith(std::size_t row, double diameter_mm) const
+    {
+        ShaftRows all = rows();
+        all[row].start_diameter_mm = all[row].end_diameter_mm = diameter_mm;
+        return part_common::rowsOf(all);
     }
 
 private slots:
@@ -190,6 +223,153 @@ private slots:
         const auto shaft = shaftOf(kept->second.values);
         QVERIFY(shaft && *shaft == panel_->result()->shaft);
         QCOMPARE(shaft->segments[2].end_diameter_mm, 50.0);
+    }
+
+    void aRowIsLitEverywhere()
+    {
+        SheetView* sheet = panel_->views().sheet();
+        QTest::mouseClick(sheet, Qt::LeftButton, {}, sheet->pixelOf(80, 15).toPoint());
+        QVERIFY(panel_->views().row() == std::size_t{2});
+        QCOMPARE(child<QTableWidget>("rows")->currentRow(), 2);
+        QCOMPARE(panel_->views().meridian()->pointedOut().lines.size(), std::size_t{2});
+        child<QTableWidget>("rows")->setCurrentCell(0, 0);
+        QVERIFY(panel_->views().row() == std::size_t{0});
+        emit panel_->views().meridian()->clicked(30, 5);
+        QVERIFY(panel_->views().row() == std::size_t{1});
+        QTest::mouseClick(sheet, Qt::LeftButton, {}, labelAt("⌀45"));  // a dimension stands for its row
+        QVERIFY(panel_->views().row() == std::size_t{2});
+        QTest::mouseClick(sheet, Qt::LeftButton, {}, sheet->sheetRect().topLeft().toPoint() + QPoint(4, 4));
+        QVERIFY(!panel_->views().row());
+    }
+
+    void aDimensionIsTypedInPlace()
+    {
+        type("⌀45", "48,5");
+        QVERIFY(says("⌀48.5"));
+        QCOMPARE(panel_->result()->shaft.segments[2].end_diameter_mm, 48.5);
+        QCOMPARE(session_->undoStack().undoText(), QString("Change the diameter of row 3"));
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(says("⌀45"));
+        type("2×45°", "3 x 30");
+        QVERIFY(says("3×30°"));
+        QCOMPARE(rows()[1].length_mm, 59.0);
+        type("62", "70");  // from the free end: the other shoulder stays
+        QCOMPARE(rows()[1].length_mm, 67.0);
+        QCOMPARE(rows()[2].length_mm, 32.0);
+    }
+
+    void aSizeThatCannotBeIsRefused()
+    {
+        std::string said;
+        connect(panel_.get(), &PanelBase::messageRaised, this, [&](const Message& message) {
+            if (const auto* error = std::get_if<Error>(&message.content)) said = error->code().key;
+        });
+        const int steps = session_->undoStack().count();
+        type("⌀45", "0");
+        QCOMPARE(said, std::string("shaft_row_wrong"));
+        type("⌀45", "wide");
+        QCOMPARE(said, std::string("value_not_understood"));
+        type("⌀45", "18");  // narrower than the bore
+        QCOMPARE(said, std::string("shaft_crosses"));
+        QCOMPARE(session_->undoStack().count(), steps);
+        QVERIFY(says("⌀45"));
+    }
+
+    void keysEditTheLitRow()
+    {
+        panel_->views().markRow(1);
+        QTest::keyClick(panel_->views().sheet(), Qt::Key_S);
+        settle();
+        QCOMPARE(rows().size(), std::size_t{4});
+        QCOMPARE(session_->undoStack().undoText(), QString("Split row 2"));
+        QTest::keyClick(child<QTableWidget>("rows"), Qt::Key_M);
+        settle();
+        QCOMPARE(rows().size(), std::size_t{3});
+        QCOMPARE(rows()[1].length_mm, 60.0);
+        panel_->views().markRow(0);
+        QTest::keyClick(panel_->views().sheet(), Qt::Key_Delete);
+        settle();
+        QCOMPARE(rows().size(), std::size_t{2});
+        QCOMPARE(panel_->result()->shaft.length_mm(), 102.0);
+        for (int i = 0; i < 3; ++i) session_->undoStack().undo();
+        settle();
+        QCOMPARE(rows().size(), std::size_t{3});
+    }
+
+    void theMenuChangesKindsAndTies()
+    {
+        part_common::RowVerbs verbs = panel_->views().verbsOf(2);
+        verbs.change(RowForm::Groove);
+        settle();
+        QCOMPARE(rows()[2].role, std::string("groove"));
+        session_->undoStack().undo();
+        settle();
+        verbs = panel_->views().verbsOf(2);
+        QCOMPARE(verbs.ties.size(), std::size_t{1});  // the other cylinder
+        verbs.ties.front().second();
+        settle();
+        QCOMPARE(rows()[2].end_diameter_mm, 30.0);
+        QCOMPARE(child<QTableWidget>("rows")->item(2, 9)->text(), QString("2"));
+        setDiameter(1, 35);  // in the table: as the form does it, and then the follower
+        settle();
+        emit panel_->findChild<InputColumn*>()->parameterEdited(segmentsKey, tableWith(1, 36), 7, "Set");
+        settle();
+        QCOMPARE(rows()[1].end_diameter_mm, 36.0);
+        QCOMPARE(rows()[2].end_diameter_mm, 36.0);
+        panel_->views().verbsOf(2).untie();
+        settle();
+        QVERIFY(rows()[1].tie.empty() && rows()[2].tie.empty());
+        QMenu menu;
+        part_common::addRowVerbs(menu, 3, panel_->views().verbsOf(2));
+        QVERIFY(menu.actions().size() >= 5);
+    }
+
+    void aShoulderIsDragged()
+    {
+        const int steps = session_->undoStack().count();
+        emit panel_->views().meridian()->handleMoved("shoulder/1", 65.04, 15, false);
+        settle();
+        QCOMPARE(rows()[1].length_mm, 63.0);
+        emit panel_->views().meridian()->handleMoved("shoulder/1", 70, 15, false);
+        emit panel_->views().meridian()->handleMoved("shoulder/1", 500, 15, true);  // not beyond the next one
+        settle();
+        QCOMPARE(rows()[1].length_mm, 68.0);
+        QCOMPARE(panel_->result()->shaft.length_mm(), 102.0);
+        QCOMPARE(session_->undoStack().count(), steps + 1);
+        session_->undoStack().undo();
+        settle();
+        QCOMPARE(rows()[1].length_mm, 60.0);
+    }
+
+    void lengthsAsAChainAreAChoiceThatIsKept()
+    {
+        set("lengths", std::string("chain"));
+        settle();
+        QVERIFY(says("62") && says("40") && says("102"));
+        type("62", "70");  // the other length stays, the part grows
+        QCOMPARE(rows()[2].length_mm, 40.0);
+        QCOMPARE(panel_->result()->shaft.length_mm(), 110.0);
+        const Value* kept = find(session_->project().panels.at("drawing").parameters, "lengths");
+        QVERIFY(kept && *kept == Value(std::string("chain")));
+    }
+
+    void whatWasMeasuredStandsBesideWhatWasSet()
+    {
+        QVERIFY(!panel_->views().heroes()->keys().contains("measured"));
+        set("measured", true);
+        settle();
+        type("⌀45", "45,5");
+        auto* table = child<QTableWidget>("measured");
+        QVERIFY(panel_->views().heroes()->keys().contains("measured"));
+        QCOMPARE(table->item(0, 2)->text(), QString("45.500"));
+        QVERIFY(table->item(0, 4)->text().endsWith("0.5000") && !table->item(0, 4)->text().startsWith('0'));
+        const auto document = panel_->reportDocument();
+        QVERIFY(document);
+        bool drawn = false;
+        for (const report::Block& block : document->sections.front().blocks)
+            if (const auto* picture = std::get_if<report::Picture>(&block)) drawn = picture->png.find("<svg") == 0;
+        QVERIFY(drawn);
     }
 
     void itFollowsTheLanguage()

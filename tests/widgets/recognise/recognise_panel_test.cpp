@@ -231,6 +231,10 @@ private slots:
         QCOMPARE(io::readStock(written["Stock text…"].toStdString()).segments.size(), std::size_t{4});
         QCOMPARE(written["Table of rows (CSV)…"].count('\n'), 5);
         QVERIFY(written["Meridian (SVG)…"].contains("<svg"));
+        QVERIFY(written["Solid (STEP AP214)…"].contains("AUTOMOTIVE_DESIGN"));
+        QVERIFY(written["FreeCAD macro…"].contains("FreeCAD"));
+        const QByteArray& drawing = written["Drawing (SVG)…"];  // as measured, with U and the scan
+        QVERIFY(drawing.contains("±") && drawing.contains("shaft.xyz") && drawing.contains("robust"));
     }
 
     void whatIsInTheChuckIsNotInTheStock()
@@ -238,10 +242,62 @@ private slots:
         set("length_of_chucked_mm", 20.0);
         settle();
         const QString path = folder_.filePath("stock.txt");
-        panel_->offeredExports()[1].write(path);
+        for (const PanelExport& offered : panel_->offeredExports())
+            if (offered.label == "Stock text…") offered.write(path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(std::abs(io::readStock(file.readAll().toStdString()).length_mm() - 163) < 0.1);
+    }
+
+    void rowsAreChangedAndFittedAgain()
+    {
+        auto* rows = child<QTableWidget>("rows");
+        QToolButton* found = child<QToolButton>("asFound");
+        QVERIFY(!found->isVisible());
+        rows->setCurrentCell(3, 0);
+        QTest::keyClick(rows, Qt::Key_Delete);  // the chamfer
+        settle();
+        QCOMPARE(recognised().segments.size(), std::size_t{3});
+        QVERIFY(std::abs(recognised().segments[2].z_end_mm - 183) < 0.1);
+        QCOMPARE(session_->undoStack().undoText(), QString("Delete row 4"));
+        QVERIFY(found->isVisible());
+        panel_->views().verbsOf(0, 40.0).split();
+        settle();
+        QCOMPARE(recognised().segments.size(), std::size_t{4});
+        QVERIFY(std::abs(recognised().segments[0].z_end_mm - 40) < 0.05);
+        QVERIFY(recognised().segments[0].uncertainty.start_diameter_um);
+        session_->undoStack().undo();
+        settle();
+        QCOMPARE(recognised().segments.size(), std::size_t{3});
+        found->click();
+        settle();
+        QCOMPARE(recognised().segments.size(), std::size_t{4});
+        QVERIFY(panel_->result()->result == panel_->result()->found);
+    }
+
+    void aChangeThatCannotBeFittedIsNoStep()
+    {
+        std::string said;
+        connect(panel_.get(), &PanelBase::messageRaised, this, [&](const Message& message) {
+            if (const auto* error = std::get_if<Error>(&message.content)) said = error->code().key;
+        });
+        const int steps = session_->undoStack().count();
+        emit panel_->views().changeWanted("Split", {features::RowChange::What::Split, 1, 150});
+        QCOMPARE(said, std::string("row_not_changeable"));
+        QCOMPARE(session_->undoStack().count(), steps);
+    }
+
+    void theItemKnowsItsScanAndItsUncertainty()
+    {
+        child<QToolButton>("useShaft")->click();
+        const Values& values = session_->project().items.at("shaft").values;
+        const auto from = recoveredFrom(values);
+        QVERIFY(from && from->scan == "shaft.xyz" && from->scan_sha256.size() == 64);
+        const auto shaft = shaftOf(values);
+        for (const ShaftSegment& row : shaft->segments) {
+            QVERIFY(row.measured && row.measured->uncertainty.start_diameter_um);
+            QCOMPARE(*row.measured->start_diameter_mm, row.start_diameter_mm);
+        }
     }
 
     void theReportHasBothCharts()

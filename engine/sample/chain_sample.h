@@ -1,0 +1,13 @@
+// The paper's shaft, worn, with what the chain from its scan to the proof of its copy needs.
+#pragma once
+
+#include "engine/core/sample_part.h"
+
+namespace lathelier::sample {
+
+/// chain_worn.ply: the worn original; chain_drawing.json: its nominal drawing; chain_job.json, chain_setup.json: how it
+/// is turned (the machine is spindle.json); chain_copy.ply: a scan of the copy as deflection predicts it for the
+/// program that the job gives.
+const SamplePart& chainSample();
+
+}  // namespace lathelier::sample

@@ -17,6 +17,7 @@
 #include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/training/training_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
+#include "widgets/turning/turning_panel.h"
 
 namespace lathelier {
 
@@ -38,6 +39,7 @@ const std::vector<PanelFacts>& panelTable()
                                                correction_panel::correctionPanelFacts(),
                                                recognise_panel::recognisePanelFacts(),
                                                drawing_panel::drawingPanelFacts(),
+                                               turning_panel::turningPanelFacts(),
                                                training_panel::trainingPanelFacts()};
     return table;
 }

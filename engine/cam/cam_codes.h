@@ -47,6 +47,10 @@ namespace notes {
 inline constexpr NoteCode speedNotLimited{"speed_not_limited", Severity::Info,
                                           LT_TEXT("Engine", "The job states no highest speed of the spindle.")};
 
+inline constexpr NoteCode jobChanged{
+    "job_changed", Severity::Info,
+    LT_TEXT("Engine", "The job is that of the form, which was changed since {source} was opened.")};
+
 // The check of a program.
 
 inline constexpr NoteCode toolNotInJob{

@@ -77,7 +77,8 @@ private:
                       TurningPlan& plan, const Progress& progress)
     {
         const WorkStock begin = left ? turnedRound(*left, clamping) : barOf(clamping);
-        SetupOperations planned = planSetup(clamping, begin, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
+        SetupOperations planned =
+            planSetup(clamping, begin, parameters_.skipped, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
         SetupPlan setup;
         setup.clamping = clamping;
         const std::vector<SectionSpeed> sections =
@@ -157,6 +158,7 @@ private:
     {
         CheckParameters parameters;
         parameters.program.dialect = inputs_.post.dialect.value_or(gcode::Dialect::Auto);
+        parameters.keeps_outlines = inputs_.keeps_outlines;
         CheckInputs inputs;
         if (clamping.is_mirrored) {
             parameters.setup = 2;

@@ -28,6 +28,7 @@ struct TurningParameters {
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel part_model = PartModel::Finished;                               ///< body for the speeds of finishing
     double tool_change_s = 3;                                                 ///< for the time
+    std::vector<SkippedOperation> skipped;                                    ///< switched off
     friend bool operator==(const TurningParameters&, const TurningParameters&) = default;
 };
 
@@ -38,6 +39,7 @@ struct TurningInputs {
     Post post;                                             ///< of the control
     std::optional<receptance::SpindleReceptance> spindle;  ///< none: no speeds from dynamics
     std::vector<std::string> origin;                       ///< lines for the program's head: files and their hashes
+    bool keeps_outlines = false;                           ///< CheckParameters::keeps_outlines
 };
 
 /// Of a program.

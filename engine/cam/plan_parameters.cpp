@@ -26,7 +26,12 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                     LT_TEXT("Engine", "Body whose dynamics decide the speeds of the finish.")}),
         field("tool_change_s", &P::tool_change_s, {0, 600},
               Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
-                    LT_TEXT("Engine", "s")}));
+                    LT_TEXT("Engine", "s")}),
+        rows("skipped", &P::skipped, Range{0, 100},
+             Label{LT_TEXT("Engine", "Left out"),
+                   LT_TEXT("Engine", "Operations that are switched off: clamping, kind, tool."),
+                   {},
+                   true}));
     return all;
 }
 

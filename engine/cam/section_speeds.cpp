@@ -28,6 +28,7 @@ struct Chosen {
     std::optional<double> frequency_hz;
     int lobe = 0;
     bool is_stable = true;  ///< false: the catalogue's speed is kept
+    FrfPtr receptance;
 };
 
 Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
@@ -40,8 +41,9 @@ Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, dou
     parameters.from_hz = kFrom_hz;
     parameters.to_hz = kTo_hz;
     parameters.step_hz = kStep_hz;
-    const Frf frf =
-        receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress);
+    chosen.receptance = std::make_shared<const Frf>(
+        receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress));
+    const Frf& frf = *chosen.receptance;
     stability::SpeedParameters speed;
     speed.diameter_mm = diameter_mm;
     speed.cutting_speed_m_min = cutting_speed_m_min;
@@ -152,6 +154,7 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
         section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
         section.frequency_hz = chosen.frequency_hz;
         section.lobe = chosen.lobe;
+        section.receptance = chosen.receptance;
         section.Rz_um = rzOf(clamping);
         section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
                                           : LT_TEXT("Engine", "no stable speed, that of the job is kept");

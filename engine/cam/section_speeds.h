@@ -16,6 +16,7 @@
 #include "engine/cam/clampings.h"
 #include "engine/cam/operation.h"
 #include "engine/cam/work_stock.h"
+#include "engine/core/frf.h"
 #include "engine/core/progress.h"
 #include "engine/receptance/spindle_receptance.h"
 #include "engine/stability/lobes.h"
@@ -50,6 +51,7 @@ struct SectionSpeed {
     Text reason;                         ///< in words
     double Rz_um = 0;                    ///< ideal
     int setup = 1;                       ///< clamping
+    FrfPtr receptance;                   ///< of the work at that moment, where it is cut; null: no dynamics
 };
 
 /// What the finish of this clamping runs at. Without spindle and stated sections: constant cutting speed.

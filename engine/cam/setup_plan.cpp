@@ -16,9 +16,11 @@ constexpr double kDeepFinish_mm = 1.5;  // more than this is remarked
 
 class SetupPlanner {
 public:
-    SetupPlanner(const Clamping& clamping, WorkStock stock, const Progress& progress)
+    SetupPlanner(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
+                 const Progress& progress)
         : clamping_(clamping),
           job_(clamping.job),
+          skipped_(skipped),
           frame_(frameOf(clamping.job, clamping.part)),
           progress_(progress),
           result_{{}, {}, {}, {}, {}, std::move(stock), {}}
@@ -31,7 +33,7 @@ public:
         const JobTool& finish = *job_.toolFor(ToolUse::Finish);
         const double depth = job_.cutting.rough.depth_mm;
         if (auto face = facing(frame_, rough)) keep(std::move(*face), std::min(depth, largestFacing_mm));
-        if (auto hole = centreDrilling(frame_)) {
+        if (auto hole = centreDrilling(frame_); hole && !isSkipped(*hole)) {
             keep(std::move(*hole), 0);
             has_centre_hole_ = true;
         }
@@ -42,7 +44,8 @@ public:
         keep(semiFinishing(frame_, rough), depth);
         keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
         noteDeepFinish(rough, finish);
-        reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm), reachOf(frame_, finish)};
+        reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
+        if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
         progress_.report(0.6);
         for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
             for (const JobTool& tool : job_.tools)
@@ -54,8 +57,16 @@ public:
     }
 
 private:
+    bool isSkipped(OperationKind kind, int tool) const
+    {
+        const SkippedOperation wanted{clamping_.is_mirrored ? 2 : 1, kind, tool};
+        return std::find(skipped_.begin(), skipped_.end(), wanted) != skipped_.end();
+    }
+    bool isSkipped(const Operation& operation) const { return isSkipped(operation.kind, operation.tool); }
+
     void keep(Operation operation, double depth)
     {
+        if (isSkipped(operation)) return;
         if (has_centre_hole_) {
             operation.stops_before = true;
             has_centre_hole_ = false;
@@ -71,6 +82,7 @@ private:
     void clean(const JobTool& tool)
     {
         if (tool.isDrill() || (use(tool) == ToolUse::FinishBack) == tool.isBlade()) return;
+        if (isSkipped(tool.isBlade() ? OperationKind::Groove : OperationKind::FinishBack, tool.number)) return;
         const ToolReach reach = reachOf(frame_, tool);
         const std::vector<Unreached> rest = restOf(frame_.contour, reaches_);
         bool used = false;
@@ -166,6 +178,7 @@ private:
 
     const Clamping& clamping_;
     const Job& job_;
+    const std::vector<SkippedOperation>& skipped_;
     WorkFrame frame_;
     const Progress& progress_;
     SetupOperations result_;
@@ -175,9 +188,29 @@ private:
 
 }  // namespace
 
-SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const Progress& progress)
+const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
 {
-    return SetupPlanner(clamping, std::move(stock), progress).run();
+    using S = SkippedOperation;
+    static const auto all = [] {
+        std::vector<FieldChoice> kinds;
+        for (int i = 0; i <= static_cast<int>(OperationKind::PartOff); ++i) {
+            const auto kind = static_cast<OperationKind>(i);
+            kinds.push_back({key(kind), nameOf(kind)});
+        }
+        return described<S>(
+            field("setup", &S::setup, {1, 2},
+                  Label{LT_TEXT("Engine", "Clamping"), LT_TEXT("Engine", "First or second.")}),
+            field("kind", &S::kind, kinds, Label{LT_TEXT("Engine", "Operation"), LT_TEXT("Engine", "What for.")}),
+            field("tool", &S::tool, {0, 99999},
+                  Label{LT_TEXT("Engine", "Tool number"), LT_TEXT("Engine", "As the program calls it.")}));
+    }();
+    return all;
+}
+
+SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
+                          const Progress& progress)
+{
+    return SetupPlanner(clamping, std::move(stock), skipped, progress).run();
 }
 
 WorkStock barOf(const Clamping& clamping)

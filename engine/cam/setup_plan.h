@@ -7,6 +7,7 @@
 #include "engine/cam/operation.h"
 #include "engine/cam/reach.h"
 #include "engine/cam/work_stock.h"
+#include "engine/core/fields.h"
 #include "engine/core/progress.h"
 
 namespace lathelier::cam {
@@ -19,6 +20,16 @@ struct RefusedOperation {
     Text reason;                          ///< in words
 };
 
+/// Operations that are left out: all of one kind with one tool in one clamping.
+struct SkippedOperation {
+    int setup = 1;                              ///< clamping, 1 or 2
+    OperationKind kind = OperationKind::Rough;  ///< what for
+    int tool = 0;                               ///< number
+    friend bool operator==(const SkippedOperation&, const SkippedOperation&) = default;
+};
+
+const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*);
+
 struct SetupOperations {
     std::vector<Operation> operations;      ///< in order
     std::vector<double> removed_mm3;        ///< by each of them
@@ -29,8 +40,10 @@ struct SetupOperations {
     Notes notes;
 };
 
-/// `stock`: before the first operation, in the z of this clamping. Errors noSetupPossible. Throws Cancelled.
-SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const Progress& progress = {});
+/// `stock`: before the first operation, in the z of this clamping; later operations meet what `skipped` ones leave.
+/// Errors noSetupPossible. Throws Cancelled.
+SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped = {},
+                          const Progress& progress = {});
 
 /// The stock of a clamping that begins with the bar.
 WorkStock barOf(const Clamping& clamping);

@@ -9,8 +9,8 @@
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/deflection_common/deflection_inputs.h"
-#include "widgets/program/program_editor.h"
 #include "widgets/program/program_views.h"
+#include "widgets/program_common/program_editor.h"
 
 namespace lathelier::program_panel {
 namespace {

@@ -11,7 +11,7 @@
 #include "engine/stock/turning_insert.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
-#include "widgets/program/program_editor.h"
+#include "widgets/program_common/program_editor.h"
 
 namespace lathelier::program_panel {
 namespace {
@@ -164,7 +164,7 @@ void ProgramViews::show()
     if (!picture_) return;
     const stock::ProgramCheck& check = *picture_->check;
     const std::vector<stock::Remark> remarks = stock::remarksOf(check, screenLanguage());
-    std::vector<LineRemark> marks;
+    std::vector<program_common::LineRemark> marks;
     marks.reserve(remarks.size());
     for (const stock::Remark& remark : remarks)
         marks.push_back({remark.line, remark.column, remark.is_error, QString::fromStdString(remark.text)});

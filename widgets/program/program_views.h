@@ -15,9 +15,13 @@
 #include "widgets/plot/chart_view.h"
 #include "widgets/program/program_picture.h"
 
+namespace lathelier::program_common {
+class ProgramEditor;
+}
+
 namespace lathelier::program_panel {
 
-class ProgramEditor;
+using program_common::ProgramEditor;
 
 class ProgramViews : public QWidget {
     Q_OBJECT

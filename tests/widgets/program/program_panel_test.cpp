@@ -11,9 +11,9 @@
 #include "tests/widgets/deflection/slender_files.h"
 #include "widgets/core/resources.h"
 #include "widgets/deflection_common/turning_files.h"
-#include "widgets/program/program_editor.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_views.h"
+#include "widgets/program_common/program_editor.h"
 
 namespace lathelier::program_panel {
 

@@ -10,7 +10,7 @@
 #include "engine/gcode/program.h"
 #include "widgets/core/form/typing.h"
 
-namespace lathelier::program_panel {
+namespace lathelier::program_common {
 
 /// Something to be shown at a line.
 struct LineRemark {
@@ -73,4 +73,4 @@ private:
     bool loading_ = false;
 };
 
-}  // namespace lathelier::program_panel
+}  // namespace lathelier::program_common

@@ -1,4 +1,4 @@
-#include "widgets/program/program_editor.h"
+#include "widgets/program_common/program_editor.h"
 
 #include <QAccessibleWidget>
 #include <QEvent>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace lathelier::program_panel {
+namespace lathelier::program_common {
 namespace {
 
 constexpr int typingPause_ms = 400;
@@ -360,4 +360,4 @@ void ProgramEditor::resizeEvent(QResizeEvent* event)
     styleVisible();
 }
 
-}  // namespace lathelier::program_panel
+}  // namespace lathelier::program_common

@@ -1,0 +1,212 @@
+// The panel "Turning program", used as a technologist does: a job dropped, a field changed, an operation switched off,
+// two clampings, findings that lead to their line, programs written.
+#include <QFile>
+#include <QLocale>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
+
+#include "engine/cam/job_file.h"
+#include "tests/engine/cam/plan_data.h"
+#include "tests/widgets/core/drop_files.h"
+#include "tests/widgets/core/panel_fixture.h"
+#include "widgets/core/language.h"
+#include "widgets/core/resources.h"
+#include "widgets/program_common/program_editor.h"
+#include "widgets/turning/turning_panel.h"
+#include "widgets/turning/turning_views.h"
+
+namespace lathelier::turning_panel {
+
+class TurningPanelTest : public QObject, PanelFixture<TurningPanel> {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString neck_, paper_;
+
+    QString write(const QString& name, const cam::Job& job) const
+    {
+        const QString path = folder_.filePath(name);
+        QFile file(path);
+        if (file.open(QIODevice::WriteOnly)) file.write(QByteArray::fromStdString(cam::jobText(job)));
+        return path;
+    }
+    void open(const QString& path)
+    {
+        drop(panel_.get(), {path});
+        settle();
+    }
+    const cam::TurningPlan& plan() const { return *panel_->result()->plan; }
+    TurningViews& views() const { return panel_->views(); }
+    QByteArray read(const QString& path) const
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    bool says(const char* key) const
+    {
+        const Notes& notes = panel_->result()->notes;
+        return std::any_of(notes.begin(), notes.end(),
+                           [&](const Note& note) { return note.code.key == std::string(key); });
+    }
+
+private slots:
+    void initTestCase()
+    {
+        useResources();
+        QLocale::setDefault(QLocale::c());
+        neck_ = write("neck.json", cam::jobWith(cam::neckRows(), 32, 150, {cam::roughD55(), cam::finishD55()}));
+        paper_ = write("paper.json", cam::paperJob({cam::roughC80(), cam::finishC80()}));
+    }
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        begin();
+    }
+    void cleanup() { end(); }
+
+    void aJobIsPlannedAndItsProgramWritten()
+    {
+        open(neck_);
+        set("setups", std::string("1"));
+        settle();
+        QCOMPARE(plan().setups.size(), std::size_t{1});
+        QVERIFY(!plan().is_refused && plan().left_max_mm > 1);
+        QCOMPARE(views().editor()->program(), QByteArray::fromStdString(plan().setups[0].text));
+        QVERIFY(views().editor()->isReadOnly());
+        QCOMPARE(views().rest()->rowCount(), static_cast<int>(plan().rest.size()));
+        const PanelExport program = panel_->offeredExports().front();
+        const QString path = folder_.filePath("neck.nc");
+        program.write(path);
+        QCOMPARE(read(path), QByteArray::fromStdString(plan().setups[0].text));
+    }
+
+    void aFieldIsChangedAndUndone()
+    {
+        open(neck_);
+        QVERIFY(!panel_->result()->is_changed);
+        const double before_s = plan().setups[0].time_s;
+        session_->edit("Set", [&](project::Project& project) {
+            cam::Job job = plan().job;
+            job.cutting.rough.depth_mm = 1;
+            setJob(project.panels["turning"], jobValues(job));
+        });
+        settle();
+        QVERIFY(panel_->result()->is_changed && says("job_changed"));
+        QCOMPARE(plan().job.cutting.rough.depth_mm, 1.0);
+        QVERIFY(plan().setups[0].time_s > before_s);
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(!panel_->result()->is_changed && !says("job_changed"));
+        QCOMPARE(plan().job.cutting.rough.depth_mm, 2.0);
+    }
+
+    void anotherControlIsChosen()
+    {
+        open(neck_);
+        set("post", std::string("sinumerik"));
+        settle();
+        QVERIFY(plan().setups[0].text.find("DIAMON") != std::string::npos);
+        QCOMPARE(panel_->offeredExports().front().suffix, QString("mpf"));
+    }
+
+    void anOperationIsSwitchedOff()
+    {
+        open(paper_);
+        set("setups", std::string("1"));
+        settle();
+        const double left_mm = plan().left_max_mm;
+        const auto rows = listedOperations(*panel_->result(), 0);
+        const auto finish = std::find_if(rows.begin(), rows.end(), [](const ListedOperation& operation) {
+            return operation.which.kind == cam::OperationKind::Finish;
+        });
+        QVERIFY(finish != rows.end());
+        const int row = static_cast<int>(finish - rows.begin());
+        views().operations()->item(row, 0)->setCheckState(Qt::Unchecked);
+        settle();
+        QCOMPARE(plan().parameters.skipped.size(), std::size_t{1});
+        for (const cam::PlannedOperation& operation : plan().setups[0].operations)
+            QVERIFY(operation.kind != cam::OperationKind::Finish);
+        QCOMPARE(views().operations()->rowCount(), static_cast<int>(rows.size()));
+        QCOMPARE(views().operations()->item(row, 0)->checkState(), Qt::Unchecked);
+        QVERIFY(plan().rest.size() > 0 && plan().left_max_mm >= left_mm);
+        double cylinder_mm = 0;  // the allowance stays on the first cylinder
+        for (const cam::RestInterval& rest : plan().rest)
+            if (rest.z_start_mm < 50) cylinder_mm = std::max(cylinder_mm, rest.left_mm);
+        QVERIFY(std::abs(cylinder_mm - 0.3) < 0.01);
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(plan().parameters.skipped.empty() && plan().left_max_mm == left_mm);
+    }
+
+    void bothClampingsAreShownAndWritten()
+    {
+        open(paper_);
+        QCOMPARE(plan().setups.size(), std::size_t{2});
+        auto* second = panel_->findChild<QToolButton*>("clamping2");
+        QVERIFY(second->isVisible());
+        second->click();
+        QCOMPARE(views().clamping(), std::size_t{1});
+        QCOMPARE(views().editor()->program(), QByteArray::fromStdString(plan().setups[1].text));
+        panel_->offeredExports().front().write(folder_.filePath("both.nc"));
+        QCOMPARE(read(folder_.filePath("both_1.nc")), QByteArray::fromStdString(plan().setups[0].text));
+        QCOMPARE(read(folder_.filePath("both_2.nc")), QByteArray::fromStdString(plan().setups[1].text));
+    }
+
+    void theScrubberMovesToolStockAndText()
+    {
+        open(neck_);
+        QSlider* slider = views().scrubber()->slider();
+        slider->setValue(0);
+        QVERIFY(!views().stock().is_whole && !views().stock().pass);
+        slider->setValue(ToolScrubber::places / 2);
+        QVERIFY(views().stock().pass.has_value());
+        const std::size_t half = *views().stock().pass;
+        QCOMPARE(std::int64_t{views().editor()->line()}, views().line());
+        QVERIFY(!views().contour()->pointedOut().shapes.empty());
+        slider->setValue(ToolScrubber::places * 9 / 10);
+        QVERIFY(*views().stock().pass > half);
+        slider->setValue(ToolScrubber::places);
+        QVERIFY(views().stock().is_whole);
+        const std::int64_t line = plan().setups[0].operations.back().first_line + 3;
+        views().editor()->goToLine(line);  // the other way round
+        QCOMPARE(views().line(), line);
+        QVERIFY(slider->value() < ToolScrubber::places);
+    }
+
+    void aRefusedProgramIsShownAndNotWritten()
+    {
+        // The holder hangs down beside the insert.
+        cam::Job job =
+            cam::jobWith({cam::row(30, 20, 20), cam::row(20, 30, 30)}, 32, 90, {cam::roughC80(), cam::finishC80()});
+        job.tools[1].holder = {{-20, -1}, {-20, 40}, {-12, 40}, {-12, -1}};
+        for (stock::HolderCorner& corner : job.tools[1].holder) corner.dz_mm = -corner.dz_mm;
+        open(write("holder.json", job));
+        QVERIFY(plan().is_refused);
+        const auto& found = plan().setups[0].check.findings;
+        QVERIFY(!found.empty());
+        const QString path = folder_.filePath("refused.nc");
+        QVERIFY_EXCEPTION_THROWN(panel_->offeredExports().front().write(path), Error);
+        QVERIFY(!QFile::exists(path));
+        views().findings()->setCurrentCell(0, 0);
+        QCOMPARE(views().line(), found[0].line);
+        QCOMPARE(std::int64_t{views().editor()->line()}, found[0].line);
+    }
+
+    void itFollowsTheLanguage()
+    {
+        open(neck_);
+        Languages languages;
+        languages.use("pl");
+        QTRY_COMPARE(views().heroes()->title("operations"), QString("Operacje"));
+        languages.use("en");
+        QTRY_COMPARE(views().heroes()->title("operations"), QString("Operations"));
+    }
+};
+
+}  // namespace lathelier::turning_panel
+
+QTEST_MAIN(lathelier::turning_panel::TurningPanelTest)
+#include "turning_panel_test.moc"

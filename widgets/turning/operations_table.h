@@ -1,0 +1,31 @@
+// The operations of a clamping as a table whose boxes switch them off.
+#pragma once
+
+#include <memory>
+
+#include "widgets/core/panel/copy_table.h"
+#include "widgets/turning/turning_charts.h"
+
+namespace lathelier::turning_panel {
+
+class OperationsTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit OperationsTable(QWidget* parent = nullptr);
+
+    void setPicture(const TurningPicture& picture, std::size_t setup);
+
+signals:
+    void switched(const lathelier::cam::SkippedOperation& operation, bool on);
+    void lineChosen(qlonglong line);  ///< the first one of the operation that was chosen
+
+private:
+    struct Line {
+        cam::SkippedOperation which;
+        std::int64_t first_line = 0;  ///< 0: left out
+    };
+    std::vector<Line> lines_;
+};
+
+}  // namespace lathelier::turning_panel

@@ -1,0 +1,332 @@
+#include "widgets/turning/turning_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "engine/cam/check/check_report.h"
+#include "engine/cam/plan_quantities.h"
+#include "engine/cam/plan_report.h"
+#include "engine/core/texts.h"
+#include "engine/report/result_json.h"
+#include "engine/stability/stability_plots.h"
+#include "engine/stock/stock_plots.h"
+
+namespace lathelier::turning_panel {
+namespace {
+
+constexpr std::size_t mostFindingsSaid = 3;
+constexpr double same_mm = 1e-9;
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
+const Text mm = LT_TEXT("Engine", "mm");
+
+/// Height of the drawing over a stretch, for the number of what stays there.
+double radiusAt(const ClampingPicture& clamping, const Interval& z_mm)
+{
+    double radius = 0;
+    for (std::size_t i = 0; i < clamping.drawing_z_mm.size(); ++i)
+        if (clamping.drawing_z_mm[i] >= z_mm.from - 1 && clamping.drawing_z_mm[i] <= z_mm.to + 1)
+            radius = std::max(radius, clamping.drawing_x_mm[i]);
+    return radius;
+}
+
+std::string restName(std::size_t number, const cam::RestInterval& rest, const Language& language)
+{
+    return fill(
+        text(LT_TEXT("Engine", "{number}: {left_mm:3} mm, {cause}"), language),
+        {{"number", static_cast<std::int64_t>(number)}, {"left_mm", rest.left_mm}, {"cause", cam::nameOf(rest.cause)}},
+        language);
+}
+
+/// The speeds of a block, by its line.
+struct BlockSpeed {
+    double speed_rpm = notKnown, cutting_speed_m_min = notKnown, limit_rpm = notKnown;
+
+    double rpmAt(double radius_mm) const
+    {
+        if (!std::isnan(speed_rpm)) return speed_rpm;
+        if (std::isnan(cutting_speed_m_min)) return notKnown;
+        const double rpm = 1000 * cutting_speed_m_min / (2 * std::numbers::pi * std::max(radius_mm, 1e-3));
+        return std::isnan(limit_rpm) ? rpm : std::min(rpm, limit_rpm);
+    }
+};
+
+/// Lines of the finishing operations: from the first one up to the next operation.
+bool isFinish(const cam::SetupPlan& setup, std::int64_t line)
+{
+    const cam::PlannedOperation* in = nullptr;
+    for (const cam::PlannedOperation& operation : setup.operations)
+        if (operation.first_line <= line) in = &operation;
+    return in && (in->kind == cam::OperationKind::Finish || in->kind == cam::OperationKind::FinishBack);
+}
+
+report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool is_cutting_speed)
+{
+    const cam::SetupPlan& plan = picture.plan->setups.at(setup);
+    const stock::DrawnPath& drawn = picture.clampings.at(setup).drawn;
+    std::map<std::int64_t, BlockSpeed> speeds;
+    for (const gcode::Move& move : plan.check.path.moves)
+        speeds[move.line] = {move.speed_rpm, move.cutting_speed_m_min, move.speed_limit_rpm};
+    report::Curve curve;
+    constexpr int steps = 6;
+    for (std::size_t i = 1; i < drawn.corners(); ++i) {
+        const std::int64_t line = drawn.lineOf(i);
+        if (!drawn.isPiece(i) || drawn.isRapid(i) || !isFinish(plan, line)) {
+            if (!curve.x.empty() && !std::isnan(curve.y.back())) {
+                curve.x.push_back(curve.x.back());
+                curve.y.push_back(notKnown);
+            }
+            continue;
+        }
+        const BlockSpeed& speed = speeds[line];
+        const stock::Corner &a = drawn.corner(i - 1), &b = drawn.corner(i);
+        for (int k = 0; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps, x = std::lerp(a.x_mm, b.x_mm, share);
+            const double rpm = speed.rpmAt(x);
+            curve.x.push_back(std::lerp(a.z_mm, b.z_mm, share));
+            curve.y.push_back(is_cutting_speed ? rpm * 2 * std::numbers::pi * std::max(x, 0.0) / 1000 : rpm);
+        }
+    }
+    return curve;
+}
+
+/// A step for each section of this clamping.
+template <class Get>
+report::Curve sectionCurve(const TurningPicture& picture, std::size_t setup, Get get)
+{
+    report::Curve curve;
+    for (const cam::SectionSpeed& section : picture.plan->sections) {
+        if (section.setup != static_cast<int>(setup) + 1) continue;
+        const std::optional<double> value = get(section);
+        if (!value || !std::isfinite(*value)) continue;
+        const Interval at = inStock(picture, setup, {section.z_start_mm, section.z_end_mm});
+        curve.x.insert(curve.x.end(), {at.from, at.to, at.to});
+        curve.y.insert(curve.y.end(), {*value, *value, notKnown});
+    }
+    return curve;
+}
+
+report::Document withSheets(report::Document document, const TurningPicture& picture)
+{
+    for (std::size_t i = 0; i < picture.plan->setups.size(); ++i)
+        for (report::Section& section : document.sections)
+            if (section.title == report::Caption(LT_TEXT("Engine", "Set-up sheet")))
+                section.blocks.emplace_back(sheetOf(picture, i));
+    return document;
+}
+
+}  // namespace
+
+StockShown stockAt(const TurningPicture& picture, std::size_t setup, std::int64_t line, bool is_cutting)
+{
+    StockShown shown{false, std::nullopt};
+    const auto& stock = picture.plan->setups.at(setup).check.stock;
+    if (!stock) return shown;
+    std::size_t begun = 0;
+    while (begun < stock->passes.size() && stock->passes[begun].line <= line) ++begun;
+    const std::size_t done = is_cutting && begun > 0 ? begun - 1 : begun;
+    for (std::size_t i = done; i > 0; --i)
+        if (stock->passes[i - 1].is_kept) {
+            shown.pass = i - 1;
+            break;
+        }
+    return shown;
+}
+
+report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const StockShown& shown, int pixels,
+                         const Language& language)
+{
+    const ClampingPicture& clamping = picture.clampings.at(setup);
+    const cam::CheckResult& check = picture.plan->setups.at(setup).check;
+    report::Plot plot;
+    if (check.stock && clamping.bare) {
+        stock::StockPlotParts parts;
+        parts.path = &clamping.drawn;
+        parts.window = clamping.drawn.whole(pixels);
+        parts.pass = shown.pass;
+        const bool is_bare = !shown.is_whole && !shown.pass;
+        plot = stock::stockPlot(is_bare ? *clamping.bare : *check.stock, parts, language);
+    }
+    plot.title = setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool")
+                            : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
+    plot.x.title = LT_TEXT("Engine", "z from the raw end");
+    report::Curve drawing{LT_TEXT("Engine", "drawing"), clamping.drawing_z_mm, clamping.drawing_x_mm};
+    drawing.spoken = false;
+    plot.curves.push_back(std::move(drawing));
+    std::size_t number = 0;
+    for (const cam::RestInterval& rest : picture.plan->rest) {
+        const Interval at = inStock(picture, setup, {rest.z_start_mm, rest.z_end_mm});
+        plot.regions.push_back(report::stretch(
+            number == 0 ? report::Caption(LT_TEXT("Engine", "material stays")) : report::Caption(std::string()), at,
+            report::ColourRole::Excess));
+        plot.marks.push_back({(at.from + at.to) / 2, radiusAt(clamping, at), restName(++number, rest, language)});
+    }
+    for (const cam::CheckFinding& found : check.findings)
+        if (found.kind == cam::CheckKind::InsertBelowDrawing)
+            plot.marks.push_back({found.z_mm + clamping.part_zero_mm, found.x_mm,
+                                  fill(text(LT_TEXT("Engine", "line {line}: {finding}"), language),
+                                       {{"line", found.line}, {"finding", cam::nameOf(found.kind)}}, language)});
+    return plot;
+}
+
+report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course course)
+{
+    report::Plot plot;
+    plot.x = {LT_TEXT("Engine", "z from the raw end"), mm};
+    report::Curve curve;
+    switch (course) {
+        case Course::Speed:
+            plot.title = LT_TEXT("Engine", "Speed of the finish");
+            plot.y = {LT_TEXT("Engine", "Speed N"), LT_TEXT("Engine", "1/min")};
+            curve = speedCurve(picture, setup, false);
+            break;
+        case Course::CuttingSpeed:
+            plot.title = LT_TEXT("Engine", "Cutting speed of the finish");
+            plot.y = {LT_TEXT("Engine", "Cutting speed v_c"), LT_TEXT("Engine", "m/min")};
+            curve = speedCurve(picture, setup, true);
+            break;
+        case Course::Frequency:
+            plot.title = LT_TEXT("Engine", "Frequency of chatter");
+            plot.y = {LT_TEXT("Engine", "Frequency f_m"), LT_TEXT("Engine", "Hz")};
+            curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return s.frequency_hz; });
+            break;
+        case Course::Roughness:
+            plot.title = LT_TEXT("Engine", "Ideal roughness of the finish");
+            plot.y = {LT_TEXT("Engine", "Ideal Rz"), LT_TEXT("Engine", "µm")};
+            curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return std::optional(s.Rz_um); });
+            break;
+    }
+    double most = 0;
+    for (const double value : curve.y)
+        if (std::isfinite(value)) most = std::max(most, value);
+    if (most > 0) plot.y.range = Interval{0, 1.15 * most};
+    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+    return plot;
+}
+
+report::Plot whyPlot(const TurningPicture& picture, std::size_t section, const Language& language)
+{
+    if (section >= picture.lobes.size() || !picture.lobes[section]) return {};
+    const SectionLobes& why = *picture.lobes[section];
+    report::Plot plot = stability::lobesPlot(why.lobes, why.speed ? &*why.speed : nullptr, {}, language);
+    const cam::SectionSpeed& speed = picture.plan->sections[section];
+    if (speed.speed_rpm)
+        plot.limits.push_back({report::Limit::Direction::Vertical, *speed.speed_rpm, LT_TEXT("Engine", "this speed")});
+    plot.title = fill(text(LT_TEXT("Engine", "Why this speed: z {from:1}-{to:1} mm"), language),
+                      {{"from", speed.z_start_mm}, {"to", speed.z_end_mm}}, language);
+    return plot;
+}
+
+std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std::size_t setup)
+{
+    std::vector<ListedOperation> all;
+    const int number = static_cast<int>(setup) + 1;
+    const auto& operations = picture.plan->setups.at(setup).operations;
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        all.push_back({{number, operations[i].kind, operations[i].tool}, i});
+    for (const cam::SkippedOperation& skipped : picture.plan->parameters.skipped) {
+        if (skipped.setup != number) continue;
+        const auto later = std::find_if(all.begin(), all.end(), [&](const ListedOperation& operation) {
+            return operation.which.kind > skipped.kind;
+        });
+        all.insert(later, {skipped, std::nullopt});
+    }
+    return all;
+}
+
+report::Table operationTable(const TurningPicture& picture, std::size_t setup)
+{
+    report::Table table = cam::operationTable(picture.plan->setups.at(setup));
+    const std::vector<std::vector<Value>> planned = std::move(table.rows);
+    table.rows.clear();
+    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+        if (operation.planned) {
+            table.rows.push_back(planned[*operation.planned]);
+            continue;
+        }
+        std::vector<Value>& row = table.rows.emplace_back(table.columns.size());
+        row[0] = cam::nameOf(operation.which.kind);
+        row[1] = std::int64_t{operation.which.tool};
+    }
+    return table;
+}
+
+report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
+{
+    const cam::TurningPlan& plan = *picture.plan;
+    const cam::SetupPlan& shown = plan.setups.at(setup);
+    const cam::Clamping& clamping = shown.clamping;
+    report::QuantityTable table;
+    table.title = setup == 0 ? LT_TEXT("Engine", "First clamping") : LT_TEXT("Engine", "Second clamping");
+    const auto add = [&](Text name, Value value, Text unit = {}, int decimals = 2) {
+        table.rows.push_back({name, std::move(value), unit, decimals});
+    };
+    add(LT_TEXT("Engine", "Control"), plan.post);
+    add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, mm, 3);
+    if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, mm);
+    add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored
+                                                      ? LT_TEXT("Engine", "the face of the other end, finished")
+                                                      : LT_TEXT("Engine", "the face of the free end, finished"));
+    add(LT_TEXT("Engine", "Allowance of the face"), plan.job.stock.face_allowance_mm, mm);
+    add(LT_TEXT("Engine", "z of the chuck face"), clamping.job.setup.chuck_face_z_mm, mm);
+    if (clamping.job.setup.jaw_diameter_mm) add(LT_TEXT("Engine", "Jaws ⌀"), *clamping.job.setup.jaw_diameter_mm, mm);
+    if (clamping.job.setup.grip_length_mm)
+        add(LT_TEXT("Engine", "Length of the grip"), *clamping.job.setup.grip_length_mm, mm);
+    add(LT_TEXT("Engine", "Tailstock"),
+        clamping.job.setup.tailstock ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"));
+    add(LT_TEXT("Engine", "Finished up to z"), clamping.finished_to_mm, mm);
+    add(LT_TEXT("Engine", "Time with tool changes"), shown.time_s / 60, LT_TEXT("Engine", "min"), 1);
+    add(LT_TEXT("Engine", "Gouge"), shown.check.gouge_um, LT_TEXT("Engine", "µm"));
+    add(LT_TEXT("Engine", "Most that is left"), plan.left_max_mm, mm, 4);
+    return table;
+}
+
+report::Answer answerOf(const TurningPicture& picture, const Language& language)
+{
+    const cam::TurningPlan& plan = *picture.plan;
+    report::Answer answer = cam::answer(plan, language);
+    for (const cam::SetupPlan& setup : plan.setups)
+        for (const cam::CheckFinding& found : setup.check.findings) {
+            if (answer.findings.size() == mostFindingsSaid) break;
+            report::Finding& said = answer.findings.emplace_back();
+            said.pattern = LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep");
+            said.values = {{"line", found.line},
+                           {"kind", cam::nameOf(found.kind)},
+                           {"z_mm", found.z_mm},
+                           {"depth_mm", found.depth_mm}};
+            said.verdict = Verdict::Fail;
+            said.place.line = found.line;
+        }
+    std::vector<const cam::RestInterval*> largest;
+    for (const cam::RestInterval& rest : plan.rest) largest.push_back(&rest);
+    std::stable_sort(largest.begin(), largest.end(),
+                     [](const auto* a, const auto* b) { return a->left_mm > b->left_mm + same_mm; });
+    for (const cam::RestInterval* rest : largest) {
+        if (answer.findings.size() == mostFindingsSaid) break;
+        report::Finding& said = answer.findings.emplace_back();
+        said.pattern = LT_TEXT("Engine", "Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}");
+        said.values = {{"left_mm", rest->left_mm},
+                       {"from", rest->z_start_mm},
+                       {"to", rest->z_end_mm},
+                       {"cause", cam::nameOf(rest->cause)}};
+        said.verdict = Verdict::Fail;
+        said.place.z_mm = Interval{rest->z_start_mm, rest->z_end_mm};
+    }
+    return answer;
+}
+
+report::Document reportOf(const TurningPicture& picture, const Language& language)
+{
+    report::Document document = withSheets(cam::planReport(*picture.plan, language), picture);
+    if (!document.sections.empty() && !document.sections.front().blocks.empty())
+        document.sections.front().blocks.front() = answerOf(picture, language);
+    document.inputs = picture.inputs;
+    document.synthetic = picture.synthetic;
+    document.results = {report::toText(report::wholeResult("turn", picture.inputs, toValues(picture.question),
+                                                           cam::toJson(*picture.plan), picture.notes))};
+    return document;
+}
+
+}  // namespace lathelier::turning_panel

@@ -1,0 +1,277 @@
+#include "widgets/turning/turning_panel.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/cad/step_kind.h"
+#include "engine/core/shaft_item.h"
+#include "engine/gcode/toolpath_files.h"
+#include "engine/io/file.h"
+#include "engine/io/shaft/shaft_kind.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/core/session.h"
+#include "widgets/part_common/part_store.h"
+#include "widgets/part_common/shaft_table.h"
+#include "widgets/part_common/taken_part.h"
+#include "widgets/turning/job_store.h"
+#include "widgets/turning/turning_charts.h"
+#include "widgets/turning/turning_views.h"
+
+namespace lathelier::turning_panel {
+namespace {
+
+using chatter_common::spindleRole;
+using part_common::shaftRole;
+
+constexpr const char* clampingKey = "clamping";
+constexpr const char* courseKey = "course";
+
+PanelInputs panelInputs()
+{
+    InputRole job = chatter_common::inputRole(
+        jobRole, LT_TEXT("Engine", "Job"),
+        LT_TEXT("Engine", "Bar, chuck, tools and cutting data: JOB.json; it may hold the shaft as well."),
+        cam::jobFiles(), "");
+    job.required = false;
+    InputRole shaft;
+    shaft.role = shaftRole;
+    shaft.label = LT_TEXT("Engine", "Shaft");
+    shaft.hint = LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made");
+    shaft.kinds = {&io::shaftFiles(), &cad::stepFiles()};
+    shaft.item_kind = shaftItem;
+    shaft.required = false;
+    shaft.takes_next = true;
+    InputRole spindle = chatter_common::inputRole(
+        spindleRole, LT_TEXT("Engine", "Spindle"),
+        LT_TEXT("Engine", "Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing."),
+        receptance::spindleFiles(), receptance::spindleItem);
+    spindle.required = false;
+    PanelInputs inputs;
+    inputs.roles = {job, shaft, spindle};
+    for (FieldInfo& info : infos<TurningQuestion>())
+        if (info.key != jobOfKey && info.key != skippedKey) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(TurningQuestion{});
+    inputs.invitation = LT_TEXT("Engine",
+                                "Drop a job (JOB.json) and a shaft here: its turning program follows, read back and "
+                                "checked.");
+    return inputs;
+}
+
+/// "p.nc" of the second of two clampings is "p_2.nc".
+std::string pathOf(const std::string& stated, std::size_t index, std::size_t count)
+{
+    if (count < 2) return stated;
+    const std::filesystem::path path(stated);
+    return (path.parent_path() / (path.stem().string() + "_" + std::to_string(index + 1) + path.extension().string()))
+        .string();
+}
+
+void writePrograms(const TurningPicture& picture, const QString& path)
+{
+    cam::throwIfRefused(*picture.plan);
+    const auto& setups = picture.plan->setups;
+    for (std::size_t i = 0; i < setups.size(); ++i)
+        io::writeFile(pathOf(path.toStdString(), i, setups.size()), setups[i].text);
+}
+
+void writeMovesOf(const cam::SetupPlan& setup, const QString& path)
+{
+    std::string text;
+    gcode::writeMoves(setup.check.path, [&text](std::string_view part) { text += part; });
+    io::writeFile(path.toStdString(), text);
+}
+
+}  // namespace
+
+PanelFacts turningPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "turning";
+    facts.title = LT_TEXT("Engine", "Turning program");
+    facts.icon = "turning";
+    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
+    facts.kinds = {&cam::jobFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {shaftRole};
+    facts.item_inputs = {{shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}};
+    facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
+    facts.missing = missingInputs;
+    facts.hasWork = [](const project::PanelState& state) { return missingInputs(state).empty(); };
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(turningPicture(state, stores, progress), language); };
+    return facts;
+}
+
+TurningPanel::TurningPanel(Session& owner, QWidget* parent)
+    : Panel(owner, turningPanelFacts(), panelInputs(), parent), views_(new TurningViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &TurningViews::operationSwitched, this, &TurningPanel::switchOperation);
+    connect(views_, &TurningViews::notWritten, this, &TurningPanel::sayNotWritten);
+    connect(&inputColumn(), &InputColumn::parameterEdited, this, &TurningPanel::followForm);
+}
+
+/// A job changed by hand is of the file that is there now: the same undo step as the change itself.
+void TurningPanel::followForm(const std::string& key, const Value& value, int gesture, const QString& step)
+{
+    const auto picture = result();
+    if (!isOfJob(key) || !picture || identity(state()).empty()) return;
+    Values job = jobValues(picture->plan->job);
+    lathelier::set(job, key, value);
+    editState(
+        step, [&](project::PanelState& state) { setJob(state, job); },
+        QString("turning/%1/%2").arg(QString::fromStdString(key)).arg(gesture));
+}
+
+void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool on)
+{
+    const QString name = screenText(cam::nameOf(operation.kind));
+    editState(on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name), [&](project::PanelState& state) {
+        cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
+        std::erase(plan.skipped, operation);
+        if (!on) plan.skipped.push_back(operation);
+        lathelier::set(state.parameters, skippedKey, *lathelier::find(toValues(plan), skippedKey));
+    });
+}
+
+void TurningPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files) {
+        if (file.kind == &cam::jobFiles())
+            openJob(state, file.path);
+        else
+            state.inputs[file.kind == &receptance::spindleFiles() ? spindleRole : shaftRole] =
+                newSource(QString::fromStdString(file.path));
+    }
+}
+
+TurningPanel::Compute TurningPanel::compute(const project::PanelState& state) const
+{
+    fromValues<TurningQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return turningPicture(state, *stores, progress);
+    };
+}
+
+Worker::Job TurningPanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+        const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
+        if (const auto given = state.inputs.find(jobRole); given != state.inputs.end())
+            stores->of<JobStore>()->load(given->second, part);
+        if (state.inputs.count(shaftRole) > 0) part_common::takePart(state, shaftRole, *stores, part);
+        chatter_common::takeSpindle(state, *stores, part);
+        return nullptr;
+    };
+}
+
+QString TurningPanel::understood(const InputRole& role, const project::Source& source) const
+{
+    Stores& stores = session().stores();
+    if (role.role == spindleRole) return chatter_common::understoodModel(role.role, source, stores);
+    if (role.role == jobRole) {
+        const auto loaded = stores.of<JobStore>()->known(source);
+        if (!loaded) return {};
+        const cam::Job& job = loaded->file.job;
+        return understoodText(loaded->file.facts, job.shaft ? tr("%L1 tools, with its shaft").arg(job.tools.size())
+                                                            : tr("%L1 tools").arg(job.tools.size()));
+    }
+    const auto loaded = stores.of<part_common::PartStore>()->known(source);
+    if (!loaded) return {};
+    const Shaft& shaft = loaded->file.shaft;
+    return understoodText(
+        loaded->file.facts,
+        tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
+}
+
+void TurningPanel::showResult(const std::shared_ptr<const TurningPicture>& picture)
+{
+    inputColumn().form().setValues(jobValues(picture->plan->job));  // also those of a file
+    views_->setPicture(picture);
+}
+
+report::Answer TurningPanel::answer(const TurningPicture& picture) const
+{
+    return turning_panel::answerOf(picture, screenLanguage());
+}
+
+report::Document TurningPanel::document(const TurningPicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> TurningPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    const bool two = picture->plan->setups.size() > 1;
+    std::vector<PanelExport> all{{two ? tr("Programs of both clampings…") : tr("Turning program…"),
+                                  tr("NC program (*.nc *.ngc *.mpf *.tap)"),
+                                  picture->question.post == PostChoice::Sinumerik ? "mpf" : "nc",
+                                  [picture](const QString& path) { writePrograms(*picture, path); }}};
+    for (std::size_t i = 0; i < picture->plan->setups.size(); ++i)
+        all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),
+                       tr("Table (*.csv)"), "csv",
+                       [picture, i](const QString& path) { writeMovesOf(picture->plan->setups[i], path); }});
+    return all;
+}
+
+/// A line is one of the clamping in whose check it was found.
+void TurningPanel::showPlace(const report::Place& place)
+{
+    const auto picture = result();
+    if (!picture) return;
+    if (place.line) {
+        const auto& setups = picture->plan->setups;
+        const auto has = [&](const cam::SetupPlan& setup) {
+            const auto& found = setup.check.findings;
+            return std::any_of(found.begin(), found.end(),
+                               [&](const cam::CheckFinding& each) { return each.line == *place.line; });
+        };
+        if (!has(setups[views_->clamping()]))
+            if (const auto setup = std::find_if(setups.begin(), setups.end(), has); setup != setups.end())
+                views_->setClamping(static_cast<std::size_t>(setup - setups.begin()));
+        views_->heroes()->setHero("program");
+        views_->goToLine(*place.line);
+    } else if (place.z_mm) {
+        views_->heroes()->setHero("contour");
+        views_->showStretch(*place.z_mm);
+    }
+}
+
+Values TurningPanel::view() const
+{
+    return {{clampingKey, static_cast<std::int64_t>(views_->clamping())},
+            {courseKey, static_cast<std::int64_t>(views_->courseShown())}};
+}
+
+void TurningPanel::restoreView(const Values& kept)
+{
+    const auto number = [&](const char* key, std::int64_t most) {
+        const Value* const value = lathelier::find(kept, key);
+        const auto* stated = value ? std::get_if<std::int64_t>(value) : nullptr;
+        return stated ? std::clamp<std::int64_t>(*stated, 0, most) : 0;
+    };
+    views_->setClamping(static_cast<std::size_t>(number(clampingKey, 1)));
+    views_->setCourse(static_cast<Course>(number(courseKey, static_cast<std::int64_t>(Course::Roughness))));
+}
+
+void TurningPanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void TurningPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::turning_panel

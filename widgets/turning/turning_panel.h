@@ -1,0 +1,46 @@
+// The panel "Turning program": which program turns this shaft, what does it leave, and is it clean?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/turning/turning_picture.h"
+
+namespace lathelier::turning_panel {
+
+class TurningViews;
+
+/// The panel's line of the panel table.
+PanelFacts turningPanelFacts();
+
+/// A file fills the form of the job; once a field is changed, the form rules until another file is opened.
+class TurningPanel : public Panel<TurningPicture> {
+    Q_OBJECT
+
+public:
+    explicit TurningPanel(Session& session, QWidget* parent = nullptr);
+
+    TurningViews& views() const { return *views_; }
+    void setPresenting(bool presenting) override;
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const TurningPicture>& picture) override;
+    report::Answer answer(const TurningPicture& picture) const override;
+    Notes notes(const TurningPicture& picture) const override { return picture.notes; }
+    report::Document document(const TurningPicture& picture) const override;
+    std::vector<PanelExport> exports() const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    void showPlace(const report::Place& place) override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
+    void retranslate() override;
+
+private:
+    void followForm(const std::string& key, const Value& value, int gesture, const QString& step);
+    void switchOperation(const cam::SkippedOperation& operation, bool on);
+
+    TurningViews* views_;
+};
+
+}  // namespace lathelier::turning_panel

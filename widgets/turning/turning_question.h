@@ -1,0 +1,56 @@
+// What the panel "Turning program" is asked: control, clampings, and the job, from its file or from the form.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/cam/job.h"
+#include "engine/cam/plan.h"
+#include "engine/project/project.h"
+
+namespace lathelier::turning_panel {
+
+inline constexpr const char* jobRole = "job";         ///< of the input; besides: shaftRole, spindleRole
+inline constexpr const char* jobOfKey = "job_of";     ///< what the job was changed from; no form
+inline constexpr const char* toolsKey = "tools";      ///< of the job
+inline constexpr const char* skippedKey = "skipped";  ///< of the plan; edited in the list of operations
+
+/// The posts that are built in.
+enum class PostChoice { FanucA, FanucB, Haas, Sinumerik, LinuxCnc, Grbl };
+
+/// As cam::postNamed() takes it.
+const char* nameOf(PostChoice post);
+
+struct TurningQuestion {
+    PostChoice post = PostChoice::FanucA;  ///< control that the program is for
+    cam::TurningParameters plan;           ///< clampings, relation, part, operations that are left out
+    cam::Job job;                          ///< as the form has it; rules where it has tools
+    std::string job_of;                    ///< identity() of the file that the form was changed from
+
+    TurningQuestion();
+};
+
+const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*);
+
+/// Is this the key of a field of the job?
+bool isOfJob(const std::string& key);
+
+/// The job as values of the form.
+Values jobValues(const cam::Job& job);
+
+/// What tells the file of the job from another one; empty without one.
+std::string identity(const project::PanelState& state);
+
+/// Does the form rule over the file?
+bool formRules(const TurningQuestion& question, const project::PanelState& state);
+
+/// Puts the job into the form, changed from the file that is there now.
+void setJob(project::PanelState& state, const Values& job);
+
+/// A file that is opened is what is meant: what the form says would hide it.
+void openJob(project::PanelState& state, const std::string& path);
+
+/// Is there a job, and a part or a file that may hold one?
+std::vector<Text> missingInputs(const project::PanelState& state);
+
+}  // namespace lathelier::turning_panel

@@ -165,7 +165,8 @@ private:
         for (const CurvePiece& piece : finished)
             for (const Eigen::Vector2d& end : {piece.from, piece.to}) {
                 if (end.x() < 0) continue;
-                const double left = heightAt(roughed, end.x()) - rough.radius_mm() - (end.y() - finish.radius_mm());
+                // Between both curves, normal to the surface.
+                const double left = distanceTo(roughed, end, 1e4) - rough.radius_mm() + finish.radius_mm();
                 if (left > deepest && piece.touch != Touch::Join) {
                     deepest = left;
                     z = end.x();

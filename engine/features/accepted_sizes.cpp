@@ -39,7 +39,7 @@ std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const 
     std::erase_if(accepted, [&](const AcceptedSize& size) {
         return size.row == change.row || (merges && size.row == change.row + 1);
     });
-    const std::int64_t more = change.what == RowChange::What::Split                ? 1
+    const std::int64_t more = change.what == RowChange::What::Split              ? 1
                               : merges || change.what == RowChange::What::Delete ? -1
                                                                                  : 0;
     for (AcceptedSize& size : accepted)

@@ -22,8 +22,8 @@ struct AcceptedSize {
 std::vector<AcceptedSize> acceptedSizes(std::string_view text);
 std::string textOf(const std::vector<AcceptedSize>& accepted);
 
-/// The accepted sizes when the rows are changed (refit.h): those of the changed rows are gone, rows after them have other
-/// numbers.
+/// The accepted sizes when the rows are changed (refit.h): those of the changed rows are gone, rows after them have
+/// other numbers.
 std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const RowChange& change);
 
 /// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Of sizes that are

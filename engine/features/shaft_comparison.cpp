@@ -154,8 +154,7 @@ Interval placeOf(const ShaftComparison& result, const ComparedRow& row)
     return {std::min(from, to), std::max(from, to)};
 }
 
-void judgeSurface(ShaftComparison& result, const registration::CompareParameters& parameters,
-                  const Progress& progress)
+void judgeSurface(ShaftComparison& result, const registration::CompareParameters& parameters, const Progress& progress)
 {
     judge(result.surface, parameters, progress);
     result.verdict = worstVerdict(result.rows);
@@ -168,7 +167,6 @@ report::Answer answer(const ShaftComparison& result, const Language& language)
     addSizes(result, said);
     return said;
 }
-
 
 ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress,

@@ -101,7 +101,8 @@ public:
     std::string operator()(const Picture& picture) const
     {
         const std::string title = caption(picture.title);
-        if (picture.png.starts_with("<svg")) return element("figure", picture.png + "<figcaption>" + title + "</figcaption>");
+        if (picture.png.starts_with("<svg"))
+            return element("figure", picture.png + "<figcaption>" + title + "</figcaption>");
         return element("figure", "<img alt=\"" + title + "\" src=\"data:image/png;base64," + base64(picture.png) +
                                      "\"><figcaption>" + title + "</figcaption>");
     }
@@ -122,8 +123,9 @@ public:
         std::string result;
         bool grid = false;
         for (const Block& block : all) {
-            const bool narrow = std::holds_alternative<QuantityTable>(block) ||
-                                (std::holds_alternative<Picture>(block) && !std::get<Picture>(block).png.starts_with("<svg"));
+            const bool narrow =
+                std::holds_alternative<QuantityTable>(block) ||
+                (std::holds_alternative<Picture>(block) && !std::get<Picture>(block).png.starts_with("<svg"));
             if (narrow != grid) result += narrow ? "<div class=\"grid\">\n" : "</div>\n";
             grid = narrow;
             result += std::visit(*this, block);

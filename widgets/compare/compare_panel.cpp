@@ -90,8 +90,7 @@ PanelFacts comparePanelFacts()
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         const bool alone = furtherCopies(state).empty();
-        const ComparePicture picture =
-            LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
+        const ComparePicture picture = LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
         std::vector<registration::CopySummary> copies;
         if (!alone) copies = KnownCopies().find(state, picture, progress.part(0.4, 1));
         return reportOf(picture, language, {}, copies);

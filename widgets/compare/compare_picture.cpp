@@ -106,8 +106,8 @@ bool sameButLimits(const ComparePicture& last, const registration::CompareParame
 {
     const registration::CompareParameters& before = last.result->parameters;
     if (!sameButVerdict(before, parameters)) return false;
-    return !last.sizes || (before.decision == parameters.decision &&
-                           before.scanner_accuracy_mm == parameters.scanner_accuracy_mm);
+    return !last.sizes ||
+           (before.decision == parameters.decision && before.scanner_accuracy_mm == parameters.scanner_accuracy_mm);
 }
 
 void takeSizes(features::ShaftComparison found, ComparePicture& picture)
@@ -116,8 +116,8 @@ void takeSizes(features::ShaftComparison found, ComparePicture& picture)
     picture.result = {picture.sizes, &picture.sizes->surface};
 }
 
-void judgeAgain(const ComparePicture& last, const registration::CompareParameters& parameters,
-                const Progress& progress, ComparePicture& picture)
+void judgeAgain(const ComparePicture& last, const registration::CompareParameters& parameters, const Progress& progress,
+                ComparePicture& picture)
 {
     if (last.sizes) {
         features::ShaftComparison again = *last.sizes;
@@ -136,7 +136,8 @@ void judgeAgain(const ComparePicture& last, const registration::CompareParameter
 void computeAnew(const registration::CompareParameters& parameters, const Progress& progress, ComparePicture& picture)
 {
     if (picture.drawn)
-        takeSizes(features::compareWithShaft(picture.drawn->part.shaft, picture.copyScan(), parameters, progress), picture);
+        takeSizes(features::compareWithShaft(picture.drawn->part.shaft, picture.copyScan(), parameters, progress),
+                  picture);
     else
         picture.result = std::make_shared<const registration::CompareResult>(
             compare(picture.reference->file.scan, picture.copyScan(), parameters, progress));

@@ -203,10 +203,10 @@ std::vector<PanelExport> RecognisePanel::exports() const
         part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
     all.push_back({tr("Meridian and residuals (CSV)…"), tr("Table (*.csv)"), "csv",
                    [picture, write](const QString& path) { write(path, features::meridianCsv(*picture->result)); }});
-    all.push_back({tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
-                       write(path, report::toSvg(features::meridianPlot(*picture->result, screenLanguage()),
-                                                 screenLanguage()));
-                   }});
+    all.push_back(
+        {tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
+             write(path, report::toSvg(features::meridianPlot(*picture->result, screenLanguage()), screenLanguage()));
+         }});
     all.push_back({tr("Residuals (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
                        write(path, report::toSvg(features::residualPlot(*picture->result), screenLanguage()));
                    }});

@@ -130,16 +130,14 @@ RecognisePicture LastRecognition::find(const project::PanelState& state, ScanSto
         last.found && last.points == picture.points && sameParameters(last.found->parameters, parameters);
     picture.found = known ? last.found
                           : std::make_shared<const features::Recognition>(features::recognize(
-                                scan, parameters,
-                                progress.part(0.3, 0.85, LT_TEXT("Engine", "Recognising the rows"))));
+                                scan, parameters, progress.part(0.3, 0.85, LT_TEXT("Engine", "Recognising the rows"))));
     if (known && last.result && last.changes == picture.changes) {
         picture.result = last.result;
         picture.by_kind = last.by_kind;
     } else {
-        picture.result = picture.changes.empty()
-                             ? picture.found
-                             : std::make_shared<const features::Recognition>(
-                                   refit(*picture.found, picture.changes, progress.part(0.85, 0.95)));
+        picture.result = picture.changes.empty() ? picture.found
+                                                 : std::make_shared<const features::Recognition>(refit(
+                                                       *picture.found, picture.changes, progress.part(0.85, 0.95)));
         picture.by_kind = partedByKind(scan, *picture.result);
     }
     if (const Value* accepted = lathelier::find(state.parameters, acceptedKey))

@@ -16,9 +16,9 @@
 namespace lathelier::recognise_panel {
 
 inline constexpr const char* scanRole = "scan";
-inline constexpr const char* changesKey = "row_changes";      ///< features::textOf() of them; is in no form
+inline constexpr const char* changesKey = "row_changes";       ///< features::textOf() of them; is in no form
 inline constexpr const char* changesOfKey = "row_changes_of";  ///< path of the scan that they are of; is in no form
-inline constexpr const char* acceptedKey = "accepted_sizes";  ///< features::textOf() of them; is in no form
+inline constexpr const char* acceptedKey = "accepted_sizes";   ///< features::textOf() of them; is in no form
 
 /// The scan in pieces: on cylinders, cones, arcs, and on no row.
 using ScanByKind = std::array<ScanPtr, 4>;

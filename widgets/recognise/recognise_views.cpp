@@ -158,16 +158,14 @@ part_common::RowVerbs RecogniseViews::verbsOf(std::size_t row, std::optional<dou
         return [=, this] { emit changeWanted(step, {what, number, at_mm}); };
     };
     if (rows.size() > 1) verbs.remove = ask(tr("Delete row %1").arg(number), What::Delete);
-    if (row + 1 < rows.size())
-        verbs.merge = ask(tr("Merge rows %1 and %2").arg(number).arg(number + 1), What::Merge);
+    if (row + 1 < rows.size()) verbs.merge = ask(tr("Merge rows %1 and %2").arg(number).arg(number + 1), What::Merge);
     const double from = rows[row].z_start_mm, to = rows[row].z_end_mm;
     double cut = z_mm.value_or((from + to) / 2);
     if (!(cut > from && cut < to)) cut = (from + to) / 2;
     verbs.split = ask(tr("Split row %1").arg(number), What::Split, std::round(cut * 1e3) / 1e3);
     verbs.forms = {RowForm::Cylinder, RowForm::Cone, RowForm::Round, RowForm::Fillet};
     const bool arc = rows[row].kind == features::RowKind::Arc;
-    verbs.now = arc                                             ? *rows[row].arc_radius_mm > 0 ? RowForm::Round
-                                                                                               : RowForm::Fillet
+    verbs.now = arc ? *rows[row].arc_radius_mm > 0 ? RowForm::Round : RowForm::Fillet
                 : rows[row].kind == features::RowKind::Cylinder ? RowForm::Cylinder
                                                                 : RowForm::Cone;
     verbs.change = [=, this](RowForm form) {

@@ -41,7 +41,7 @@ public:
     void retranslate();
 
 signals:
-    void shaftWanted();                    ///< keep it in the project
+    void shaftWanted();  ///< keep it in the project
     void changeWanted(const QString& step, const lathelier::features::RowChange& change);
     void foundWanted();                    ///< the rows as they were recognised
     void notWritten(const QString& path);  ///< the system refused to write this file

@@ -46,7 +46,9 @@ class ComparePanelTest : public QObject, CompareFixture {
     {
         Shaft shaft;
         shaft.name = "drawing";
-        shaft.segments = {{98, 30, 30, 0, {}, ""}, {10, 37, 37, 0, {}, ""}, {70, 33.8, 33.8, 0, {}, ""},
+        shaft.segments = {{98, 30, 30, 0, {}, ""},
+                          {10, 37, 37, 0, {}, ""},
+                          {70, 33.8, 33.8, 0, {}, ""},
                           {5, 33.8, 23.8, 0, {}, "chamfer"}};
         shaft.segments[1].tolerance = SizeTolerance{{}, -10, 10};
         return shaft;
@@ -95,7 +97,7 @@ private slots:
     void aDrawingIsTheReference()
     {
         for (const QString& file : {drawingFile(io::shaftText(drawing()), "nominal.json"),
-                                    drawingFile(cad::stepText(drawing()), "nominal.step")}) {
+                                    drawingFile(cad::stepText(drawing(), {}), "nominal.step")}) {
             drop(panel_.get(), {file, copy_});
             settle();
             const auto picture = panel_->result();

@@ -109,6 +109,12 @@ inline constexpr NoteCode threadNotPredicted{
     "thread_not_predicted", Severity::Warning,
     LT_TEXT("Engine", "Line {line}: the passes of a thread are neither predicted nor corrected.")};
 
+inline constexpr NoteCode facingNotPredicted{
+    "facing_not_predicted", Severity::Info,
+    LT_TEXT("Engine",
+            "Line {line}: a cut along x alone down to the axis leaves no diameter; it is neither predicted nor "
+            "corrected.")};
+
 inline constexpr NoteCode severalTools{
     "several_tools", Severity::Warning,
     LT_TEXT("Engine", "The program cuts with {count} tools; the forces are those of the one tool in the set-up.")};

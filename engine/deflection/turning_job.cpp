@@ -221,6 +221,20 @@ void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& lis
         list.push_back({notes::materialOfSetup, {{"stock_MPa", stated_MPa}, {"setup_MPa", used_MPa}}});
 }
 
+/// Runs that leave a diameter. Facing and parting off, which end on the axis or beyond, leave none.
+std::vector<ToolRun> turningRuns(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
+{
+    std::vector<ToolRun> runs = toolRuns(toolMoves(path, setup, notes));
+    const auto faces = [](const ToolRun& run) {
+        return run.kind == ToolRun::Kind::Plunge && run.points.back().x_mm <= 0;
+    };
+    if (const auto first = std::find_if(runs.begin(), runs.end(), faces); first != runs.end()) {
+        notes.push_back({notes::facingNotPredicted, {{"line", first->points.back().line}}});
+        std::erase_if(runs, faces);
+    }
+    return runs;
+}
+
 }  // namespace
 
 std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
@@ -234,7 +248,7 @@ TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock,
 {
     TurningJob job{
         std::move(program), std::move(path), std::move(stock), std::move(setup), std::move(noses), {}, {}, {}};
-    job.runs = toolRuns(toolMoves(job.path, job.setup, job.notes));
+    job.runs = turningRuns(job.path, job.setup, job.notes);
     noteOtherMaterial(job.stock, job.setup, job.notes);
     job.plan = workPlan(job.stock, job.runs, job.setup);
     return job;
@@ -279,7 +293,7 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
     reading.dialect = job.program.dialect;
     gcode::Toolpath path = findToolpath(again, reading, job.noses, progress.part(0.7, 0.8));
     Notes known;
-    const std::vector<ToolRun> runs = toolRuns(toolMoves(path, job.setup, known));
+    const std::vector<ToolRun> runs = turningRuns(path, job.setup, known);
     judgeWritten(job.stock, job.runs, runs, result);
     result.written = runs;
     corrected.moves = std::move(path.moves);

@@ -8,6 +8,7 @@
 #include "engine/cam/check/insert_check.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
+#include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
 #include "engine/stock/stock_codes.h"
 
@@ -54,9 +55,15 @@ struct ReadProgram {
     gcode::Toolpath path;
 };
 
-ReadProgram readText(std::string text, const Job& job, const CheckParameters& parameters, const Progress& progress)
+ReadProgram readText(std::string text, const Job& job, const CheckParameters& parameters, Notes& notes,
+                     const Progress& progress)
 {
     ReadProgram read;
+    if (parameters.program.dialect == gcode::Dialect::Auto &&
+        gcode::detectDialect(text).not_read == "Fanuc (G code system B)") {
+        text = asSystemA(text);
+        notes.push_back({notes::systemBRead, {}});
+    }
     read.program = gcode::readProgram(std::move(text), parameters.program.dialect, progress.part(0, 0.5));
     read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
     return read;
@@ -82,8 +89,8 @@ public:
 
     CheckResult run(std::string text)
     {
-        ReadProgram read =
-            readText(std::move(text), job_, parameters_, progress_.part(0, 0.1, LT_TEXT("Engine", "Reading")));
+        ReadProgram read = readText(std::move(text), job_, parameters_, result_.notes,
+                                    progress_.part(0, 0.1, LT_TEXT("Engine", "Reading")));
         result_.program = std::move(read.program);
         result_.path = std::move(read.path);
         if (result_.path.has_errors) return std::move(result_);
@@ -130,7 +137,7 @@ private:
         if (inputs_.before) {
             CheckParameters first = parameters_;
             first.z_zero_mm = 0;
-            const ReadProgram read = readText(*inputs_.before, job_, first, progress_.part(0.1, 0.15));
+            const ReadProgram read = readText(*inputs_.before, job_, first, result_.notes, progress_.part(0.1, 0.15));
             if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
             stock::StockParameters bodies = stockParameters(job_);
             bodies.chuck.reset();

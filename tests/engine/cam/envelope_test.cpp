@@ -93,7 +93,7 @@ TEST(NoseCurve, PaperShaftAsTheReferenceHasIt)
     const auto rest = restOf(frame.contour, {reachOf(frame, job.tools[1])});
     ASSERT_EQ(rest.size(), 3U);
     const double expected[3][3]{{97.65, 98.0, 0.1657}, {108.0, 138.47, 1.5979}, {178.0, 183.0, 4.7385}};
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(rest[i].z_start_mm, expected[i][0], 0.05);
         EXPECT_NEAR(rest[i].z_end_mm, expected[i][1], 0.05);
         EXPECT_NEAR(rest[i].left_mm, expected[i][2], 0.002);

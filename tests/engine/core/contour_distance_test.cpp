@@ -99,7 +99,9 @@ TEST(ContourDistance, AgainstBruteForce)
         if (!foot) continue;
         ++near;
         EXPECT_NEAR(std::abs(foot->distance_mm), nearest, 1e-4) << at.transpose();
-        if (nearest > 0.01) EXPECT_EQ(foot->distance_mm < 0, isInside(contour, points, at)) << at.transpose();
+        if (nearest > 0.01) {
+            EXPECT_EQ(foot->distance_mm < 0, isInside(contour, points, at)) << at.transpose();
+        }
         EXPECT_NEAR(foot->outward.norm(), 1, 1e-12);
         const auto on = distance.footOf(at.x() - foot->distance_mm * foot->outward.x(),
                                         std::abs(at.y() - foot->distance_mm * foot->outward.y()));

@@ -6,6 +6,7 @@
 #include "engine/core/shaft_contour.h"
 #include "engine/features/shaft_mesh.h"
 #include "engine/io/file.h"
+#include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"
 #include "widgets/core/panel/panel_facts.h"
 

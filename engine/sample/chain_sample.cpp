@@ -146,6 +146,8 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
                      scanPly(scanShaft(copy, scanner(3000 + seed), progress.part(0.6, 1)))};
     content.truth = std::make_shared<Json>(Json{
         {"chain", {{"about", syntheticScan}, {"barrel_of_row_1_um", barrel_um}, {"taper_of_row_3_um", taper_um}}}});
+    content.panels["turning"] = {.inputs = {{"job", "chain_job.json"}, {"shaft", "chain_drawing.json"}},
+                                 .parameters = {}};
     return content;
 }
 

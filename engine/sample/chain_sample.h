@@ -7,7 +7,7 @@ namespace lathelier::sample {
 
 /// chain_worn.ply: the worn original; chain_drawing.json: its nominal drawing; chain_job.json, chain_setup.json: how it
 /// is turned (the machine is spindle.json); chain_copy.ply: a scan of the copy as deflection predicts it for the
-/// program that the job gives.
+/// program that the job gives. The panel turning opens drawing and job.
 const SamplePart& chainSample();
 
 }  // namespace lathelier::sample

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
-constexpr std::size_t kSmear = 3;  // walls at a chain's end that blur may have made
+constexpr double kLeastScatter_mm = 0.001;  // of exact data: what is smoother is no thread or knurl
+constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur may have made
 
 /// Walls that scatter more than noise and slope explain, over 2.5 mm or more.
 std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
@@ -22,7 +23,8 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const double slope = slopeAt(walls, i),
                      spread = slope * slope * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
-        rough[i] = walls[i].sigma_mm > 2.5 * std::sqrt(sigma_mm * sigma_mm + spread);
+        rough[i] =
+            walls[i].sigma_mm > 2.5 * std::sqrt(sigma_mm * sigma_mm + kLeastScatter_mm * kLeastScatter_mm + spread);
     }
     std::vector<std::pair<std::size_t, std::size_t>> stretches;
     for (std::size_t i = 0; i < walls.size();) {

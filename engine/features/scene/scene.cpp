@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using registration::RevolutionFit;
 
-constexpr std::size_t kRoughSample = 40000;
+constexpr std::size_t kRoughSample = 100000;
 constexpr std::size_t kFitSample = 60000;
 constexpr std::size_t kOutlineSample = 300000;
 constexpr std::size_t kLeastRest = 500;
@@ -263,7 +263,7 @@ Scene findScene(const std::vector<Vector3d>& points, SceneUse use, const Progres
     if (use == SceneUse::Keep || points.size() < kLeastRest) return {};
     const double extent_mm = usualExtent_mm(points);
     if (!(extent_mm > 0)) return {};
-    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 64), progress);
+    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 128), progress);
     const std::optional<SupportPlane> support = findSupport(rough.points, rough.edge_mm);
     if (!support && use == SceneUse::Auto) return {};
     SceneParts parts(points, progress);

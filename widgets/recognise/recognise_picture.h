@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/shaft_item.h"
+#include "engine/core/texts.h"
 #include "engine/drawing/drawing.h"
 #include "engine/features/accepted_sizes.h"
 #include "engine/features/row_change.h"

@@ -221,17 +221,32 @@ void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& lis
         list.push_back({notes::materialOfSetup, {{"stock_MPa", stated_MPa}, {"setup_MPa", used_MPa}}});
 }
 
+/// Takes off what a run does at the axis or beyond: faces, ways to them and from them. False: nothing is left of it.
+bool takeOffAxis(ToolRun& run)
+{
+    std::vector<PathPoint>& points = run.points;
+    if (run.kind == ToolRun::Kind::Plunge) return points.back().x_mm > 0;
+    const auto isUseless = [](const PathPoint& end, const PathPoint& inner) {
+        return end.x_mm <= 0 && (inner.x_mm <= 0 || end.z_mm == inner.z_mm);
+    };
+    while (points.size() > 1 && isUseless(points.back(), points[points.size() - 2])) points.pop_back();
+    std::size_t first = 0;
+    while (first + 1 < points.size() && isUseless(points[first], points[first + 1])) ++first;
+    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+    return points.size() > 1;
+}
+
 /// Runs that leave a diameter. Facing and parting off, which end on the axis or beyond, leave none.
 std::vector<ToolRun> turningRuns(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
 {
     std::vector<ToolRun> runs = toolRuns(toolMoves(path, setup, notes));
     const auto faces = [](const ToolRun& run) {
-        return run.kind == ToolRun::Kind::Plunge && run.points.back().x_mm <= 0;
+        return std::any_of(run.points.begin(), run.points.end(), [](const PathPoint& at) { return at.x_mm <= 0; });
     };
-    if (const auto first = std::find_if(runs.begin(), runs.end(), faces); first != runs.end()) {
-        notes.push_back({notes::facingNotPredicted, {{"line", first->points.back().line}}});
-        std::erase_if(runs, faces);
-    }
+    const auto first = std::find_if(runs.begin(), runs.end(), faces);
+    if (first == runs.end()) return runs;
+    notes.push_back({notes::facingNotPredicted, {{"line", first->points.back().line}}});
+    std::erase_if(runs, [](ToolRun& run) { return !takeOffAxis(run); });
     return runs;
 }
 

@@ -7,6 +7,8 @@
 namespace lathelier::chain {
 namespace {
 
+constexpr double endShare = 0.1;  // of a row at each end: other tools finish its corners
+
 /// Mean along z of what is given at ascending places, between two of them; places twice are steps. None: the interval
 /// holds nothing of it.
 std::optional<double> meanAlong(const std::vector<double>& z_mm, const std::vector<double>& value, double from_mm,
@@ -32,11 +34,13 @@ std::vector<ComparedError> compareErrors(const PredictedErrors& predicted, const
 {
     std::vector<ComparedError> places;
     for (const MeasuredError& row : measured) {
-        const auto mean = meanAlong(predicted.z_mm, predicted.error_um, row.z_start_mm, row.z_end_mm);
+        const double inset_mm = endShare * (row.z_end_mm - row.z_start_mm);
+        const double from_mm = row.z_start_mm + inset_mm, to_mm = row.z_end_mm - inset_mm;
+        const auto mean = meanAlong(predicted.z_mm, predicted.error_um, from_mm, to_mm);
         if (!mean) continue;
         ComparedError place{row.row, row.z_start_mm, row.z_end_mm, *mean, 0, row.error_um, row.uncertainty_um, 0};
-        const auto low = meanAlong(predicted.z_mm, predicted.low_um, row.z_start_mm, row.z_end_mm);
-        const auto high = meanAlong(predicted.z_mm, predicted.high_um, row.z_start_mm, row.z_end_mm);
+        const auto low = meanAlong(predicted.z_mm, predicted.low_um, from_mm, to_mm);
+        const auto high = meanAlong(predicted.z_mm, predicted.high_um, from_mm, to_mm);
         if (low && high) place.predicted_uncertainty_um = (*high - *low) / 2;
         const double both_um = std::hypot(place.measured_uncertainty_um, place.predicted_uncertainty_um);
         if (!(both_um > 0)) continue;

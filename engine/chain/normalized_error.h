@@ -32,7 +32,7 @@ struct MeasuredError {
 struct ComparedError {
     std::int64_t row = 0;                 ///< number from 1
     double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
-    double predicted_um = 0;              ///< mean along the row
+    double predicted_um = 0;              ///< mean along the inner 80 % of the row
     double predicted_uncertainty_um = 0;  ///< half the band, mean along the row; 0: no band
     double measured_um = 0;               ///< of the diameter
     double measured_uncertainty_um = 0;   ///< U

@@ -221,11 +221,14 @@ void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& lis
         list.push_back({notes::materialOfSetup, {{"stock_MPa", stated_MPa}, {"setup_MPa", used_MPa}}});
 }
 
-/// Takes off what a run does at the axis or beyond: faces, ways to them and from them. False: nothing is left of it.
-bool takeOffAxis(ToolRun& run)
+/// Takes off what a run does at the axis or beyond: faces, ways to them and from them.
+void takeOffAxis(ToolRun& run)
 {
     std::vector<PathPoint>& points = run.points;
-    if (run.kind == ToolRun::Kind::Plunge) return points.back().x_mm > 0;
+    if (run.kind == ToolRun::Kind::Plunge) {
+        if (points.back().x_mm <= 0) points.clear();
+        return;
+    }
     const auto isUseless = [](const PathPoint& end, const PathPoint& inner) {
         return end.x_mm <= 0 && (inner.x_mm <= 0 || end.z_mm == inner.z_mm);
     };
@@ -233,7 +236,6 @@ bool takeOffAxis(ToolRun& run)
     std::size_t first = 0;
     while (first + 1 < points.size() && isUseless(points[first], points[first + 1])) ++first;
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
-    return points.size() > 1;
 }
 
 /// Runs that leave a diameter. Facing and parting off, which end on the axis or beyond, leave none.
@@ -246,7 +248,8 @@ std::vector<ToolRun> turningRuns(const gcode::Toolpath& path, const TurningSetup
     const auto first = std::find_if(runs.begin(), runs.end(), faces);
     if (first == runs.end()) return runs;
     notes.push_back({notes::facingNotPredicted, {{"line", first->points.back().line}}});
-    std::erase_if(runs, [](ToolRun& run) { return !takeOffAxis(run); });
+    for (ToolRun& run : runs) takeOffAxis(run);
+    std::erase_if(runs, [](const ToolRun& run) { return run.points.size() < 2; });
     return runs;
 }
 

@@ -112,13 +112,15 @@ void bend(ShaftModel& shaft, const Shaft& part, const Progress& progress)
         return 0.0;
     };
     for (ShaftPiece& piece : shaft) {
-        // A little within the piece: at shoulders the contour steps.
-        const double inset_mm = 0.1 * (piece.z_end_mm - piece.z_start_mm);
-        const double start_um = error_um(piece.z_start_mm + inset_mm) / 2,
-                     end_um = error_um(piece.z_end_mm - inset_mm) / 2;
-        const double slope = (end_um - start_um) / 0.8;
-        piece.taper_start_um = start_um - 0.1 * slope;
-        piece.taper_end_um = end_um + 0.1 * slope;
+        // A parabola through three places within the piece: at shoulders the contour steps.
+        const double length_mm = piece.z_end_mm - piece.z_start_mm, inset_mm = 0.1 * length_mm;
+        const double start_um = error_um(piece.z_start_mm + inset_mm) / 2;
+        const double middle_um = error_um(piece.z_start_mm + length_mm / 2) / 2;
+        const double end_um = error_um(piece.z_end_mm - inset_mm) / 2;
+        piece.barrel_um = (2 * middle_um - start_um - end_um) / 1.28;
+        const double mean_um = middle_um - piece.barrel_um, half_um = (end_um - start_um) / 1.6;
+        piece.taper_start_um = mean_um - half_um;
+        piece.taper_end_um = mean_um + half_um;
     }
 }
 

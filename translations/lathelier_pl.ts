@@ -1156,10 +1156,6 @@
         <translation>Oryginał</translation>
     </message>
     <message>
-        <source>Scan or mesh of the original</source>
-        <translation>Skan lub siatka oryginału</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopia</translation>
     </message>
@@ -1170,10 +1166,6 @@
     <message>
         <source>Point clouds and meshes</source>
         <translation>Chmury punktów i siatki</translation>
-    </message>
-    <message>
-        <source>Drop two scans here, first the original, then the copy.</source>
-        <translation>Upuść tu dwa skany: najpierw oryginał, potem kopię.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -10576,10 +10568,6 @@
         <translation>Nie rozpoznano wymiarów kopii ({reason}): wiersze nie mają wartości zmierzonych.</translation>
     </message>
     <message>
-        <source>The drawing was compared as a mesh of limited size: its facets lie within {sagitta_mm} mm.</source>
-        <translation>Rysunek porównano jako siatkę ograniczonej wielkości: jej ściany mieszczą się w {sagitta_mm} mm.</translation>
-    </message>
-    <message>
         <source>Bore</source>
         <translation>Otwór</translation>
     </message>
@@ -10662,6 +10650,2066 @@
     <message>
         <source>? sizes not decided</source>
         <translation>? wymiary nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <source>The part is not stated: neither a shaft was given nor does the job hold one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part does not fit into the stock at z = {z_mm} mm: {missing_mm} mm of {quantity} are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Segment {segment} of the part cannot be turned: {quantity} is {found}; expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number {tool} is that of two tools.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool {tool} ({use}) does not state its {quantity}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job has no tool for {use}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blade {tool} reaches {reach_mm} mm; parting off needs {needed_mm} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is in Fanuc&apos;s G code system B; it was read with its codes replaced by those of system A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job states no highest speed of the spindle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job is that of the form, which was changed since {source} was opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {line}: tool {tool} is not in the job. What it leaves is not measured, and its shape is assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the chuck stands in the second clamping is not stated; it is not looked at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z of the gouge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line of the gouge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most that is left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most that is left on the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ material stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ as drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing, stock and tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stays on the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check of a turning program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the corners that deflection --compensate states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nose radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entering angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>insert below the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2: the part is turned round, and z counts from its other end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished from z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left counts from here; empty: from the free end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished up to z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left counts up to here; empty: to the end of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In this clamping; empty: as the job states for the first, not looked at in the second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dog-leg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try the dog-leg of rapid moves besides the straight line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Specific cutting force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At a chip of 1 mm by 1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the force falls with the thickness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As drawings state it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given or assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roughing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finishing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finishing from the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grooving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parting off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre drilling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per revolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before the first cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From its raw end; empty: up to the chuck face and into it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance of the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the raw end stands before the finished one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the free end, negative beyond it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline of the tailstock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corners that the tool must keep out of; empty: a centre of 60°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the free end of the finished part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jaws ⌀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: everything beyond the chuck face is the chuck.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the grip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least length to be held; empty: not looked at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the free end; none: free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the program calls it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an insert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin of the back angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a planned path keeps below the back angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>toward the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of its feed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of both corners of a blade.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How deep a blade cuts, on radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per revolution; empty: that of the cutting data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest of a pass, on radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the outer diameter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left for the finish, normal to the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the work.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its cutting data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the section ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the finish.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bar.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the work is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inserts, blades and drills, by number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depths, feeds and speeds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the spindle; empty: not limited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds of the finish by section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the part off at its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Break of edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chamfer of sharp edges; 0: sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with stock, setup, tools and cutting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the work is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list of tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cutting data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data of roughing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data of finishing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning jobs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius of the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an arc that does not turn back along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the diameter at its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the diameter at its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tip angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre drill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>semi-finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finish, opposite hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no finished cylinder is long enough to grip the part by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part cannot be clamped so: {reason}; {missing_mm} mm are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no post “{found}”; expected a file or one of: {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The post {post} cannot {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool {tool}: a feed of {feed_mm_rev} mm per revolution is more than its nose of {nose_radius_mm} mm allows; expected at most {most_mm_rev}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material “{found}” is not in the library; expected one of: {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool {tool} could reach the rest at z = {z_start_mm} … {z_end_mm} mm, but {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assumed, from {source}: specific cutting force {k_c11_N_mm2} N/mm², exponent {m_c}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job states no material from the library, so no power is computed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from the new free end; {face_allowance_mm} mm are faced off there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cylinder that is gripped in the second clamping carries a tolerance: use soft jaws.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two clampings were tried: they leave {left_mm} mm, one leaves {left_one_mm} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finishing tool {tool} reaches where roughing does not and cuts up to {depth_mm} mm there, near z = {z_mm} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The thread {designation} is not cut: its body is turned to the drawn diameter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job asks for edges broken by {edge_break_mm} mm; the program leaves them sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bores of the part are not in the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no stable speed, that of the job is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two where one leaves more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the finished part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the work at that moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clampings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Auto turns the part round where that leaves less on the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between lobes and speeds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part for the speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body whose dynamics decide the speeds of the finish.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a tool change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operations that are switched off: clamping, kind, tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power at the cut, ± 25 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the face of the other end, finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the face of the free end, finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chuck face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time with tool changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency f_m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal Rz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ the program is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · places with material left: {rest}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First clamping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second clamping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text of at most 200 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>printable ASCII characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>braces around title, number, tool, tool2, max_rpm, vc or rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a word such as G1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ik, r or cr</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with X, Z, F and style</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>per_rev or per_min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with open and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lf or crlf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lines, or css false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number of decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with diameter and decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object with decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point or plain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how a comment begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state a feed per minute without a fixed speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated by the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant cutting speed of the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stability lobes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blade does not reach so deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it would meet the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it would meet the tailstock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its holder would meet the stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it would meet the stock on its way there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blade that parts off stands within the chuck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First or second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the chuck stands within the length that is turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bar is held too short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not given: {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has the sizes of the worn part as they were measured. Suggested nominal sizes are in {file}: take them with --snap apply, or state a drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program cannot be corrected for deflection: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deflection is predicted for the first of {count} clampings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy&apos;s diameters disagree with the prediction by more than both uncertainties: largest normalized error {normalized_error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the schema of a dossier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dossiers of copied parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognise the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing and CAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stable depths and speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check of the corrected program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparison of the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken or made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SHA-256, first digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers and where they stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy of a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{done} of {steps} steps done, {missing} missing, {failed} failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{step}: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dossier of a copied part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where every number stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Predicted and measured error of the diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured, ± U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tie</source>
+        <translation>Powiązanie</translation>
+    </message>
+    <message>
+        <source>Cylinders with the same one share a diameter.</source>
+        <translation>Walce z tym samym powiązaniem mają wspólną średnicę.</translation>
+    </message>
+    <message>
+        <source>place of the cut</source>
+        <translation>miejsce podziału</translation>
+    </message>
+    <message>
+        <source>a place inside the row</source>
+        <translation>miejsce wewnątrz wiersza</translation>
+    </message>
+    <message>
+        <source>more than 0° and less than 90°</source>
+        <translation>więcej niż 0° i mniej niż 90°</translation>
+    </message>
+    <message>
+        <source>that of a cylinder</source>
+        <translation>średnicy walca</translation>
+    </message>
+    <message>
+        <source>Line {line}: a cut along x alone down to the axis leaves no diameter; it is neither predicted nor corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{cut_points} of {points} points were taken for something else than the part and cut off: turntable {turntable_points}, clamps {clamp_points}, loose things {clutter_points}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {end} stands on the plane that was cut off: it was put onto that plane, {moved_mm} mm beyond the data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The facets of the mesh lie up to {sagitta_mm} mm inside the round surface: their corners were taken for it, and what lies between was put onto it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no row beside it that could take its place</source>
+        <translation>nie ma obok wiersza, który mógłby zająć jego miejsce</translation>
+    </message>
+    <message>
+        <source>there is no row after it</source>
+        <translation>nie ma po nim wiersza</translation>
+    </message>
+    <message>
+        <source>a thread or a knurl stays a row of its own</source>
+        <translation>gwint albo radełkowanie pozostaje osobnym wierszem</translation>
+    </message>
+    <message>
+        <source>the place of the cut does not lie inside it</source>
+        <translation>miejsce podziału nie leży wewnątrz niego</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut where there is a turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Besides the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A turntable, clamps and loose things in the scan: automatically cut off only where a plane much larger than the part is seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no row {row} to be changed: {rows} rows were recognised.</source>
+        <translation>Nie ma wiersza {row} do zmiany: rozpoznano wierszy: {rows}.</translation>
+    </message>
+    <message>
+        <source>Row {row} cannot be changed like that: {reason}.</source>
+        <translation>Wiersza {row} nie można tak zmienić: {reason}.</translation>
+    </message>
+    <message>
+        <source>With these changes no contour fits the data: at z {z_mm} mm two rows do not meet.</source>
+        <translation>Po tych zmianach żaden zarys nie pasuje do danych: przy z {z_mm} mm dwa wiersze się nie spotykają.</translation>
+    </message>
+    <message>
+        <source>The rows were changed by hand ({count} times) and fitted again.</source>
+        <translation>Wiersze zmieniono ręcznie (liczba zmian: {count}) i dopasowano na nowo.</translation>
+    </message>
+    <message>
+        <source>A picture of {width} × {height} px is too large: {found} {unit}; at most {maximum} are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has no pixels: {width} × {height}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{found_bytes} bytes cannot hold a picture of {width} × {height} px; at least {expected_bytes} are expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of this kind are not read: found {found}, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is damaged at row {row}: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture ends early: {row} of {expected} rows are there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the picture was turned or mirrored as its EXIF orientation {orientation} says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the colour profile of the picture is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the transparency of the picture is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: only the first of {count} pictures in the file was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a JPEG picture in grey or colour of 8 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another number of bits than 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lossless, hierarchical or arithmetic coding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CMYK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number of components that is neither 1 nor 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a JPEG marker before the first scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an IHDR chunk of 13 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another chunk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an IHDR chunk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a TIFF directory of 1 to 1000 entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a TIFF directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a TIFF picture in grey or RGB of 8 or 16 bits, not compressed or by LZW or deflate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>floating point samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed or complex samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another number of bits than 8 or 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a colour space that is neither grey nor RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than four channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RGB of fewer than three channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strips or tiles far larger than the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strips or tiles of up to 400 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a longer list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one for all pictures, or one for each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>auto, no, far, or the camera&apos;s distance from the axis in mm, beyond the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one scale only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a feed beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PX:MM, such as 250:1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of {width} × {height} px is too small: at least {minimum} px are needed either way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A feed of {feed_mm_rev} mm is {found_px} px wide; at least {needed_px} px are needed, that is {needed_mm_per_px} mm/px or finer. Photograph closer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A feed of {feed_mm_rev} mm is {found_px} px wide; at least {needed_px} px are needed. The marks of {alias_px} px in the picture are its alias. Photograph closer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The region {found} does not lie in the picture of {width} × {height} px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the marks are {pitch_mm} mm apart, the feed is {feed_mm_rev} mm. Scale or feed is wrong, or the marks are an alias.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures are compared as if camera and light had been the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: without the directions of feed and cut the sign of ν is open: {first_hz} or {second_hz} Hz. The usual, regenerative reading stands first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: only {waves} waves lie in the picture; the whole number of waves in a revolution is open. Photograph the whole width of the part, or choose among the candidates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {frequency_hz} Hz was chosen because {expected_hz} Hz was expected; the picture alone does not decide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {percent} % of the pixels are black or white; the marks there are lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: a feed is {found_px} px wide; {wanted_px} px are better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the scale was taken from the feed; the pitch is no check of it then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no scale is given; lengths are in pixels only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the cylinder was unrolled over {span_deg}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the part curves away across the picture and was not unrolled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures show different surfaces (response {response}); they are aligned by scale and direction only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left edge of the region.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation type="unfinished">Z góry</translation>
+    </message>
+    <message>
+        <source>Upper edge of the region.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the region.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the region.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That the surface was cut with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed of the cut; none: the best comb of lines is taken for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the turned part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the cut: one for all pictures, or one for each in their order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres that a pixel is wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its length as PX:MM, such as 250:1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale from the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pitch of the marks is the feed, and checks nothing then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unroll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>auto (a field wider than 0.2 diameters, seen from far), no, far, or the camera&apos;s distance from the axis in mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the axis crosses the picture&apos;s middle, from the top (an upright axis: from the left); none: in the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the picture that is evaluated: one for all pictures, or one for each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, from right toward down; none: not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along a track toward what was cut later, in a picture turned so that the feed points right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a model or a tap test: chooses among the candidates that the picture leaves open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chance of a false line in a picture of noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the spindle speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture without its uneven light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness over its surroundings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation type="unfinished">posuw</translation>
+    </message>
+    <message>
+        <source>1/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency upward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decades over the surroundings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feed marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chatter marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch against the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction across the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Significance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Regularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the picture&apos;s variance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest of a wave, ν</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole waves in a revolution, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture decides m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase of the regeneration, ε</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period along the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pitch round the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crests to the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In symmetric light perhaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the next reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength against the feed line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m as measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waves in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bits of a sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturated pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinder unrolled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Threshold of significance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest significance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter would be seen from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scales are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response of the registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One surface in both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ν = {nu} waves between neighbouring tracks (ε {phase}°), {relative} times as strong as the feed marks. Diameter, scale and speed give the frequency.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m = {m}, ε {phase}° at {rpm} rpm: forced or regenerative? A whole number of waves speaks for stock, jaws, bearings or gears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m = {m}, ε {phase}° at {rpm} rpm, {relative} times as strong as the feed marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture as evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chatter marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no periodic marks found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strongest line is {largest} times the noise; {threshold} would be a mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed marks {pitch} mm apart, no chatter marks above {limit} % of the feed line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed marks {pitch} px apart, no chatter marks above {limit} % of the feed line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks of turned surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is divided by its local mean and spread; lines of its spectrum count when their power exceeds the level of the noise along rows and columns by the threshold. The feed marks are the comb at 1/f, and give the direction of the axis; the chatter marks are a lattice of lines beside it, whose wave vector gives the frequency f_c = n (πD k_y + f k_z). Heights cannot be told from a picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the tool in a revolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While the surface was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its frequency.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the vibration; 0: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture, from right toward down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part is seen as a cylinder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the grooves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oblique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished">Jasny</translation>
+    </message>
+    <message>
+        <source>Where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Irregular tracks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread of their depths as a share of the depth of a feed mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the camera, as a share of full scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of the random numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft</source>
+        <translation>Skan lub siatka oryginału albo jego rysunek: STEP, SHAFT.json, wał</translation>
+    </message>
+    <message>
+        <source>Drop two files here, first the original (scan or drawing), then the copy.</source>
+        <translation>Upuść tu dwa pliki, najpierw oryginał (skan lub rysunek), potem kopię.</translation>
+    </message>
+    <message>
+        <source>Same ⌀ as</source>
+        <translation>Ta sama ⌀ co</translation>
+    </message>
+    <message>
+        <source>Measured − nominal</source>
+        <translation>Zmierzone − nominalne</translation>
+    </message>
+    <message>
+        <source>from the free end</source>
+        <translation>od wolnego końca</translation>
+    </message>
+    <message>
+        <source>as a chain</source>
+        <translation>łańcuchem</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Długości</translation>
+    </message>
+    <message>
+        <source>How the drawing gives lengths, and what an edited one leaves in place: from the free end all other shoulders, as a chain all other lengths.</source>
+        <translation>Jak rysunek podaje długości i co zostaje na miejscu po zmianie jednej z nich: od wolnego końca pozostałe odsadzenia, łańcuchem pozostałe długości.</translation>
+    </message>
+    <message>
+        <source>{number}: {left_mm:3} mm, {cause}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing, stock and tool, second clamping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z from the raw end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>material stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting speed of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting speed v_c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency of chatter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal roughness of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why this speed: z {from:1}-{to:1} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero of the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bar, chuck, tools and cutting data: JOB.json; it may hold the shaft as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a job (JOB.json) and a shaft here: its turning program follows, read back and checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fanuc, system B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program is written for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job changed from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file that the form was changed from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job or tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stock, set-up, tools and cutting data, from JOB.json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part, from FILE (SHAFT.json, STEP, CSV), instead of the one in the job.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the program was corrected by: FILE that deflection --compensate wrote with --json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program of the first clamping, for --setup 2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a job (JOB.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where every file goes; made when it is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle at the chuck face, from SPINDLE.json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up of deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SETUP.json; without a stock of its own it takes the job&apos;s bar.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan of the machined copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SHAFT.json that somebody has confirmed, in place of what was recognised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirmed by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who answers for the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control that the program is for: fanuc_a, fanuc_b, haas, sinumerik, linuxcnc, grbl, or POST.json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of its surface, to both sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance of the predicted diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To both sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spindle (SPINDLE.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planning the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a set-up of deflection (--setup)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a corrected program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the corrected program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scan of the copy (--copy)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stock, set-up, tools and cutting data, from JOB.json; without it the operand is a job that holds its shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine at the chuck face, from SPINDLE.json: speeds follow its dynamics.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11704,6 +13752,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Show another copy</source>
         <translation>Pokaż inną kopię</translation>
     </message>
+    <message>
+        <source>%L1 segments · %2</source>
+        <translation type="unfinished">segmentów: %L1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::CompareViews</name>
@@ -11842,6 +13894,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>along the axis %1, angle %2°</source>
         <translation>wzdłuż osi %1, kąt %2°</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation type="unfinished">Wymiary</translation>
     </message>
 </context>
 <context>
@@ -12130,86 +14186,58 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
-    <name>lathelier::drawing_panel::DrawingFiles</name>
+    <name>lathelier::drawing_panel::DimensionEdit</name>
     <message>
-        <source>Drawing (PDF)…</source>
-        <translation>Rysunek (PDF)…</translation>
+        <source>Diameter in mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Document (*.pdf)</source>
-        <translation>Dokument (*.pdf)</translation>
+        <source>Length in mm</source>
+        <translation>Długość w mm</translation>
     </message>
     <message>
-        <source>Drawing (SVG)…</source>
-        <translation>Rysunek (SVG)…</translation>
+        <source>Radius in mm</source>
+        <translation>Promień w mm</translation>
     </message>
     <message>
-        <source>Picture (*.svg)</source>
-        <translation>Obraz (*.svg)</translation>
+        <source>Leg in mm × angle in degrees; the leg alone keeps the angle</source>
+        <translation>Bok w mm × kąt w stopniach; sam bok zachowuje kąt</translation>
     </message>
     <message>
-        <source>Drawing (DXF)…</source>
-        <translation>Rysunek (DXF)…</translation>
+        <source>Width × diameter of the bottom in mm; the width alone keeps it</source>
+        <translation>Szerokość × średnica dna w mm; sama szerokość zachowuje dno</translation>
     </message>
     <message>
-        <source>Drawing (*.dxf)</source>
-        <translation>Rysunek (*.dxf)</translation>
+        <source>1:10, or the whole angle in degrees</source>
+        <translation>1:10 albo cały kąt w stopniach</translation>
     </message>
     <message>
-        <source>Contour (DXF)…</source>
-        <translation>Zarys (DXF)…</translation>
+        <source>Dimension</source>
+        <translation>Wymiar</translation>
     </message>
     <message>
-        <source>Solid (STEP AP214)…</source>
-        <translation>Bryła (STEP AP214)…</translation>
+        <source>Change the diameter of row %1</source>
+        <translation>Zmiana średnicy wiersza %1</translation>
     </message>
     <message>
-        <source>Solid (*.step)</source>
-        <translation>Bryła (*.step)</translation>
+        <source>Change a length</source>
+        <translation>Zmiana długości</translation>
     </message>
     <message>
-        <source>Solid (STEP AP242)…</source>
-        <translation>Bryła (STEP AP242)…</translation>
+        <source>Change the radius of row %1</source>
+        <translation>Zmiana promienia wiersza %1</translation>
     </message>
     <message>
-        <source>FreeCAD macro…</source>
-        <translation>Makro FreeCAD…</translation>
+        <source>Change the chamfer of row %1</source>
+        <translation>Zmiana fazy wiersza %1</translation>
     </message>
     <message>
-        <source>FreeCAD macro (*.FCMacro)</source>
-        <translation>Makro FreeCAD (*.FCMacro)</translation>
+        <source>Change the groove of row %1</source>
+        <translation>Zmiana rowka wiersza %1</translation>
     </message>
     <message>
-        <source>SolidWorks macro…</source>
-        <translation>Makro SolidWorks…</translation>
-    </message>
-    <message>
-        <source>SolidWorks macro (*.bas)</source>
-        <translation>Makro SolidWorks (*.bas)</translation>
-    </message>
-    <message>
-        <source>Table of rows (CSV)…</source>
-        <translation>Tabela wierszy (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Shaft (SHAFT.json)…</source>
-        <translation>Wał (SHAFT.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Stock text…</source>
-        <translation>Tekst półfabrykatu…</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Tekst (*.txt)</translation>
+        <source>Change the angle of row %1</source>
+        <translation>Zmiana kąta wiersza %1</translation>
     </message>
 </context>
 <context>
@@ -12254,8 +14282,55 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Cały arkusz</translation>
     </message>
     <message>
-        <source>The wheel enlarges the drawing, dragging moves it, a double click shows the whole sheet</source>
-        <translation>Kółko myszy powiększa rysunek, przeciąganie go przesuwa, podwójne kliknięcie pokazuje cały arkusz</translation>
+        <source>Delete row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Merge rows %1 and %2</source>
+        <translation>Połączenie wierszy %1 i %2</translation>
+    </message>
+    <message>
+        <source>Split row %1</source>
+        <translation>Podział wiersza %1</translation>
+    </message>
+    <message>
+        <source>Make row %1 a %2</source>
+        <translation>Wiersz %1 jako: %2</translation>
+    </message>
+    <message>
+        <source>row %1, ⌀ %2</source>
+        <translation type="unfinished">wiersz %1: ⌀ %2 {1,?}</translation>
+    </message>
+    <message>
+        <source>Row %1 as wide as row %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free the diameter of row %1</source>
+        <translation>Uwolnienie średnicy wiersza %1</translation>
+    </message>
+    <message>
+        <source>Move the shoulder behind row %1</source>
+        <translation>Przesunięcie odsadzenia za wierszem %1</translation>
+    </message>
+    <message>
+        <source>Meridian</source>
+        <translation type="unfinished">Zarys osiowy</translation>
+    </message>
+    <message>
+        <source>Measured − nominal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wheel enlarges the drawing, dragging moves it. A click lights a row, a double click on a dimension changes it, the right button shows what can be done with a row.</source>
+        <translation>Kółko myszy powiększa rysunek, przeciąganie go przesuwa. Kliknięcie podświetla wiersz, podwójne kliknięcie wymiaru zmienia go, prawy przycisk pokazuje, co można zrobić z wierszem.</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::drawing_panel::SheetView</name>
+    <message>
+        <source>A double click opens a field for another size</source>
+        <translation>Podwójne kliknięcie otwiera pole na inny wymiar</translation>
     </message>
 </context>
 <context>
@@ -12536,6 +14611,144 @@ odchyłka %3</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::part_common::PartFiles</name>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation type="unfinished">Rysunek (PDF)…</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation type="unfinished">Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)…</source>
+        <translation type="unfinished">Rysunek (SVG)…</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation type="unfinished">Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Drawing (DXF)…</source>
+        <translation type="unfinished">Rysunek (DXF)…</translation>
+    </message>
+    <message>
+        <source>Drawing (*.dxf)</source>
+        <translation type="unfinished">Rysunek (*.dxf)</translation>
+    </message>
+    <message>
+        <source>Contour (DXF)…</source>
+        <translation type="unfinished">Zarys (DXF)…</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP214)…</source>
+        <translation type="unfinished">Bryła (STEP AP214)…</translation>
+    </message>
+    <message>
+        <source>Solid (*.step)</source>
+        <translation type="unfinished">Bryła (*.step)</translation>
+    </message>
+    <message>
+        <source>Solid (STEP AP242)…</source>
+        <translation type="unfinished">Bryła (STEP AP242)…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro…</source>
+        <translation type="unfinished">Makro FreeCAD…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro (*.FCMacro)</source>
+        <translation type="unfinished">Makro FreeCAD (*.FCMacro)</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro…</source>
+        <translation type="unfinished">Makro SolidWorks…</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro (*.bas)</source>
+        <translation type="unfinished">Makro SolidWorks (*.bas)</translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation type="unfinished">Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished">Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation type="unfinished">Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation type="unfinished">JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation type="unfinished">Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation type="unfinished">Tekst (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::part_common::RowMenu</name>
+    <message>
+        <source>Cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Stożek</translation>
+    </message>
+    <message>
+        <source>Chamfer</source>
+        <translation>Faza</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Zaokrąglenie wypukłe</translation>
+    </message>
+    <message>
+        <source>Fillet</source>
+        <translation>Zaokrąglenie wklęsłe</translation>
+    </message>
+    <message>
+        <source>Groove</source>
+        <translation>Rowek</translation>
+    </message>
+    <message>
+        <source>Row %1</source>
+        <translation>Wiersz %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Merge with the next</source>
+        <translation>Połącz z następnym</translation>
+    </message>
+    <message>
+        <source>Split here</source>
+        <translation>Podziel tutaj</translation>
+    </message>
+    <message>
+        <source>Change its kind</source>
+        <translation>Zmień rodzaj</translation>
+    </message>
+    <message>
+        <source>Same diameter as</source>
+        <translation>Ta sama średnica co</translation>
+    </message>
+    <message>
+        <source>Free its diameter</source>
+        <translation>Uwolnij średnicę</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::pass_panel::PassPanel</name>
     <message>
         <source>Move the operating point</source>
@@ -12812,26 +15025,6 @@ odchyłka %3</translation>
         <translation>Przyjmij wszystkie wymiary nominalne</translation>
     </message>
     <message>
-        <source>Shaft (SHAFT.json)…</source>
-        <translation>Wał (SHAFT.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Stock text…</source>
-        <translation>Tekst półfabrykatu…</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Tekst (*.txt)</translation>
-    </message>
-    <message>
-        <source>Table of rows (CSV)…</source>
-        <translation>Tabela wierszy (CSV)…</translation>
-    </message>
-    <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
     </message>
@@ -12850,6 +15043,10 @@ odchyłka %3</translation>
     <message>
         <source>Residuals (SVG)…</source>
         <translation>Reszty (SVG)…</translation>
+    </message>
+    <message>
+        <source>Take back all changes of the rows</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12909,6 +15106,30 @@ odchyłka %3</translation>
     <message>
         <source>Keep it in the project, where other panels take it as an input</source>
         <translation>Zachowuje go w projekcie, skąd biorą go inne panele</translation>
+    </message>
+    <message>
+        <source>Delete row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Merge rows %1 and %2</source>
+        <translation>Połączenie wierszy %1 i %2</translation>
+    </message>
+    <message>
+        <source>Split row %1</source>
+        <translation>Podział wiersza %1</translation>
+    </message>
+    <message>
+        <source>Make row %1 a %2</source>
+        <translation>Wiersz %1 jako: %2</translation>
+    </message>
+    <message>
+        <source>As recognised</source>
+        <translation>Jak rozpoznano</translation>
+    </message>
+    <message>
+        <source>Takes back all changes of the rows</source>
+        <translation>Cofa wszystkie zmiany wierszy</translation>
     </message>
 </context>
 <context>
@@ -13803,6 +16024,199 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Coordinates</source>
         <translation>Współrzędne</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::turning_panel::ToolScrubber</name>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished">Wstrzymaj</translation>
+    </message>
+    <message>
+        <source>Play the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamping 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamping 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place along the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place along the program: the tool moves, the stock is as it is by then</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::turning_panel::TurningPanel</name>
+    <message>
+        <source>Switch on: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 tools, with its shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%L1 segments · %2</source>
+        <translation type="unfinished">segmentów: %L1 · %2</translation>
+    </message>
+    <message>
+        <source>Programs of both clampings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
+        <translation type="unfinished">Program NC (*.nc *.ngc *.mpf *.tap)</translation>
+    </message>
+    <message>
+        <source>Moves of the tool, clamping %1 (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves of the tool (CSV)…</source>
+        <translation type="unfinished">Ruchy narzędzia (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation type="unfinished">Tabela (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::turning_panel::TurningViews</name>
+    <message>
+        <source>%1, %2 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1 · %2 · tool %3 · Ø %4 · Z %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation type="unfinished">ruch szybki</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation type="unfinished">posuw</translation>
+    </message>
+    <message>
+        <source>Line %1: no move</source>
+        <translation type="unfinished">Wiersz %1: bez ruchu</translation>
+    </message>
+    <message>
+        <source>Contour and stock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program and path</source>
+        <translation type="unfinished">Program i tor</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds and why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stays, findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-up sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished">N</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle along the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v_c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting speed along the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>f_m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency of chatter of each section; needs a spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ideal roughness along the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path of the tool</source>
+        <translation type="unfinished">Tor narzędzia</translation>
+    </message>
+    <message>
+        <source>Why this speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation type="unfinished">Tekst programu</translation>
+    </message>
+    <message>
+        <source>The box switches an operation off: what it would take off stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds of the finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row shows the stability lobes of the part at that moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stays on the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the tool meets</source>
+        <translation type="unfinished">Co trafia narzędzie</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished">Narzędzia</translation>
     </message>
 </context>
 </TS>

@@ -272,6 +272,23 @@ QString ComparePanel::understood(const InputRole& role, const project::Source& s
     return Panel::understood(role, source);
 }
 
+/// A drawing as the reference is no scan.
+Worker::Job ComparePanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [stores = session().sharedStores(),
+            inputs = state.inputs](const Progress& progress) -> std::shared_ptr<const void> {
+        const Progress reading = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
+        for (const auto& [role, source] : inputs) {
+            if (!source.item.empty()) continue;
+            if (role == referenceRole && isDrawn(source))
+                stores->of<part_common::PartStore>()->load(source, reading);
+            else
+                stores->of<ScanStore>()->load(source, reading);
+        }
+        return nullptr;
+    };
+}
+
 /// Only a reference can be a drawing.
 void ComparePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {

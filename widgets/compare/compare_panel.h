@@ -30,6 +30,7 @@ protected:
     void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
     report::Answer answer(const ComparePicture& picture) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     void showPlace(const report::Place& place) override;
     Notes notes(const ComparePicture& picture) const override;

@@ -10653,1047 +10653,1047 @@
     </message>
     <message>
         <source>The part is not stated: neither a shaft was given nor does the job hold one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie podano części: nie wskazano wałka ani nie zawiera go zadanie.</translation>
     </message>
     <message>
         <source>The part does not fit into the stock at z = {z_mm} mm: {missing_mm} mm of {quantity} are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Część nie mieści się w półfabrykacie przy z = {z_mm} mm: brakuje {missing_mm} mm ({quantity}).</translation>
     </message>
     <message>
         <source>Segment {segment} of the part cannot be turned: {quantity} is {found}; expected {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Segmentu {segment} części nie da się toczyć: {quantity} wynosi {found}; oczekiwano: {expected}.</translation>
     </message>
     <message>
         <source>The number {tool} is that of two tools.</source>
-        <translation type="unfinished"></translation>
+        <translation>Numer {tool} mają dwa narzędzia.</translation>
     </message>
     <message>
         <source>Tool {tool} ({use}) does not state its {quantity}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzie {tool} ({use}) nie podaje wielkości: {quantity}.</translation>
     </message>
     <message>
         <source>The job has no tool for {use}.</source>
-        <translation type="unfinished"></translation>
+        <translation>W zadaniu brak narzędzia do: {use}.</translation>
     </message>
     <message>
         <source>Blade {tool} reaches {reach_mm} mm; parting off needs {needed_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Listwa {tool} sięga {reach_mm} mm; odcięcie wymaga {needed_mm} mm.</translation>
     </message>
     <message>
         <source>The program is in Fanuc&apos;s G code system B; it was read with its codes replaced by those of system A.</source>
-        <translation type="unfinished"></translation>
+        <translation>Program jest w systemie kodów G B firmy Fanuc; odczytano go po zamianie jego kodów na kody systemu A.</translation>
     </message>
     <message>
         <source>The job states no highest speed of the spindle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie nie podaje największej prędkości obrotowej wrzeciona.</translation>
     </message>
     <message>
         <source>The job is that of the form, which was changed since {source} was opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie pochodzi z formularza, który zmieniono od otwarcia {source}.</translation>
     </message>
     <message>
         <source>Line {line}: tool {tool} is not in the job. What it leaves is not measured, and its shape is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linia {line}: narzędzia {tool} nie ma w zadaniu. Tego, co zostawia, nie zmierzono, a jego kształt jest założony.</translation>
     </message>
     <message>
         <source>Where the chuck stands in the second clamping is not stated; it is not looked at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie podano położenia uchwytu w drugim zamocowaniu; nie jest ono sprawdzane.</translation>
     </message>
     <message>
         <source>From z</source>
-        <translation type="unfinished"></translation>
+        <translation>Od z</translation>
     </message>
     <message>
         <source>To z</source>
-        <translation type="unfinished"></translation>
+        <translation>Do z</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Pozostało</translation>
     </message>
     <message>
         <source>Drawn radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Promień na rysunku</translation>
     </message>
     <message>
         <source>Gouge</source>
-        <translation type="unfinished"></translation>
+        <translation>Podcięcie</translation>
     </message>
     <message>
         <source>z of the gouge</source>
-        <translation type="unfinished"></translation>
+        <translation>z podcięcia</translation>
     </message>
     <message>
         <source>Line of the gouge</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz podcięcia</translation>
     </message>
     <message>
         <source>Most that is left</source>
-        <translation type="unfinished"></translation>
+        <translation>Największy naddatek pozostały</translation>
     </message>
     <message>
         <source>Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pozostało {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}</translation>
     </message>
     <message>
         <source>Most that is left on the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Największy naddatek pozostały względem rysunku</translation>
     </message>
     <message>
         <source>✗ material stays</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ materiał pozostaje</translation>
     </message>
     <message>
         <source>✓ as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ zgodnie z rysunkiem</translation>
     </message>
     <message>
         <source>gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings}</source>
-        <translation type="unfinished"></translation>
+        <translation>podcięcie {gouge_um:2} µm · miejsca z pozostałym materiałem: {rest} · ustalenia: {findings}</translation>
     </message>
     <message>
         <source>Drawing, stock and tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysunek, półfabrykat i narzędzie</translation>
     </message>
     <message>
         <source>drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>rysunek</translation>
     </message>
     <message>
         <source>What stays on the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Co zostaje względem rysunku</translation>
     </message>
     <message>
         <source>Check of the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprawdzenie programu</translation>
     </message>
     <message>
         <source>Check of a turning program</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrola programu toczenia</translation>
     </message>
     <message>
         <source>the corners that deflection --compensate states</source>
-        <translation type="unfinished"></translation>
+        <translation>naroża, które podaje deflection --compensate</translation>
     </message>
     <message>
         <source>nose radius</source>
-        <translation type="unfinished"></translation>
+        <translation>promień naroża</translation>
     </message>
     <message>
         <source>back angle</source>
-        <translation type="unfinished"></translation>
+        <translation>kąt tylny</translation>
     </message>
     <message>
         <source>entering angle</source>
-        <translation type="unfinished"></translation>
+        <translation>kąt przystawienia</translation>
     </message>
     <message>
         <source>holder</source>
-        <translation type="unfinished"></translation>
+        <translation>oprawka</translation>
     </message>
     <message>
         <source>not cut</source>
-        <translation type="unfinished"></translation>
+        <translation>nieobrobione</translation>
     </message>
     <message>
         <source>insert below the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>wstaw pod rysunkiem</translation>
     </message>
     <message>
         <source>Measuring the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiar powierzchni</translation>
     </message>
     <message>
         <source>Clamping</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamocowanie</translation>
     </message>
     <message>
         <source>2: the part is turned round, and z counts from its other end.</source>
-        <translation type="unfinished"></translation>
+        <translation>2: część jest odwrócona, a z liczy się od jej drugiego końca.</translation>
     </message>
     <message>
         <source>Finished from z</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykończone od z</translation>
     </message>
     <message>
         <source>What is left counts from here; empty: from the free end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stąd liczy się to, co zostaje; puste: od wolnego końca.</translation>
     </message>
     <message>
         <source>Finished up to z</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykończono do z</translation>
     </message>
     <message>
         <source>What is left counts up to here; empty: to the end of the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naddatek pozostały liczy się do tego miejsca; puste: do końca części.</translation>
     </message>
     <message>
         <source>In this clamping; empty: as the job states for the first, not looked at in the second.</source>
-        <translation type="unfinished"></translation>
+        <translation>W tym zamocowaniu; puste: w pierwszym jak podaje zadanie, w drugim nie jest sprawdzane.</translation>
     </message>
     <message>
         <source>Dog-leg</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruch łamany</translation>
     </message>
     <message>
         <source>Try the dog-leg of rapid moves besides the straight line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Próbuj ruchów szybkich po linii łamanej oprócz linii prostej.</translation>
     </message>
     <message>
         <source>Specific cutting force</source>
-        <translation type="unfinished"></translation>
+        <translation>Właściwa siła skrawania</translation>
     </message>
     <message>
         <source>At a chip of 1 mm by 1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy wiórze 1 mm na 1 mm.</translation>
     </message>
     <message>
         <source>Exponent</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykładnik</translation>
     </message>
     <message>
         <source>How the force falls with the thickness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jak siła maleje z grubością.</translation>
     </message>
     <message>
         <source>As drawings state it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tak jak podają rysunki.</translation>
     </message>
     <message>
         <source>Standing</source>
-        <translation type="unfinished"></translation>
+        <translation>Pozostaje</translation>
     </message>
     <message>
         <source>Given or assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Podane lub przyjęte.</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished"></translation>
+        <translation>rpm</translation>
     </message>
     <message>
         <source>roughing</source>
-        <translation type="unfinished"></translation>
+        <translation>obróbka zgrubna</translation>
     </message>
     <message>
         <source>finishing</source>
-        <translation type="unfinished"></translation>
+        <translation>wykańczanie</translation>
     </message>
     <message>
         <source>finishing from the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>wykończenie od strony uchwytu</translation>
     </message>
     <message>
         <source>grooving</source>
-        <translation type="unfinished"></translation>
+        <translation>toczenie rowków</translation>
     </message>
     <message>
         <source>parting off</source>
-        <translation type="unfinished"></translation>
+        <translation>odcięcie</translation>
     </message>
     <message>
         <source>centre drilling</source>
-        <translation type="unfinished"></translation>
+        <translation>nakiełkowanie</translation>
     </message>
     <message>
         <source>Per revolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na obrót.</translation>
     </message>
     <message>
         <source>Diameter of the bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Średnica pręta</translation>
     </message>
     <message>
         <source>Before the first cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed pierwszym przejściem.</translation>
     </message>
     <message>
         <source>Length of the bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość pręta</translation>
     </message>
     <message>
         <source>From its raw end; empty: up to the chuck face and into it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od jego surowego końca; puste: do czoła uchwytu i w głąb uchwytu.</translation>
     </message>
     <message>
         <source>Allowance of the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Naddatek czoła</translation>
     </message>
     <message>
         <source>How far the raw end stands before the finished one.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ile surowe czoło wystaje poza gotowe.</translation>
     </message>
     <message>
         <source>From the free end, negative beyond it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od wolnego końca, ujemne poza nim.</translation>
     </message>
     <message>
         <source>From the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od osi.</translation>
     </message>
     <message>
         <source>Outline of the tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>Zarys konika</translation>
     </message>
     <message>
         <source>Corners that the tool must keep out of; empty: a centre of 60°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naroża, których narzędzie musi unikać; puste: nakiełek 60°.</translation>
     </message>
     <message>
         <source>From the free end of the finished part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od wolnego końca gotowej części.</translation>
     </message>
     <message>
         <source>Jaws ⌀</source>
-        <translation type="unfinished"></translation>
+        <translation>⌀ szczęk</translation>
     </message>
     <message>
         <source>Empty: everything beyond the chuck face is the chuck.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puste: wszystko za czołem uchwytu jest uchwytem.</translation>
     </message>
     <message>
         <source>Length of the grip</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość chwytu</translation>
     </message>
     <message>
         <source>The least length to be held; empty: not looked at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najmniejsza długość do zamocowania; puste: nie sprawdza się.</translation>
     </message>
     <message>
         <source>At the free end; none: free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na wolnym końcu; brak: swobodny.</translation>
     </message>
     <message>
         <source>As the program calls it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tak, jak wywołuje go program.</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>Użycie</translation>
     </message>
     <message>
         <source>What it is for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Do czego służy.</translation>
     </message>
     <message>
         <source>Of an insert.</source>
-        <translation type="unfinished"></translation>
+        <translation>Płytki.</translation>
     </message>
     <message>
         <source>Margin of the back angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapas kąta tylnego</translation>
     </message>
     <message>
         <source>What a planned path keeps below the back angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ile planowana ścieżka pozostaje poniżej pomocniczego kąta przystawienia.</translation>
     </message>
     <message>
         <source>toward the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>w stronę uchwytu</translation>
     </message>
     <message>
         <source>from the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>od uchwytu</translation>
     </message>
     <message>
         <source>Direction of its feed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kierunek jego posuwu.</translation>
     </message>
     <message>
         <source>Of both corners of a blade.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obu naroży listwy.</translation>
     </message>
     <message>
         <source>Reach</source>
-        <translation type="unfinished"></translation>
+        <translation>Wysięg</translation>
     </message>
     <message>
         <source>How deep a blade cuts, on radius.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jak głęboko tnie listwa, na promieniu.</translation>
     </message>
     <message>
         <source>Per revolution; empty: that of the cutting data.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na obrót; puste: z parametrów skrawania.</translation>
     </message>
     <message>
         <source>The largest of a pass, on radius.</source>
-        <translation type="unfinished"></translation>
+        <translation>Największa w przejściu, na promieniu.</translation>
     </message>
     <message>
         <source>At the outer diameter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na średnicy zewnętrznej.</translation>
     </message>
     <message>
         <source>Allowance</source>
-        <translation type="unfinished"></translation>
+        <translation>Naddatek</translation>
     </message>
     <message>
         <source>Left for the finish, normal to the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pozostawione na wykończenie, prostopadle do powierzchni.</translation>
     </message>
     <message>
         <source>Of the work.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przedmiotu obrabianego.</translation>
     </message>
     <message>
         <source>Roughing</source>
-        <translation type="unfinished"></translation>
+        <translation>Obróbka zgrubna</translation>
     </message>
     <message>
         <source>Its cutting data.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jego parametry skrawania.</translation>
     </message>
     <message>
         <source>Finishing</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykańczanie</translation>
     </message>
     <message>
         <source>Up to z</source>
-        <translation type="unfinished"></translation>
+        <translation>Do z</translation>
     </message>
     <message>
         <source>Where the section ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdzie kończy się odcinek.</translation>
     </message>
     <message>
         <source>Of the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykończenia.</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>Tytuł</translation>
     </message>
     <message>
         <source>Of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Programu.</translation>
     </message>
     <message>
         <source>The bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt.</translation>
     </message>
     <message>
         <source>How the work is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sposób mocowania przedmiotu.</translation>
     </message>
     <message>
         <source>Inserts, blades and drills, by number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Płytki, listwy i wiertła, według numerów.</translation>
     </message>
     <message>
         <source>Cutting data</source>
-        <translation type="unfinished"></translation>
+        <translation>Parametry skrawania</translation>
     </message>
     <message>
         <source>Depths, feeds and speeds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Głębokości, posuwy i prędkości.</translation>
     </message>
     <message>
         <source>Of the spindle; empty: not limited.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wrzeciona; puste: bez ograniczenia.</translation>
     </message>
     <message>
         <source>Speeds of the finish by section.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości wykańczania według odcinków.</translation>
     </message>
     <message>
         <source>Part off</source>
-        <translation type="unfinished"></translation>
+        <translation>Odcięcie</translation>
     </message>
     <message>
         <source>Cut the part off at its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odetnij część na jej końcu.</translation>
     </message>
     <message>
         <source>Break of edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Załamanie krawędzi</translation>
     </message>
     <message>
         <source>Chamfer of sharp edges; 0: sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faza ostrych krawędzi; 0: ostre.</translation>
     </message>
     <message>
         <source>an object with stock, setup, tools and cutting</source>
-        <translation type="unfinished"></translation>
+        <translation>obiekt z polami stock, setup, tools i cutting</translation>
     </message>
     <message>
         <source>the bar</source>
-        <translation type="unfinished"></translation>
+        <translation>pręt</translation>
     </message>
     <message>
         <source>how the work is held</source>
-        <translation type="unfinished"></translation>
+        <translation>sposób mocowania przedmiotu</translation>
     </message>
     <message>
         <source>a list of tools</source>
-        <translation type="unfinished"></translation>
+        <translation>lista narzędzi</translation>
     </message>
     <message>
         <source>the cutting data</source>
-        <translation type="unfinished"></translation>
+        <translation>parametry skrawania</translation>
     </message>
     <message>
         <source>the data of roughing</source>
-        <translation type="unfinished"></translation>
+        <translation>dane obróbki zgrubnej</translation>
     </message>
     <message>
         <source>the data of finishing</source>
-        <translation type="unfinished"></translation>
+        <translation>dane obróbki wykańczającej</translation>
     </message>
     <message>
         <source>Turning jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadania tokarskie</translation>
     </message>
     <message>
         <source>the radius of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>promień łuku</translation>
     </message>
     <message>
         <source>an arc that does not turn back along the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>łuk, który nie zawraca wzdłuż osi</translation>
     </message>
     <message>
         <source>the diameter at its start</source>
-        <translation type="unfinished"></translation>
+        <translation>średnica na jego początku</translation>
     </message>
     <message>
         <source>the diameter at its end</source>
-        <translation type="unfinished"></translation>
+        <translation>średnica na jego końcu</translation>
     </message>
     <message>
         <source>width</source>
-        <translation type="unfinished"></translation>
+        <translation>szerokość</translation>
     </message>
     <message>
         <source>tip angle</source>
-        <translation type="unfinished"></translation>
+        <translation>kąt naroża</translation>
     </message>
     <message>
         <source>centre drill</source>
-        <translation type="unfinished"></translation>
+        <translation>nawiertak</translation>
     </message>
     <message>
         <source>rough</source>
-        <translation type="unfinished"></translation>
+        <translation>zgrubnie</translation>
     </message>
     <message>
         <source>semi-finish</source>
-        <translation type="unfinished"></translation>
+        <translation>półwykończająco</translation>
     </message>
     <message>
         <source>finish</source>
-        <translation type="unfinished"></translation>
+        <translation>wykończenie</translation>
     </message>
     <message>
         <source>finish, opposite hand</source>
-        <translation type="unfinished"></translation>
+        <translation>wykończenie, kierunek przeciwny</translation>
     </message>
     <message>
         <source>part off</source>
-        <translation type="unfinished"></translation>
+        <translation>odcięcie</translation>
     </message>
     <message>
         <source>Planning</source>
-        <translation type="unfinished"></translation>
+        <translation>Planowanie obróbki</translation>
     </message>
     <message>
         <source>Checking the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprawdzanie programu</translation>
     </message>
     <message>
         <source>no finished cylinder is long enough to grip the part by</source>
-        <translation type="unfinished"></translation>
+        <translation>żaden wykończony walec nie jest dość długi, aby za niego zamocować część</translation>
     </message>
     <message>
         <source>The part cannot be clamped so: {reason}; {missing_mm} mm are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Części nie można tak zamocować: {reason}; brakuje {missing_mm} mm.</translation>
     </message>
     <message>
         <source>The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrola zapisanego programu wykazała nieprawidłowości ({count}) i podcięcie {gouge_um} µm; nie zapisano żadnego programu.</translation>
     </message>
     <message>
         <source>There is no post “{found}”; expected a file or one of: {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie ma postprocesora „{found}”; oczekiwano pliku lub jednego z: {expected}.</translation>
     </message>
     <message>
         <source>The post {post} cannot {what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postprocesor {post} nie może: {what}.</translation>
     </message>
     <message>
         <source>Tool {tool}: a feed of {feed_mm_rev} mm per revolution is more than its nose of {nose_radius_mm} mm allows; expected at most {most_mm_rev}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzie {tool}: posuw {feed_mm_rev} mm na obrót jest większy, niż pozwala jego promień naroża {nose_radius_mm} mm; oczekiwano najwyżej {most_mm_rev}.</translation>
     </message>
     <message>
         <source>The material “{found}” is not in the library; expected one of: {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Materiału „{found}” nie ma w bibliotece; oczekiwano jednego z: {expected}.</translation>
     </message>
     <message>
         <source>The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie nie podaje najwyższej prędkości obrotowej wrzeciona; jako granicę zapisano {max_rpm} 1/min.</translation>
     </message>
     <message>
         <source>Tool {tool} could reach the rest at z = {z_start_mm} … {z_end_mm} mm, but {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzie {tool} mogłoby sięgnąć naddatku pozostałego przy z = {z_start_mm} … {z_end_mm} mm, ale {reason}.</translation>
     </message>
     <message>
         <source>Assumed, from {source}: specific cutting force {k_c11_N_mm2} N/mm², exponent {m_c}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przyjęto, źródło: {source}: opór właściwy skrawania {k_c11_N_mm2} N/mm², wykładnik {m_c}.</translation>
     </message>
     <message>
         <source>The job states no material from the library, so no power is computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie nie podaje materiału z biblioteki, więc moc nie jest obliczana.</translation>
     </message>
     <message>
         <source>No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak stabilnej prędkości obrotowej dla z = {z_start_mm} … {z_end_mm} mm; pozostaje {speed_rpm} 1/min.</translation>
     </message>
     <message>
         <source>Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from the new free end; {face_allowance_mm} mm are faced off there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drugie zamocowanie: chwyt na z = {grip_start_mm} … {grip_end_mm} mm, czoło uchwytu {chuck_face_z_mm} mm od nowego wolnego końca; planuje się tam {face_allowance_mm} mm.</translation>
     </message>
     <message>
         <source>The cylinder that is gripped in the second clamping carries a tolerance: use soft jaws.</source>
-        <translation type="unfinished"></translation>
+        <translation>Walec chwytany w drugim zamocowaniu ma tolerancję: użyj miękkich szczęk.</translation>
     </message>
     <message>
         <source>Two clampings were tried: they leave {left_mm} mm, one leaves {left_one_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wypróbowano dwa zamocowania: zostawiają {left_mm} mm, jedno zostawia {left_one_mm} mm.</translation>
     </message>
     <message>
         <source>The finishing tool {tool} reaches where roughing does not and cuts up to {depth_mm} mm there, near z = {z_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzie wykańczające {tool} sięga tam, gdzie obróbka zgrubna nie sięga, i skrawa tam do {depth_mm} mm, w pobliżu z = {z_mm} mm.</translation>
     </message>
     <message>
         <source>The thread {designation} is not cut: its body is turned to the drawn diameter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gwint {designation} nie jest nacinany: jego trzon toczy się na średnicę z rysunku.</translation>
     </message>
     <message>
         <source>The job asks for edges broken by {edge_break_mm} mm; the program leaves them sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie wymaga stępienia krawędzi o {edge_break_mm} mm; program pozostawia je ostre.</translation>
     </message>
     <message>
         <source>Bores of the part are not in the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otworów części nie ma w programie.</translation>
     </message>
     <message>
         <source>no stable speed, that of the job is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>brak stabilnej prędkości obrotowej, pozostaje prędkość z zadania</translation>
     </message>
     <message>
         <source>two where one leaves more</source>
-        <translation type="unfinished"></translation>
+        <translation>dwa, gdy jedno zostawia więcej</translation>
     </message>
     <message>
         <source>one</source>
-        <translation type="unfinished"></translation>
+        <translation>jeden</translation>
     </message>
     <message>
         <source>two</source>
-        <translation type="unfinished"></translation>
+        <translation>dwa</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>dokładnie</translation>
     </message>
     <message>
         <source>the finished part</source>
-        <translation type="unfinished"></translation>
+        <translation>gotowa część</translation>
     </message>
     <message>
         <source>the work at that moment</source>
-        <translation type="unfinished"></translation>
+        <translation>stan przedmiotu w tej chwili</translation>
     </message>
     <message>
         <source>Clampings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamocowania</translation>
     </message>
     <message>
         <source>Auto turns the part round where that leaves less on the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Automatycznie: odwraca część, jeśli wtedy mniej pozostaje względem rysunku.</translation>
     </message>
     <message>
         <source>Relation</source>
-        <translation type="unfinished"></translation>
+        <translation>Zależność</translation>
     </message>
     <message>
         <source>Between lobes and speeds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Między krzywymi workowymi a prędkościami obrotowymi.</translation>
     </message>
     <message>
         <source>Part for the speeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Część do doboru prędkości</translation>
     </message>
     <message>
         <source>Body whose dynamics decide the speeds of the finish.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bryła, której dynamika decyduje o prędkościach obrotowych wykończenia.</translation>
     </message>
     <message>
         <source>Tool change</source>
-        <translation type="unfinished"></translation>
+        <translation>Wymiana narzędzia</translation>
     </message>
     <message>
         <source>Time of a tool change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Czas wymiany narzędzia.</translation>
     </message>
     <message>
         <source>Left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Pominięto</translation>
     </message>
     <message>
         <source>Operations that are switched off: clamping, kind, tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Operacje wyłączone: zamocowanie, rodzaj, narzędzie.</translation>
     </message>
     <message>
         <source>Operation</source>
-        <translation type="unfinished"></translation>
+        <translation>Operacja</translation>
     </message>
     <message>
         <source>First line</source>
-        <translation type="unfinished"></translation>
+        <translation>Pierwszy wiersz</translation>
     </message>
     <message>
         <source>Feed length</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość posuwu</translation>
     </message>
     <message>
         <source>cm³</source>
-        <translation type="unfinished"></translation>
+        <translation>cm³</translation>
     </message>
     <message>
         <source>Power at the cut, ± 25 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Moc skrawania, ± 25 %</translation>
     </message>
     <message>
         <source>the face of the other end, finished</source>
-        <translation type="unfinished"></translation>
+        <translation>czoło drugiego końca, wykończone</translation>
     </message>
     <message>
         <source>the face of the free end, finished</source>
-        <translation type="unfinished"></translation>
+        <translation>czoło wolnego końca, wykończone</translation>
     </message>
     <message>
         <source>Chuck face</source>
-        <translation type="unfinished"></translation>
+        <translation>Czoło uchwytu</translation>
     </message>
     <message>
         <source>Time with tool changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Czas z wymianami narzędzi</translation>
     </message>
     <message>
         <source>Frequency f_m</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość f_m</translation>
     </message>
     <message>
         <source>Ideal Rz</source>
-        <translation type="unfinished"></translation>
+        <translation>Teoretyczne Rz</translation>
     </message>
     <message>
         <source>✗ the program is refused</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ program odrzucony</translation>
     </message>
     <message>
         <source>{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · places with material left: {rest}</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamocowania: {setups} · {time_min:1} min · podcięcie {gouge_um:2} µm · ustalenia: {findings} · miejsca z pozostałym materiałem: {rest}</translation>
     </message>
     <message>
         <source>Operations</source>
-        <translation type="unfinished"></translation>
+        <translation>Operacje</translation>
     </message>
     <message>
         <source>Speeds of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości wykończenia</translation>
     </message>
     <message>
         <source>Turning program</source>
-        <translation type="unfinished"></translation>
+        <translation>Program tokarski</translation>
     </message>
     <message>
         <source>First clamping</source>
-        <translation type="unfinished"></translation>
+        <translation>Pierwsze zamocowanie</translation>
     </message>
     <message>
         <source>Second clamping</source>
-        <translation type="unfinished"></translation>
+        <translation>Drugie zamocowanie</translation>
     </message>
     <message>
         <source>Set-up sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Karta ustawienia</translation>
     </message>
     <message>
         <source>a list of texts</source>
-        <translation type="unfinished"></translation>
+        <translation>lista tekstów</translation>
     </message>
     <message>
         <source>a text of at most 200 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>tekst o długości najwyżej 200 znaków</translation>
     </message>
     <message>
         <source>printable ASCII characters</source>
-        <translation type="unfinished"></translation>
+        <translation>drukowalne znaki ASCII</translation>
     </message>
     <message>
         <source>braces around title, number, tool, tool2, max_rpm, vc or rpm</source>
-        <translation type="unfinished"></translation>
+        <translation>nawiasy klamrowe wokół title, number, tool, tool2, max_rpm, vc lub rpm</translation>
     </message>
     <message>
         <source>a word such as G1</source>
-        <translation type="unfinished"></translation>
+        <translation>słowo takie jak G1</translation>
     </message>
     <message>
         <source>ik, r or cr</source>
-        <translation type="unfinished"></translation>
+        <translation>ik, r lub cr</translation>
     </message>
     <message>
         <source>an object with X, Z, F and style</source>
-        <translation type="unfinished"></translation>
+        <translation>obiekt z X, Z, F i style</translation>
     </message>
     <message>
         <source>per_rev or per_min</source>
-        <translation type="unfinished"></translation>
+        <translation>per_rev lub per_min</translation>
     </message>
     <message>
         <source>an object with open and close</source>
-        <translation type="unfinished"></translation>
+        <translation>obiekt z open i close</translation>
     </message>
     <message>
         <source>lf or crlf</source>
-        <translation type="unfinished"></translation>
+        <translation>lf lub crlf</translation>
     </message>
     <message>
         <source>lines, or css false</source>
-        <translation type="unfinished"></translation>
+        <translation>lines albo css false</translation>
     </message>
     <message>
         <source>a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc</source>
-        <translation type="unfinished"></translation>
+        <translation>dialekt: fanuc, fanuc_b, haas, sinumerik lub linuxcnc</translation>
     </message>
     <message>
         <source>the number</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba</translation>
     </message>
     <message>
         <source>a number of decimals</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba miejsc po przecinku</translation>
     </message>
     <message>
         <source>an object with diameter and decimals</source>
-        <translation type="unfinished"></translation>
+        <translation>obiekt z diameter i decimals</translation>
     </message>
     <message>
         <source>an object with decimals</source>
-        <translation type="unfinished"></translation>
+        <translation>obiekt z decimals</translation>
     </message>
     <message>
         <source>point or plain</source>
-        <translation type="unfinished"></translation>
+        <translation>point albo plain</translation>
     </message>
     <message>
         <source>how a comment begins</source>
-        <translation type="unfinished"></translation>
+        <translation>jak zaczyna się komentarz</translation>
     </message>
     <message>
         <source>state a feed per minute without a fixed speed</source>
-        <translation type="unfinished"></translation>
+        <translation>podają posuw minutowy bez stałej prędkości obrotowej</translation>
     </message>
     <message>
         <source>stated by the job</source>
-        <translation type="unfinished"></translation>
+        <translation>podane w zadaniu</translation>
     </message>
     <message>
         <source>constant cutting speed of the job</source>
-        <translation type="unfinished"></translation>
+        <translation>stała prędkość skrawania zadania</translation>
     </message>
     <message>
         <source>stability lobes</source>
-        <translation type="unfinished"></translation>
+        <translation>krzywe workowe stabilności</translation>
     </message>
     <message>
         <source>the blade does not reach so deep</source>
-        <translation type="unfinished"></translation>
+        <translation>listwa nie sięga tak głęboko</translation>
     </message>
     <message>
         <source>it would meet the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>zderzyłoby się z uchwytem</translation>
     </message>
     <message>
         <source>it would meet the tailstock</source>
-        <translation type="unfinished"></translation>
+        <translation>zderzyłoby się z konikiem</translation>
     </message>
     <message>
         <source>its holder would meet the stock</source>
-        <translation type="unfinished"></translation>
+        <translation>jego oprawka uderzyłaby w półfabrykat</translation>
     </message>
     <message>
         <source>it would meet the stock on its way there</source>
-        <translation type="unfinished"></translation>
+        <translation>po drodze tam natrafiłoby na półfabrykat</translation>
     </message>
     <message>
         <source>the blade that parts off stands within the chuck</source>
-        <translation type="unfinished"></translation>
+        <translation>listwa odcinająca znajduje się w obrębie uchwytu</translation>
     </message>
     <message>
         <source>First or second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pierwsze lub drugie.</translation>
     </message>
     <message>
         <source>What for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Do czego.</translation>
     </message>
     <message>
         <source>the chuck stands within the length that is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>uchwyt znajduje się w obrębie toczonej długości</translation>
     </message>
     <message>
         <source>the bar is held too short</source>
-        <translation type="unfinished"></translation>
+        <translation>pręt jest zamocowany na zbyt krótkim odcinku</translation>
     </message>
     <message>
         <source>Not given: {what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie podano: {what}.</translation>
     </message>
     <message>
         <source>The drawing has the sizes of the worn part as they were measured. Suggested nominal sizes are in {file}: take them with --snap apply, or state a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysunek zawiera zmierzone wymiary zużytej części. Proponowane wymiary nominalne są w {file}: przyjmij je opcją --snap apply albo podaj rysunek.</translation>
     </message>
     <message>
         <source>The program cannot be corrected for deflection: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie można skorygować programu ze względu na ugięcie: {reason}</translation>
     </message>
     <message>
         <source>Deflection is predicted for the first of {count} clampings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ugięcie przewidziano dla pierwszego zamocowania (wszystkich: {count}).</translation>
     </message>
     <message>
         <source>The copy&apos;s diameters disagree with the prediction by more than both uncertainties: largest normalized error {normalized_error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Średnice kopii różnią się od przewidywań o więcej niż obie niepewności: największy błąd znormalizowany {normalized_error}.</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>gotowe</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>niepowodzenie</translation>
     </message>
     <message>
         <source>not reached</source>
-        <translation type="unfinished"></translation>
+        <translation>nie osiągnięto</translation>
     </message>
     <message>
         <source>the schema of a dossier</source>
-        <translation type="unfinished"></translation>
+        <translation>schemat dokumentacji</translation>
     </message>
     <message>
         <source>Dossiers of copied parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokumentacje skopiowanych części</translation>
     </message>
     <message>
         <source>Recognise the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozpoznaj skan</translation>
     </message>
     <message>
         <source>Drawing and CAD</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysunek i CAD</translation>
     </message>
     <message>
         <source>Stable depths and speeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilne głębokości i prędkości</translation>
     </message>
     <message>
         <source>Check of the corrected program</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrola skorygowanego programu</translation>
     </message>
     <message>
         <source>Comparison of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Porównanie kopii</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Kroki</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Stan</translation>
     </message>
     <message>
         <source>Made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonano</translation>
     </message>
     <message>
         <source>Files of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Pliki łańcucha</translation>
     </message>
     <message>
         <source>Taken or made</source>
-        <translation type="unfinished"></translation>
+        <translation>Pobrano lub wykonano</translation>
     </message>
     <message>
         <source>SHA-256, first digits</source>
-        <translation type="unfinished"></translation>
+        <translation>SHA-256, pierwsze cyfry</translation>
     </message>
     <message>
         <source>taken</source>
-        <translation type="unfinished"></translation>
+        <translation>wykonano</translation>
     </message>
     <message>
         <source>made</source>
-        <translation type="unfinished"></translation>
+        <translation>wykonano</translation>
     </message>
     <message>
         <source>Numbers and where they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Liczby i ich położenie</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsce</translation>
     </message>
     <message>
         <source>Place of U</source>
-        <translation type="unfinished"></translation>
+        <translation>Położenie U</translation>
     </message>
     <message>
         <source>Copy of a part</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopia części</translation>
     </message>
     <message>
         <source>{done} of {steps} steps done, {missing} missing, {failed} failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonane kroki: {done} z {steps}, brakujące: {missing}, nieudane: {failed}.</translation>
     </message>
     <message>
         <source>{step}: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>{step}: {error}</translation>
     </message>
     <message>
         <source>Dossier of a copied part</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokumentacja skopiowanej części</translation>
     </message>
     <message>
         <source>Confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Potwierdzono</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Co</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>Przez</translation>
     </message>
     <message>
         <source>Where every number stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdzie znajduje się każda liczba</translation>
     </message>
     <message>
         <source>Predicted and measured error of the diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Przewidywany i zmierzony błąd średnicy</translation>
     </message>
     <message>
         <source>95 % of samples</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % próbek</translation>
     </message>
     <message>
         <source>measured, ± U</source>
-        <translation type="unfinished"></translation>
+        <translation>zmierzone, ± U</translation>
     </message>
     <message>
         <source>Tie</source>
@@ -11721,19 +11721,19 @@
     </message>
     <message>
         <source>Line {line}: a cut along x alone down to the axis leaves no diameter; it is neither predicted nor corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz {line}: przejście wyłącznie wzdłuż x aż do osi nie pozostawia średnicy; nie jest ani przewidywane, ani korygowane.</translation>
     </message>
     <message>
         <source>{cut_points} of {points} points were taken for something else than the part and cut off: turntable {turntable_points}, clamps {clamp_points}, loose things {clutter_points}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{cut_points} z {points} punktów uznano za coś innego niż część i odcięto: stół obrotowy {turntable_points}, zaciski {clamp_points}, luźne przedmioty {clutter_points}.</translation>
     </message>
     <message>
         <source>The {end} stands on the plane that was cut off: it was put onto that plane, {moved_mm} mm beyond the data.</source>
-        <translation type="unfinished"></translation>
+        <translation>{end}: leży na płaszczyźnie odcięcia; przesunięto na tę płaszczyznę, {moved_mm} mm poza dane.</translation>
     </message>
     <message>
         <source>The facets of the mesh lie up to {sagitta_mm} mm inside the round surface: their corners were taken for it, and what lies between was put onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ścianki siatki leżą do {sagitta_mm} mm wewnątrz powierzchni obrotowej: przyjęto za nią ich naroża, a to, co leży między nimi, na nią przeniesiono.</translation>
     </message>
     <message>
         <source>there is no row beside it that could take its place</source>
@@ -11753,27 +11753,27 @@
     </message>
     <message>
         <source>Surroundings</source>
-        <translation type="unfinished"></translation>
+        <translation>Otoczenie</translation>
     </message>
     <message>
         <source>cut where there is a turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>odcinaj, gdy jest stół obrotowy</translation>
     </message>
     <message>
         <source>keep all</source>
-        <translation type="unfinished"></translation>
+        <translation>zachowaj wszystko</translation>
     </message>
     <message>
         <source>cut</source>
-        <translation type="unfinished"></translation>
+        <translation>odcięte</translation>
     </message>
     <message>
         <source>Besides the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Obok części</translation>
     </message>
     <message>
         <source>A turntable, clamps and loose things in the scan: automatically cut off only where a plane much larger than the part is seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stół obrotowy, zaciski i luźne elementy na skanie: odcinane automatycznie tylko tam, gdzie widać płaszczyznę znacznie większą od części.</translation>
     </message>
     <message>
         <source>There is no row {row} to be changed: {rows} rows were recognised.</source>
@@ -11793,679 +11793,679 @@
     </message>
     <message>
         <source>A picture of {width} × {height} px is too large: {found} {unit}; at most {maximum} are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz {width} × {height} px jest za duży: {found} {unit}; odczytuje się najwyżej {maximum}.</translation>
     </message>
     <message>
         <source>The picture has no pixels: {width} × {height}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz nie ma pikseli: {width} × {height}.</translation>
     </message>
     <message>
         <source>{found_bytes} bytes cannot hold a picture of {width} × {height} px; at least {expected_bytes} are expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>{found_bytes} bajtów nie może zawierać obrazu {width} × {height} px; oczekiwano co najmniej {expected_bytes}.</translation>
     </message>
     <message>
         <source>Pictures of this kind are not read: found {found}, expected {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrazów tego rodzaju program nie odczytuje: znaleziono {found}, oczekiwano {expected}.</translation>
     </message>
     <message>
         <source>The picture is damaged at row {row}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie jest uszkodzone w wierszu {row}: {reason}.</translation>
     </message>
     <message>
         <source>The picture ends early: {row} of {expected} rows are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz kończy się za wcześnie: jest {row} z {expected} wierszy.</translation>
     </message>
     <message>
         <source>{path}: the picture was turned or mirrored as its EXIF orientation {orientation} says.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: obraz obrócono lub odbito zgodnie z jego orientacją EXIF {orientation}.</translation>
     </message>
     <message>
         <source>{path}: the colour profile of the picture is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: profil kolorów obrazu nie jest używany.</translation>
     </message>
     <message>
         <source>{path}: the transparency of the picture is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: przezroczystość obrazu nie jest używana.</translation>
     </message>
     <message>
         <source>{path}: only the first of {count} pictures in the file was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: odczytano tylko pierwszy z obrazów w pliku (liczba obrazów: {count}).</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcia</translation>
     </message>
     <message>
         <source>a JPEG picture in grey or colour of 8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>obraz JPEG w szarości lub kolorze, 8 bitów</translation>
     </message>
     <message>
         <source>another number of bits than 8</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba bitów inna niż 8</translation>
     </message>
     <message>
         <source>lossless, hierarchical or arithmetic coding</source>
-        <translation type="unfinished"></translation>
+        <translation>kodowanie bezstratne, hierarchiczne lub arytmetyczne</translation>
     </message>
     <message>
         <source>CMYK</source>
-        <translation type="unfinished"></translation>
+        <translation>CMYK</translation>
     </message>
     <message>
         <source>a number of components that is neither 1 nor 3</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba składowych inna niż 1 lub 3</translation>
     </message>
     <message>
         <source>a JPEG marker before the first scan</source>
-        <translation type="unfinished"></translation>
+        <translation>znacznik JPEG przed pierwszym skanem</translation>
     </message>
     <message>
         <source>several frames</source>
-        <translation type="unfinished"></translation>
+        <translation>kilka klatek</translation>
     </message>
     <message>
         <source>an IHDR chunk of 13 bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>blok IHDR o długości 13 bajtów</translation>
     </message>
     <message>
         <source>another chunk</source>
-        <translation type="unfinished"></translation>
+        <translation>inny blok danych</translation>
     </message>
     <message>
         <source>an IHDR chunk</source>
-        <translation type="unfinished"></translation>
+        <translation>blok IHDR</translation>
     </message>
     <message>
         <source>a TIFF directory of 1 to 1000 entries</source>
-        <translation type="unfinished"></translation>
+        <translation>katalog TIFF o 1 do 1000 wpisach</translation>
     </message>
     <message>
         <source>a TIFF directory</source>
-        <translation type="unfinished"></translation>
+        <translation>katalog TIFF</translation>
     </message>
     <message>
         <source>a TIFF picture in grey or RGB of 8 or 16 bits, not compressed or by LZW or deflate</source>
-        <translation type="unfinished"></translation>
+        <translation>obraz TIFF w szarości lub RGB, 8 lub 16 bitów, bez kompresji albo z kompresją LZW lub deflate</translation>
     </message>
     <message>
         <source>floating point samples</source>
-        <translation type="unfinished"></translation>
+        <translation>próbki zmiennoprzecinkowe</translation>
     </message>
     <message>
         <source>signed or complex samples</source>
-        <translation type="unfinished"></translation>
+        <translation>próbki ze znakiem lub zespolone</translation>
     </message>
     <message>
         <source>another number of bits than 8 or 16</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba bitów inna niż 8 lub 16</translation>
     </message>
     <message>
         <source>a colour space that is neither grey nor RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>przestrzeń barw, która nie jest ani szarością, ani RGB</translation>
     </message>
     <message>
         <source>more than four channels</source>
-        <translation type="unfinished"></translation>
+        <translation>więcej niż cztery kanały</translation>
     </message>
     <message>
         <source>RGB of fewer than three channels</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB o mniej niż trzech kanałach</translation>
     </message>
     <message>
         <source>another compression</source>
-        <translation type="unfinished"></translation>
+        <translation>inna kompresja</translation>
     </message>
     <message>
         <source>strips or tiles far larger than the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>paski lub kafelki znacznie większe niż obraz</translation>
     </message>
     <message>
         <source>strips or tiles of up to 400 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>paski lub kafelki do 400 MB</translation>
     </message>
     <message>
         <source>a longer list</source>
-        <translation type="unfinished"></translation>
+        <translation>dłuższa lista</translation>
     </message>
     <message>
         <source>one for all pictures, or one for each</source>
-        <translation type="unfinished"></translation>
+        <translation>jedna dla wszystkich zdjęć albo po jednej dla każdego</translation>
     </message>
     <message>
         <source>auto, no, far, or the camera&apos;s distance from the axis in mm, beyond the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>auto, no, far lub odległość kamery od osi w mm, ponad powierzchnią</translation>
     </message>
     <message>
         <source>one scale only</source>
-        <translation type="unfinished"></translation>
+        <translation>tylko jedna skala</translation>
     </message>
     <message>
         <source>a feed beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>posuw obok niego</translation>
     </message>
     <message>
         <source>PX:MM, such as 250:1</source>
-        <translation type="unfinished"></translation>
+        <translation>PX:MM, np. 250:1</translation>
     </message>
     <message>
         <source>A picture of {width} × {height} px is too small: at least {minimum} px are needed either way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz {width} × {height} px jest za mały: w każdym kierunku potrzeba co najmniej {minimum} px.</translation>
     </message>
     <message>
         <source>A feed of {feed_mm_rev} mm is {found_px} px wide; at least {needed_px} px are needed, that is {needed_mm_per_px} mm/px or finer. Photograph closer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posuw {feed_mm_rev} mm ma szerokość {found_px} px; potrzeba co najmniej {needed_px} px, czyli {needed_mm_per_px} mm/px lub drobniej. Fotografuj z bliższej odległości.</translation>
     </message>
     <message>
         <source>A feed of {feed_mm_rev} mm is {found_px} px wide; at least {needed_px} px are needed. The marks of {alias_px} px in the picture are its alias. Photograph closer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posuw {feed_mm_rev} mm ma szerokość {found_px} px; potrzeba co najmniej {needed_px} px. Ślady {alias_px} px na obrazie są jego aliasem. Fotografuj z mniejszej odległości.</translation>
     </message>
     <message>
         <source>The region {found} does not lie in the picture of {width} × {height} px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obszar {found} nie leży w obrazie {width} × {height} px.</translation>
     </message>
     <message>
         <source>{path}: the marks are {pitch_mm} mm apart, the feed is {feed_mm_rev} mm. Scale or feed is wrong, or the marks are an alias.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: ślady są oddalone o {pitch_mm} mm, posuw wynosi {feed_mm_rev} mm. Skala lub posuw są błędne albo ślady są aliasem.</translation>
     </message>
     <message>
         <source>The pictures are compared as if camera and light had been the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrazy są porównywane tak, jakby kamera i oświetlenie były takie same.</translation>
     </message>
     <message>
         <source>{path}: without the directions of feed and cut the sign of ν is open: {first_hz} or {second_hz} Hz. The usual, regenerative reading stands first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: bez kierunków posuwu i skrawania znak ν jest nieustalony: {first_hz} lub {second_hz} Hz. Zwykły odczyt, regeneracyjny, podano jako pierwszy.</translation>
     </message>
     <message>
         <source>{path}: only {waves} waves lie in the picture; the whole number of waves in a revolution is open. Photograph the whole width of the part, or choose among the candidates.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: liczba fal na zdjęciu to tylko {waves}; całkowita liczba fal na obrót pozostaje nieustalona. Sfotografuj całą szerokość części albo wybierz spośród kandydatów.</translation>
     </message>
     <message>
         <source>{path}: {frequency_hz} Hz was chosen because {expected_hz} Hz was expected; the picture alone does not decide.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: wybrano {frequency_hz} Hz, ponieważ oczekiwano {expected_hz} Hz; sam obraz tego nie rozstrzyga.</translation>
     </message>
     <message>
         <source>{path}: {percent} % of the pixels are black or white; the marks there are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {percent} % pikseli jest czarnych lub białych; ślady są tam utracone.</translation>
     </message>
     <message>
         <source>{path}: a feed is {found_px} px wide; {wanted_px} px are better.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: posuw ma szerokość {found_px} px; lepiej {wanted_px} px.</translation>
     </message>
     <message>
         <source>{path}: the scale was taken from the feed; the pitch is no check of it then.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: skalę wyznaczono z posuwu; podziałka nie jest wtedy jej sprawdzeniem.</translation>
     </message>
     <message>
         <source>{path}: no scale is given; lengths are in pixels only.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: nie podano skali; długości są tylko w pikselach.</translation>
     </message>
     <message>
         <source>{path}: the cylinder was unrolled over {span_deg}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: walec rozwinięto na {span_deg}°.</translation>
     </message>
     <message>
         <source>{path}: the part curves away across the picture and was not unrolled.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: część zakrzywia się w poprzek obrazu i nie została rozwinięta.</translation>
     </message>
     <message>
         <source>The pictures show different surfaces (response {response}); they are aligned by scale and direction only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrazy przedstawiają różne powierzchnie (odpowiedź {response}); dopasowano je tylko skalą i kierunkiem.</translation>
     </message>
     <message>
         <source>Left edge of the region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lewa krawędź obszaru.</translation>
     </message>
     <message>
         <source>px</source>
-        <translation type="unfinished"></translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished">Z góry</translation>
+        <translation>Góra</translation>
     </message>
     <message>
         <source>Upper edge of the region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Górna krawędź obszaru.</translation>
     </message>
     <message>
         <source>Width of the region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Szerokość obszaru.</translation>
     </message>
     <message>
         <source>Height of the region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wysokość obszaru.</translation>
     </message>
     <message>
         <source>That the surface was cut with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z którym powierzchnia była skrawana.</translation>
     </message>
     <message>
         <source>Feed of the cut; none: the best comb of lines is taken for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posuw skrawania; brak: przyjmuje się najlepszy grzebień linii.</translation>
     </message>
     <message>
         <source>Of the turned part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Części toczonej.</translation>
     </message>
     <message>
         <source>Of the cut: one for all pictures, or one for each in their order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skrawania: jedna dla wszystkich zdjęć albo po jednej dla każdego w ich kolejności.</translation>
     </message>
     <message>
         <source>Millimetres that a pixel is wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Szerokość piksela w milimetrach.</translation>
     </message>
     <message>
         <source>mm/px</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/px</translation>
     </message>
     <message>
         <source>Scale bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasek skali</translation>
     </message>
     <message>
         <source>Its length as PX:MM, such as 250:1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość jako PX:MM, np. 250:1.</translation>
     </message>
     <message>
         <source>Scale from the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala z posuwu</translation>
     </message>
     <message>
         <source>The pitch of the marks is the feed, and checks nothing then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Podziałka śladów jest wtedy posuwem i niczego nie sprawdza.</translation>
     </message>
     <message>
         <source>Unroll</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozwiń</translation>
     </message>
     <message>
         <source>auto (a field wider than 0.2 diameters, seen from far), no, far, or the camera&apos;s distance from the axis in mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>auto (pole szersze niż 0.2 średnicy, widziane z daleka), no, far lub odległość kamery od osi w mm.</translation>
     </message>
     <message>
         <source>Place of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Położenie osi</translation>
     </message>
     <message>
         <source>Where the axis crosses the picture&apos;s middle, from the top (an upright axis: from the left); none: in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdzie oś przecina środek obrazu, od góry (oś pionowa: od lewej); brak: w środku.</translation>
     </message>
     <message>
         <source>Region</source>
-        <translation type="unfinished"></translation>
+        <translation>Obszar</translation>
     </message>
     <message>
         <source>Part of the picture that is evaluated: one for all pictures, or one for each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oceniany fragment zdjęcia: jeden dla wszystkich zdjęć albo po jednym dla każdego.</translation>
     </message>
     <message>
         <source>Direction of feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kierunek posuwu</translation>
     </message>
     <message>
         <source>In the picture, from right toward down; none: not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>W obrazie, od kierunku w prawo ku dołowi; brak: nieznany.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nieznane</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished"></translation>
+        <translation>w dół</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished"></translation>
+        <translation>w górę</translation>
     </message>
     <message>
         <source>Direction of cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Kierunek skrawania</translation>
     </message>
     <message>
         <source>Along a track toward what was cut later, in a picture turned so that the feed points right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wzdłuż ścieżki w stronę tego, co skrawano później, na obrazie obróconym tak, że posuw wskazuje w prawo.</translation>
     </message>
     <message>
         <source>Expected frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Oczekiwana częstotliwość</translation>
     </message>
     <message>
         <source>Of a model or a tap test: chooses among the candidates that the picture leaves open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z modelu lub próby udarowej: wybiera spośród kandydatów, których obraz nie rozstrzyga.</translation>
     </message>
     <message>
         <source>False alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Fałszywe alarmy</translation>
     </message>
     <message>
         <source>Chance of a false line in a picture of noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prawdopodobieństwo fałszywej linii w obrazie samego szumu.</translation>
     </message>
     <message>
         <source>Uncertainty of the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepewność prędkości</translation>
     </message>
     <message>
         <source>Standard uncertainty of the spindle speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepewność standardowa prędkości obrotowej.</translation>
     </message>
     <message>
         <source>Picture without its uneven light</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz bez nierównomiernego oświetlenia</translation>
     </message>
     <message>
         <source>To the right</source>
-        <translation type="unfinished"></translation>
+        <translation>W prawo</translation>
     </message>
     <message>
         <source>Upward</source>
-        <translation type="unfinished"></translation>
+        <translation>W górę</translation>
     </message>
     <message>
         <source>Brightness over its surroundings</source>
-        <translation type="unfinished"></translation>
+        <translation>Jasność względem otoczenia</translation>
     </message>
     <message>
         <source>marks found</source>
-        <translation type="unfinished"></translation>
+        <translation>znaleziono ślady</translation>
     </message>
     <message>
         <source>feed</source>
-        <translation type="unfinished">posuw</translation>
+        <translation>posuw</translation>
     </message>
     <message>
         <source>1/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>1/mm</translation>
     </message>
     <message>
         <source>1/px</source>
-        <translation type="unfinished"></translation>
+        <translation>1/px</translation>
     </message>
     <message>
         <source>Frequency to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość w prawo</translation>
     </message>
     <message>
         <source>Frequency upward</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość w górę</translation>
     </message>
     <message>
         <source>Decades over the surroundings</source>
-        <translation type="unfinished"></translation>
+        <translation>Dekady ponad otoczeniem</translation>
     </message>
     <message>
         <source>feed marks</source>
-        <translation type="unfinished"></translation>
+        <translation>ślady posuwu</translation>
     </message>
     <message>
         <source>chatter marks</source>
-        <translation type="unfinished"></translation>
+        <translation>ślady drgań</translation>
     </message>
     <message>
         <source>Pitch in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Podziałka w obrazie</translation>
     </message>
     <message>
         <source>Pitch against the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Podziałka względem posuwu</translation>
     </message>
     <message>
         <source>Direction across the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Kierunek w poprzek śladów</translation>
     </message>
     <message>
         <source>Significance</source>
-        <translation type="unfinished"></translation>
+        <translation>Istotność</translation>
     </message>
     <message>
         <source>Regularity</source>
-        <translation type="unfinished"></translation>
+        <translation>Regularność</translation>
     </message>
     <message>
         <source>Share of the picture&apos;s variance</source>
-        <translation type="unfinished"></translation>
+        <translation>Udział w wariancji obrazu</translation>
     </message>
     <message>
         <source>Rest of a wave, ν</source>
-        <translation type="unfinished"></translation>
+        <translation>Reszta fali, ν</translation>
     </message>
     <message>
         <source>Whole waves in a revolution, m</source>
-        <translation type="unfinished"></translation>
+        <translation>Pełne fale na obrót, m</translation>
     </message>
     <message>
         <source>The picture decides m</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz rozstrzyga m</translation>
     </message>
     <message>
         <source>Phase of the regeneration, ε</source>
-        <translation type="unfinished"></translation>
+        <translation>Faza regeneracji, ε</translation>
     </message>
     <message>
         <source>Period along the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Okres wzdłuż osi</translation>
     </message>
     <message>
         <source>Pitch round the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Podziałka na obwodzie części</translation>
     </message>
     <message>
         <source>Crests to the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Grzbiety względem osi</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandydaci</translation>
     </message>
     <message>
         <source>In symmetric light perhaps</source>
-        <translation type="unfinished"></translation>
+        <translation>W świetle symetrycznym możliwe</translation>
     </message>
     <message>
         <source>Distance of the next reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Odległość do następnego odczytu</translation>
     </message>
     <message>
         <source>Strength against the feed line</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła względem linii posuwu</translation>
     </message>
     <message>
         <source>m as measured</source>
-        <translation type="unfinished"></translation>
+        <translation>m zgodnie z pomiarem</translation>
     </message>
     <message>
         <source>Waves in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Fale w obrazie</translation>
     </message>
     <message>
         <source>Lines seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Widoczne linie</translation>
     </message>
     <message>
         <source>Bits of a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Bity na próbkę</translation>
     </message>
     <message>
         <source>Saturated pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasycone piksele</translation>
     </message>
     <message>
         <source>Cylinder unrolled</source>
-        <translation type="unfinished"></translation>
+        <translation>Walec rozwinięty</translation>
     </message>
     <message>
         <source>Threshold of significance</source>
-        <translation type="unfinished"></translation>
+        <translation>Próg istotności</translation>
     </message>
     <message>
         <source>Largest significance</source>
-        <translation type="unfinished"></translation>
+        <translation>Największa istotność</translation>
     </message>
     <message>
         <source>Chatter would be seen from</source>
-        <translation type="unfinished"></translation>
+        <translation>Drgania samowzbudne byłyby widoczne od</translation>
     </message>
     <message>
         <source>Scales are known</source>
-        <translation type="unfinished"></translation>
+        <translation>Skale są znane</translation>
     </message>
     <message>
         <source>Response of the registration</source>
-        <translation type="unfinished"></translation>
+        <translation>Odpowiedź dopasowania obrazów</translation>
     </message>
     <message>
         <source>One surface in both</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedna powierzchnia w obu</translation>
     </message>
     <message>
         <source>ν = {nu} waves between neighbouring tracks (ε {phase}°), {relative} times as strong as the feed marks. Diameter, scale and speed give the frequency.</source>
-        <translation type="unfinished"></translation>
+        <translation>ν = {nu} fal między sąsiednimi śladami przejścia (ε {phase}°), {relative} razy silniejsze niż ślady posuwu. Średnica, skala i prędkość dają częstotliwość.</translation>
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm: forced or regenerative? A whole number of waves speaks for stock, jaws, bearings or gears.</source>
-        <translation type="unfinished"></translation>
+        <translation>m = {m}, ε {phase}° przy {rpm} rpm: wymuszone czy regeneracyjne? Całkowita liczba fal wskazuje na półfabrykat, szczęki, łożyska lub koła zębate.</translation>
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm, {relative} times as strong as the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>m = {m}, ε {phase}° przy {rpm} rpm, {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>m = {m}, ε {phase}° przy {rpm} obr/min. Obraz nie wyklucza także: {others} Hz.</translation>
     </message>
     <message>
         <source>Picture as evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie w postaci ocenianej</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz</translation>
     </message>
     <message>
         <source>Feed marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady posuwu</translation>
     </message>
     <message>
         <source>Chatter marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady drgań</translation>
     </message>
     <message>
         <source>Marks of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady na powierzchni</translation>
     </message>
     <message>
         <source>no periodic marks found</source>
-        <translation type="unfinished"></translation>
+        <translation>nie znaleziono śladów okresowych</translation>
     </message>
     <message>
         <source>The strongest line is {largest} times the noise; {threshold} would be a mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najsilniejszy prążek to {largest}-krotność szumu; śladem byłaby {threshold}-krotność.</translation>
     </message>
     <message>
         <source>Feed marks {pitch} mm apart, no chatter marks above {limit} % of the feed line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady posuwu co {pitch} mm, brak śladów drgań powyżej {limit} % linii posuwu.</translation>
     </message>
     <message>
         <source>Feed marks {pitch} px apart, no chatter marks above {limit} % of the feed line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady posuwu w odstępie {pitch} px, brak śladów drgań powyżej {limit} % linii posuwu.</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Porównanie</translation>
     </message>
     <message>
         <source>Marks of turned surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady na powierzchniach toczonych</translation>
     </message>
     <message>
         <source>The picture is divided by its local mean and spread; lines of its spectrum count when their power exceeds the level of the noise along rows and columns by the threshold. The feed marks are the comb at 1/f, and give the direction of the axis; the chatter marks are a lattice of lines beside it, whose wave vector gives the frequency f_c = n (πD k_y + f k_z). Heights cannot be told from a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz dzieli się przez jego lokalną średnią i rozrzut; linie jego widma liczą się, gdy ich moc przekracza o próg poziom szumu wzdłuż wierszy i kolumn. Ślady posuwu tworzą grzebień przy 1/f i wyznaczają kierunek osi; ślady drgań to siatka linii obok niego, której wektor falowy daje częstotliwość f_c = n (πD k_y + f k_z). Wysokości nie da się odczytać z obrazu.</translation>
     </message>
     <message>
         <source>Of the tool in a revolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzia na obrót.</translation>
     </message>
     <message>
         <source>Of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzia.</translation>
     </message>
     <message>
         <source>While the surface was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Podczas skrawania powierzchni.</translation>
     </message>
     <message>
         <source>Vibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Drgania</translation>
     </message>
     <message>
         <source>Its frequency.</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość.</translation>
     </message>
     <message>
         <source>Of the vibration; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drgań; 0: brak.</translation>
     </message>
     <message>
         <source>In the picture, from right toward down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na zdjęciu, od prawej ku dołowi.</translation>
     </message>
     <message>
         <source>Of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrazu.</translation>
     </message>
     <message>
         <source>Whole width</source>
-        <translation type="unfinished"></translation>
+        <translation>Cała szerokość</translation>
     </message>
     <message>
         <source>The part is seen as a cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Część jest widziana jako walec.</translation>
     </message>
     <message>
         <source>along the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>wzdłuż posuwu</translation>
     </message>
     <message>
         <source>along the grooves</source>
-        <translation type="unfinished"></translation>
+        <translation>wzdłuż rowków</translation>
     </message>
     <message>
         <source>oblique</source>
-        <translation type="unfinished"></translation>
+        <translation>ukośny</translation>
     </message>
     <message>
         <source>all round</source>
-        <translation type="unfinished"></translation>
+        <translation>dookoła</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished">Jasny</translation>
+        <translation>Światło</translation>
     </message>
     <message>
         <source>Where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skąd pochodzi.</translation>
     </message>
     <message>
         <source>Irregular tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>Nieregularne ślady</translation>
     </message>
     <message>
         <source>Spread of their depths as a share of the depth of a feed mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozrzut ich głębokości jako część głębokości śladu posuwu.</translation>
     </message>
     <message>
         <source>Noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Szum</translation>
     </message>
     <message>
         <source>Of the camera, as a share of full scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamery, jako część pełnego zakresu.</translation>
     </message>
     <message>
         <source>Start of the random numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartość początkowa liczb losowych.</translation>
     </message>
     <message>
         <source>Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft</source>
@@ -12501,215 +12501,215 @@
     </message>
     <message>
         <source>{number}: {left_mm:3} mm, {cause}</source>
-        <translation type="unfinished"></translation>
+        <translation>{number}: {left_mm:3} mm, {cause}</translation>
     </message>
     <message>
         <source>Drawing, stock and tool, second clamping</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysunek, półfabrykat i narzędzie, drugie zamocowanie</translation>
     </message>
     <message>
         <source>z from the raw end</source>
-        <translation type="unfinished"></translation>
+        <translation>z od surowego końca</translation>
     </message>
     <message>
         <source>material stays</source>
-        <translation type="unfinished"></translation>
+        <translation>materiał pozostaje</translation>
     </message>
     <message>
         <source>Speed of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość obrotowa wykończenia</translation>
     </message>
     <message>
         <source>Speed N</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość N</translation>
     </message>
     <message>
         <source>Cutting speed of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość skrawania przy wykańczaniu</translation>
     </message>
     <message>
         <source>Cutting speed v_c</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość skrawania v_c</translation>
     </message>
     <message>
         <source>Frequency of chatter</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość drgań samowzbudnych</translation>
     </message>
     <message>
         <source>Ideal roughness of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Teoretyczna chropowatość wykończenia</translation>
     </message>
     <message>
         <source>this speed</source>
-        <translation type="unfinished"></translation>
+        <translation>ta prędkość obrotowa</translation>
     </message>
     <message>
         <source>Why this speed: z {from:1}-{to:1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dlaczego ta prędkość: z {from:1}-{to:1} mm</translation>
     </message>
     <message>
         <source>Zero of the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt zerowy programu</translation>
     </message>
     <message>
         <source>Job</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie</translation>
     </message>
     <message>
         <source>Bar, chuck, tools and cutting data: JOB.json; it may hold the shaft as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt, uchwyt, narzędzia i dane skrawania: JOB.json; może zawierać także wałek.</translation>
     </message>
     <message>
         <source>Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości wynikają z jego dynamiki: SPINDLE.json lub wrzeciono z projektu. Można pominąć.</translation>
     </message>
     <message>
         <source>Drop a job (JOB.json) and a shaft here: its turning program follows, read back and checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Upuść tu zadanie (JOB.json) i wałek: powstanie jego program toczenia, odczytany ponownie i sprawdzony.</translation>
     </message>
     <message>
         <source>Fanuc, system B</source>
-        <translation type="unfinished"></translation>
+        <translation>Fanuc, system B</translation>
     </message>
     <message>
         <source>GRBL</source>
-        <translation type="unfinished"></translation>
+        <translation>GRBL</translation>
     </message>
     <message>
         <source>The program is written for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Program jest pisany dla niego.</translation>
     </message>
     <message>
         <source>Job changed from</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie zmienione z</translation>
     </message>
     <message>
         <source>The file that the form was changed from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik, z którego zmieniono postać.</translation>
     </message>
     <message>
         <source>Job or tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadanie lub narzędzia</translation>
     </message>
     <message>
         <source>Stock, set-up, tools and cutting data, from JOB.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Półfabrykat, ustawienie, narzędzia i parametry skrawania, z JOB.json.</translation>
     </message>
     <message>
         <source>The part, from FILE (SHAFT.json, STEP, CSV), instead of the one in the job.</source>
-        <translation type="unfinished"></translation>
+        <translation>Część z pliku FILE (SHAFT.json, STEP, CSV) zamiast tej z zadania.</translation>
     </message>
     <message>
         <source>What the program was corrected by: FILE that deflection --compensate wrote with --json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Czym skorygowano program: FILE zapisany przez deflection --compensate z --json.</translation>
     </message>
     <message>
         <source>Program before</source>
-        <translation type="unfinished"></translation>
+        <translation>Program poprzedni</translation>
     </message>
     <message>
         <source>The program of the first clamping, for --setup 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Program pierwszego zamocowania, dla --setup 2.</translation>
     </message>
     <message>
         <source>a job (JOB.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>zadanie (JOB.json)</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Folder</translation>
     </message>
     <message>
         <source>Where every file goes; made when it is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokąd trafiają wszystkie pliki; tworzony, gdy go brak.</translation>
     </message>
     <message>
         <source>The spindle at the chuck face, from SPINDLE.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wrzeciono przy czole uchwytu, z SPINDLE.json.</translation>
     </message>
     <message>
         <source>Set-up of deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>Ustawienie ugięcia</translation>
     </message>
     <message>
         <source>SETUP.json; without a stock of its own it takes the job&apos;s bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt z zadania.</translation>
     </message>
     <message>
         <source>The scan of the machined copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skan obrobionej kopii.</translation>
     </message>
     <message>
         <source>SHAFT.json that somebody has confirmed, in place of what was recognised.</source>
-        <translation type="unfinished"></translation>
+        <translation>SHAFT.json zatwierdzony przez człowieka, zamiast wyniku rozpoznania.</translation>
     </message>
     <message>
         <source>Confirmed by</source>
-        <translation type="unfinished"></translation>
+        <translation>Potwierdził</translation>
     </message>
     <message>
         <source>Who answers for the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kto odpowiada za rysunek.</translation>
     </message>
     <message>
         <source>Post</source>
-        <translation type="unfinished"></translation>
+        <translation>Postprocesor</translation>
     </message>
     <message>
         <source>Control that the program is for: fanuc_a, fanuc_b, haas, sinumerik, linuxcnc, grbl, or POST.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sterowanie, dla którego jest program: fanuc_a, fanuc_b, haas, sinumerik, linuxcnc, grbl lub POST.json.</translation>
     </message>
     <message>
         <source>Tolerance of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancja kopii</translation>
     </message>
     <message>
         <source>Of its surface, to both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jego powierzchni, w obie strony.</translation>
     </message>
     <message>
         <source>Tolerance of the predicted diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancja przewidywanej średnicy</translation>
     </message>
     <message>
         <source>To both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na obie strony.</translation>
     </message>
     <message>
         <source>a spindle (SPINDLE.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>wrzeciono (SPINDLE.json)</translation>
     </message>
     <message>
         <source>Planning the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Planowanie programu</translation>
     </message>
     <message>
         <source>a set-up of deflection (--setup)</source>
-        <translation type="unfinished"></translation>
+        <translation>ustawienie dla deflection (--setup)</translation>
     </message>
     <message>
         <source>a corrected program</source>
-        <translation type="unfinished"></translation>
+        <translation>poprawiony program</translation>
     </message>
     <message>
         <source>Checking the corrected program</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprawdzanie poprawionego programu</translation>
     </message>
     <message>
         <source>the scan of the copy (--copy)</source>
-        <translation type="unfinished"></translation>
+        <translation>skan kopii (--copy)</translation>
     </message>
     <message>
         <source>Comparing the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Porównywanie kopii</translation>
     </message>
     <message>
         <source>Stock, set-up, tools and cutting data, from JOB.json; without it the operand is a job that holds its shaft.</source>
-        <translation type="unfinished"></translation>
+        <translation>Półfabrykat, ustawienie, narzędzia i parametry skrawania z JOB.json; bez tej opcji argumentem jest zadanie, które zawiera swój wałek.</translation>
     </message>
     <message>
         <source>Machine at the chuck face, from SPINDLE.json: speeds follow its dynamics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maszyna przy czole uchwytu, z SPINDLE.json: prędkości obrotowe wynikają z jej dynamiki.</translation>
     </message>
 </context>
 <context>
@@ -13754,7 +13754,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation type="unfinished">segmentów: %L1 · %2</translation>
+        <translation>%L1 odcinków · %2</translation>
     </message>
 </context>
 <context>
@@ -13897,7 +13897,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Sizes</source>
-        <translation type="unfinished">Wymiary</translation>
+        <translation>Wymiary</translation>
     </message>
 </context>
 <context>
@@ -14189,7 +14189,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <name>lathelier::drawing_panel::DimensionEdit</name>
     <message>
         <source>Diameter in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Średnica w mm</translation>
     </message>
     <message>
         <source>Length in mm</source>
@@ -14283,7 +14283,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Delete row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń wiersz %1</translation>
     </message>
     <message>
         <source>Merge rows %1 and %2</source>
@@ -14299,11 +14299,11 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>row %1, ⌀ %2</source>
-        <translation type="unfinished">wiersz %1: ⌀ %2 {1,?}</translation>
+        <translation>wiersz %1, ⌀ %2</translation>
     </message>
     <message>
         <source>Row %1 as wide as row %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz %1 tak szeroki jak wiersz %2</translation>
     </message>
     <message>
         <source>Free the diameter of row %1</source>
@@ -14315,11 +14315,11 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Meridian</source>
-        <translation type="unfinished">Zarys osiowy</translation>
+        <translation>Zarys osiowy</translation>
     </message>
     <message>
         <source>Measured − nominal</source>
-        <translation type="unfinished"></translation>
+        <translation>Zmierzone − nominalne</translation>
     </message>
     <message>
         <source>The wheel enlarges the drawing, dragging moves it. A click lights a row, a double click on a dimension changes it, the right button shows what can be done with a row.</source>
@@ -14614,90 +14614,90 @@ odchyłka %3</translation>
     <name>lathelier::part_common::PartFiles</name>
     <message>
         <source>Drawing (PDF)…</source>
-        <translation type="unfinished">Rysunek (PDF)…</translation>
+        <translation>Rysunek (PDF)…</translation>
     </message>
     <message>
         <source>Document (*.pdf)</source>
-        <translation type="unfinished">Dokument (*.pdf)</translation>
+        <translation>Dokument (*.pdf)</translation>
     </message>
     <message>
         <source>Drawing (SVG)…</source>
-        <translation type="unfinished">Rysunek (SVG)…</translation>
+        <translation>Rysunek (SVG)…</translation>
     </message>
     <message>
         <source>Picture (*.svg)</source>
-        <translation type="unfinished">Obraz (*.svg)</translation>
+        <translation>Obraz (*.svg)</translation>
     </message>
     <message>
         <source>Drawing (DXF)…</source>
-        <translation type="unfinished">Rysunek (DXF)…</translation>
+        <translation>Rysunek (DXF)…</translation>
     </message>
     <message>
         <source>Drawing (*.dxf)</source>
-        <translation type="unfinished">Rysunek (*.dxf)</translation>
+        <translation>Rysunek (*.dxf)</translation>
     </message>
     <message>
         <source>Contour (DXF)…</source>
-        <translation type="unfinished">Zarys (DXF)…</translation>
+        <translation>Kontur (DXF)…</translation>
     </message>
     <message>
         <source>Solid (STEP AP214)…</source>
-        <translation type="unfinished">Bryła (STEP AP214)…</translation>
+        <translation>Bryła (STEP AP214)…</translation>
     </message>
     <message>
         <source>Solid (*.step)</source>
-        <translation type="unfinished">Bryła (*.step)</translation>
+        <translation>Bryła (*.step)</translation>
     </message>
     <message>
         <source>Solid (STEP AP242)…</source>
-        <translation type="unfinished">Bryła (STEP AP242)…</translation>
+        <translation>Bryła (STEP AP242)…</translation>
     </message>
     <message>
         <source>FreeCAD macro…</source>
-        <translation type="unfinished">Makro FreeCAD…</translation>
+        <translation>Makro FreeCAD…</translation>
     </message>
     <message>
         <source>FreeCAD macro (*.FCMacro)</source>
-        <translation type="unfinished">Makro FreeCAD (*.FCMacro)</translation>
+        <translation>Makro FreeCAD (*.FCMacro)</translation>
     </message>
     <message>
         <source>SolidWorks macro…</source>
-        <translation type="unfinished">Makro SolidWorks…</translation>
+        <translation>Makro SolidWorks…</translation>
     </message>
     <message>
         <source>SolidWorks macro (*.bas)</source>
-        <translation type="unfinished">Makro SolidWorks (*.bas)</translation>
+        <translation>Makro SolidWorks (*.bas)</translation>
     </message>
     <message>
         <source>Table of rows (CSV)…</source>
-        <translation type="unfinished">Tabela wierszy (CSV)…</translation>
+        <translation>Tabela wierszy (CSV)…</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
-        <translation type="unfinished">Tabela (*.csv)</translation>
+        <translation>Tabela (*.csv)</translation>
     </message>
     <message>
         <source>Shaft (SHAFT.json)…</source>
-        <translation type="unfinished">Wał (SHAFT.json)…</translation>
+        <translation>Wałek (SHAFT.json)…</translation>
     </message>
     <message>
         <source>JSON (*.json)</source>
-        <translation type="unfinished">JSON (*.json)</translation>
+        <translation>JSON (*.json)</translation>
     </message>
     <message>
         <source>Stock text…</source>
-        <translation type="unfinished">Tekst półfabrykatu…</translation>
+        <translation>Tekst półfabrykatu…</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation type="unfinished">Tekst (*.txt)</translation>
+        <translation>Tekst (*.txt)</translation>
     </message>
 </context>
 <context>
     <name>lathelier::part_common::RowMenu</name>
     <message>
         <source>Cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Walec</translation>
     </message>
     <message>
         <source>Cone</source>
@@ -15046,7 +15046,7 @@ odchyłka %3</translation>
     </message>
     <message>
         <source>Take back all changes of the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Cofnij wszystkie zmiany wierszy</translation>
     </message>
 </context>
 <context>
@@ -15109,7 +15109,7 @@ odchyłka %3</translation>
     </message>
     <message>
         <source>Delete row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń wiersz %1</translation>
     </message>
     <message>
         <source>Merge rows %1 and %2</source>
@@ -16030,193 +16030,193 @@ Wszystkie inne widoki działają.</translation>
     <name>lathelier::turning_panel::ToolScrubber</name>
     <message>
         <source>Pause</source>
-        <translation type="unfinished">Wstrzymaj</translation>
+        <translation>Pauza</translation>
     </message>
     <message>
         <source>Play the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Odtwórz program</translation>
     </message>
     <message>
         <source>Clamping 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamocowanie 1</translation>
     </message>
     <message>
         <source>Clamping 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamocowanie 2</translation>
     </message>
     <message>
         <source>Place along the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsce wzdłuż programu</translation>
     </message>
     <message>
         <source>Place along the program: the tool moves, the stock is as it is by then</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsce w programie: narzędzie się przesuwa, półfabrykat jest taki jak w tej chwili</translation>
     </message>
 </context>
 <context>
     <name>lathelier::turning_panel::TurningPanel</name>
     <message>
         <source>Switch on: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Włącz: %1</translation>
     </message>
     <message>
         <source>Switch off: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wyłącz: %1</translation>
     </message>
     <message>
         <source>%L1 tools, with its shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzia: %L1, wraz z wałkiem</translation>
     </message>
     <message>
         <source>%L1 tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Narzędzia: %L1</translation>
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation type="unfinished">segmentów: %L1 · %2</translation>
+        <translation>%L1 odcinków · %2</translation>
     </message>
     <message>
         <source>Programs of both clampings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Programy obu zamocowań…</translation>
     </message>
     <message>
         <source>Turning program…</source>
-        <translation type="unfinished"></translation>
+        <translation>Program toczenia…</translation>
     </message>
     <message>
         <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
-        <translation type="unfinished">Program NC (*.nc *.ngc *.mpf *.tap)</translation>
+        <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
     </message>
     <message>
         <source>Moves of the tool, clamping %1 (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruchy narzędzia, zamocowanie %1 (CSV)…</translation>
     </message>
     <message>
         <source>Moves of the tool (CSV)…</source>
-        <translation type="unfinished">Ruchy narzędzia (CSV)…</translation>
+        <translation>Ruchy narzędzia (CSV)…</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
-        <translation type="unfinished">Tabela (*.csv)</translation>
+        <translation>Tabela (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>lathelier::turning_panel::TurningViews</name>
     <message>
         <source>%1, %2 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, głębokość %2</translation>
     </message>
     <message>
         <source>Line %1 · %2 · tool %3 · Ø %4 · Z %5</source>
-        <translation type="unfinished"></translation>
+        <translation>Linia %1 · %2 · narzędzie %3 · Ø %4 · Z %5</translation>
     </message>
     <message>
         <source>rapid</source>
-        <translation type="unfinished">ruch szybki</translation>
+        <translation>ruch szybki</translation>
     </message>
     <message>
         <source>feed</source>
-        <translation type="unfinished">posuw</translation>
+        <translation>posuw</translation>
     </message>
     <message>
         <source>Line %1: no move</source>
-        <translation type="unfinished">Wiersz %1: bez ruchu</translation>
+        <translation>Wiersz %1: brak ruchu</translation>
     </message>
     <message>
         <source>Contour and stock</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontur i półfabrykat</translation>
     </message>
     <message>
         <source>Program and path</source>
-        <translation type="unfinished">Program i tor</translation>
+        <translation>Program i tor</translation>
     </message>
     <message>
         <source>Operations</source>
-        <translation type="unfinished"></translation>
+        <translation>Operacje</translation>
     </message>
     <message>
         <source>Speeds and why</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości obrotowe i ich uzasadnienie</translation>
     </message>
     <message>
         <source>What stays, findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Co zostaje, ustalenia</translation>
     </message>
     <message>
         <source>Set-up sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Karta ustawienia</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished">N</translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Speed of the spindle along the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość obrotowa wrzeciona wzdłuż części</translation>
     </message>
     <message>
         <source>v_c</source>
-        <translation type="unfinished"></translation>
+        <translation>v_c</translation>
     </message>
     <message>
         <source>Cutting speed along the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość skrawania wzdłuż części</translation>
     </message>
     <message>
         <source>f_m</source>
-        <translation type="unfinished"></translation>
+        <translation>f_m</translation>
     </message>
     <message>
         <source>Frequency of chatter of each section; needs a spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość drgań samowzbudnych każdego odcinka; wymaga wrzeciona</translation>
     </message>
     <message>
         <source>Rz</source>
-        <translation type="unfinished"></translation>
+        <translation>Rz</translation>
     </message>
     <message>
         <source>Ideal roughness along the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Chropowatość idealna wzdłuż części</translation>
     </message>
     <message>
         <source>Along the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Wzdłuż części</translation>
     </message>
     <message>
         <source>Path of the tool</source>
-        <translation type="unfinished">Tor narzędzia</translation>
+        <translation>Tor narzędzia</translation>
     </message>
     <message>
         <source>Why this speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Dlaczego ta prędkość obrotowa</translation>
     </message>
     <message>
         <source>Text of the program</source>
-        <translation type="unfinished">Tekst programu</translation>
+        <translation>Tekst programu</translation>
     </message>
     <message>
         <source>The box switches an operation off: what it would take off stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole wyłącza operację: to, co by zdjęła, zostaje</translation>
     </message>
     <message>
         <source>Speeds of the finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości wykończenia</translation>
     </message>
     <message>
         <source>A row shows the stability lobes of the part at that moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz pokazuje krzywe workowe części w danej chwili</translation>
     </message>
     <message>
         <source>What stays on the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Co zostaje względem rysunku</translation>
     </message>
     <message>
         <source>What the tool meets</source>
-        <translation type="unfinished">Co trafia narzędzie</translation>
+        <translation>Na co natrafia narzędzie</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">Narzędzia</translation>
+        <translation>Narzędzia</translation>
     </message>
 </context>
 </TS>

@@ -172,7 +172,7 @@ private slots:
         QVERIFY(views().stock().is_whole);
         const std::int64_t line = plan().setups[0].operations.back().first_line + 3;
         views().editor()->goToLine(line);  // the other way round
-        QCOMPARE(views().line(), line);
+        QTRY_COMPARE(views().line(), line);
         QVERIFY(slider->value() < ToolScrubber::places);
     }
 

@@ -131,9 +131,13 @@ void TurningViews::connectParts()
     connect(scrubber_, &ToolScrubber::clampingChosen, this,
             [this](int id) { setClamping(static_cast<std::size_t>(id)); });
     connect(scrubber_, &ToolScrubber::moved, this, &TurningViews::moveTool);
-    connect(editor_, &ProgramEditor::lineReached, this, [this](qlonglong line) {
-        if (line != line_) goToLine(line);
-    });
+    // The editor may say so while it is painted: charts must not be drawn anew then.
+    connect(
+        editor_, &ProgramEditor::lineReached, this,
+        [this] {
+            if (editor_->line() != line_) goToLine(editor_->line());
+        },
+        Qt::QueuedConnection);
     for (plot::ChartView* chart : {contour_, path_})
         connect(chart, &plot::PlotCanvas::clicked, this,
                 [this, chart](double z_mm, double x_mm) { pick(chart, z_mm, x_mm); });
@@ -199,7 +203,6 @@ void TurningViews::show()
     const cam::SetupPlan& setup = picture_->plan->setups[clamping_];
     scrubber_->setClampings(picture_->clampings.size(), clamping_);
     {
-        const QSignalBlocker quiet(editor_);
         editor_->setReadOnly(false);
         editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
                             setup.check.program.dialect);
@@ -283,10 +286,7 @@ void TurningViews::moveTool(int place)
         tip = {std::lerp(from.z_mm, to.z_mm, share), std::lerp(from.x_mm, to.x_mm, share)};
     }
     line_ = drawn.lineOf(at);
-    if (editor_->line() != line_) {
-        const QSignalBlocker quiet(editor_);
-        editor_->goToLine(line_);
-    }
+    if (editor_->line() != line_) editor_->goToLine(line_);
     StockShown shown;
     if (place < places) shown = stockAt(*picture_, clamping_, line_, !drawn.isRapid(at));
     showStock(shown, false);
@@ -304,7 +304,6 @@ void TurningViews::goToLine(std::int64_t line)
     const auto pieces = clamping->drawn.piecesOf(line);
     if (pieces.empty()) {
         line_ = line;
-        const QSignalBlocker quiet(editor_);
         editor_->goToLine(line);
         scrubber_->say(tr("Line %1: no move").arg(line));
         return;
@@ -314,7 +313,6 @@ void TurningViews::goToLine(std::int64_t line)
     moveTool(std::min(scrubber_->place(), places - 1));
     // The place that the slider can show may belong to the block before.
     line_ = line;
-    const QSignalBlocker quiet(editor_);
     editor_->goToLine(line);
     const stock::Corner& end = clamping->drawn.corner(pieces.back());
     pointOutTool({end.z_mm, end.x_mm}, clamping->drawn.toolOf(pieces.back()));

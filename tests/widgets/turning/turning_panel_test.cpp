@@ -132,10 +132,10 @@ private slots:
         QCOMPARE(views().operations()->rowCount(), static_cast<int>(rows.size()));
         QCOMPARE(views().operations()->item(row, 0)->checkState(), Qt::Unchecked);
         QVERIFY(plan().rest.size() > 0 && plan().left_max_mm >= left_mm);
-        double cylinder_mm = 0;  // the allowance stays on the first cylinder
-        for (const cam::RestInterval& rest : plan().rest)
-            if (rest.z_start_mm < 50) cylinder_mm = std::max(cylinder_mm, rest.left_mm);
-        QVERIFY(std::abs(cylinder_mm - 0.3) < 0.01);
+        // The allowance stays on the whole first cylinder.
+        QVERIFY(std::any_of(plan().rest.begin(), plan().rest.end(), [](const cam::RestInterval& rest) {
+            return rest.z_start_mm < 5 && rest.z_end_mm > 90 && rest.left_mm > 0.295;
+        }));
         session_->undoStack().undo();
         settle();
         QVERIFY(plan().parameters.skipped.empty() && plan().left_max_mm == left_mm);
@@ -170,9 +170,10 @@ private slots:
         QVERIFY(*views().stock().pass > half);
         slider->setValue(ToolScrubber::places);
         QVERIFY(views().stock().is_whole);
-        const std::int64_t line = plan().setups[0].operations.back().first_line + 3;
+        const stock::DrawnPath& drawn = panel_->result()->clampings[0].drawn;
+        const std::int64_t line = drawn.lineOf(drawn.corners() / 3);
         views().editor()->goToLine(line);  // the other way round
-        QCOMPARE(views().line(), line);
+        QTRY_COMPARE(views().line(), line);
         QVERIFY(slider->value() < ToolScrubber::places);
     }
 

@@ -1,5 +1,5 @@
-// The check of turning programs: practice programs of 40 to 200 moves, and 750 moves on a shaft of 240 mm with 60 steps.
-// One core.
+// The check of turning programs: practice programs of 40 to 200 moves, and 750 moves on a shaft of 240 mm with 60
+// steps. One core.
 #include <benchmark/benchmark.h>
 
 #include <fstream>

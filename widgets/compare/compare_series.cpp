@@ -5,7 +5,6 @@
 
 #include "engine/core/shaft_contour.h"
 #include "engine/features/shaft_mesh.h"
-#include "engine/registration/drawn_reference.h"
 #include "engine/io/file.h"
 #include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"

@@ -36,10 +36,10 @@ ToolScrubber::ToolScrubber(QWidget* parent)
     slider_->setRange(0, places);
     slider_->setPageStep(places / 40);
     slider_->setValue(places);
-    row->addWidget(slider_, 3);
+    row->addWidget(slider_, 5);
     where_->setObjectName("turningWhere");
     where_->setMinimumWidth(1);  // long text must not widen the panel
-    row->addWidget(where_, 2);
+    row->addWidget(where_, 4);
     playing_.setInterval(pause_ms);
     connect(clampings_, &QButtonGroup::idClicked, this, &ToolScrubber::clampingChosen);
     connect(slider_, &QSlider::valueChanged, this, &ToolScrubber::moved);

@@ -143,11 +143,14 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
     report::Plot plot;
     if (check.stock && clamping.bare) {
         stock::StockPlotParts parts;
-        parts.path = &clamping.drawn;
-        parts.window = clamping.drawn.whole(pixels);
         parts.pass = shown.pass;
         const bool is_bare = !shown.is_whole && !shown.pass;
         plot = stock::stockPlot(is_bare ? *clamping.bare : *check.stock, parts, language);
+        // The scrubber shows the stock pass by pass: earlier ones would only fill chart and legend.
+        std::erase_if(plot.curves, [](const report::Curve& curve) { return curve.thin; });
+        for (report::Curve& curve : plot.curves) curve.name = std::string();
+        for (report::Curve& curve : clamping.drawn.curves(clamping.drawn.whole(pixels)))
+            plot.curves.push_back(std::move(curve));
     }
     plot.title = setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool")
                             : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
@@ -212,7 +215,7 @@ report::Plot whyPlot(const TurningPicture& picture, std::size_t section, const L
     const SectionLobes& why = *picture.lobes[section];
     report::Plot plot = stability::lobesPlot(why.lobes, why.speed ? &*why.speed : nullptr, {}, language);
     const cam::SectionSpeed& speed = picture.plan->sections[section];
-    if (speed.speed_rpm)
+    if (speed.speed_rpm && !why.speed)
         plot.limits.push_back({report::Limit::Direction::Vertical, *speed.speed_rpm, LT_TEXT("Engine", "this speed")});
     plot.title = fill(text(LT_TEXT("Engine", "Why this speed: z {from:1}-{to:1} mm"), language),
                       {{"from", speed.z_start_mm}, {"to", speed.z_end_mm}}, language);

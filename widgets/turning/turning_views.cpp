@@ -84,6 +84,7 @@ TurningViews::TurningViews(QWidget* parent)
     program->setChildrenCollapsible(false);
     program->setStretchFactor(0, 2);
     program->setStretchFactor(1, 3);
+    program->setSizes({400, 600});  // shares: the hint of a text is narrow
     heroes_->add("contour", makeContourSide());
     heroes_->add("program", program);
     heroes_->add("operations", operations_);
@@ -121,7 +122,7 @@ QWidget* TurningViews::makeContourSide()
     course_->followX(contour_);
     QSplitter* both = stacked({contour_, lower});
     both->setStretchFactor(0, 5);
-    both->setStretchFactor(1, 2);
+    both->setStretchFactor(1, 3);
     return both;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/chain/chain_codes.h"
@@ -81,23 +82,33 @@ Json ChainRun::run(const StepRequest& wanted, const Progress& progress)
         return Json::object();
     }
     const Verb& verb = verbNamed(wanted.verb);
+    std::map<std::string, std::string> wished = wanted.outputs;
+    wished.insert(wanted.outputs_if_possible.begin(), wanted.outputs_if_possible.end());
     std::map<std::string, std::string> outputs;
-    for (const auto& [option, name] : wanted.outputs) {
+    for (const auto& [option, name] : wished) {
         outputs[option] = path(name);
         std::error_code ignored;
         fs::remove(path(name), ignored);  // of an earlier run: what is there afterwards is this one's
     }
-    const Request request = requestOf(verb, wanted.operands, wanted.given, std::move(outputs));
-    io::InputFiles inputs;
-    const Answer answer = ask(verb, request, inputs, progress);
-    Json result = envelope(verb, request, inputs, answer);
+    Request request = requestOf(verb, wanted.operands, wanted.given, std::move(outputs));
+    auto inputs = std::make_unique<io::InputFiles>();
+    const bool may_refuse = !wanted.outputs_if_possible.empty();
+    Answer answer = ask(verb, request, *inputs, progress.part(0, may_refuse ? 0.5 : 1));
+    refusal_.reset();
+    if (may_refuse && !answer.errors.empty() && answer.errors.front().code().kind == ErrorKind::NoAnswer) {
+        refusal_ = answer.errors.front();
+        for (const auto& [option, name] : wanted.outputs_if_possible) request.outputs.erase(option);
+        inputs = std::make_unique<io::InputFiles>();
+        answer = ask(verb, request, *inputs, progress.part(0.5, 1));
+    }
+    Json result = envelope(verb, request, *inputs, answer);
     step.result = resultOf(wanted.id);
     io::writeFile(path(step.result), report::toText(result));
-    for (const InputFile& file : inputs.list()) step.inputs.push_back(named(file));
+    for (const InputFile& file : inputs->list()) step.inputs.push_back(named(file));
     step.inputs.insert(step.inputs.end(), further_inputs_.begin(), further_inputs_.end());
     std::vector<std::string> made{step.result};
     made.insert(made.end(), further_outputs_.begin(), further_outputs_.end());
-    for (const auto& [option, name] : wanted.outputs) {
+    for (const auto& [option, name] : wished) {
         made.push_back(name);
         // Of two clampings each has a file of its own.
         const fs::path parts(name);

@@ -17,6 +17,7 @@ struct StepRequest {
     std::vector<std::string> operands;           ///< of the verb
     Values given;                                ///< parameters that differ from their defaults
     std::map<std::string, std::string> outputs;  ///< option of the verb → name of the file within the folder
+    std::map<std::string, std::string> outputs_if_possible = {};  ///< the same; left out where the verb refuses them
 };
 
 class ChainRun {
@@ -46,6 +47,9 @@ public:
     /// A note of the last step.
     void remark(Note note);
 
+    /// Why the last step went without its outputs_if_possible; none: it did not.
+    const std::optional<Error>& refusal() const { return refusal_; }
+
     bool hasFailed() const { return failed_; }
     bool isDone(const std::string& id) const;
     chain::Dossier& dossier() { return dossier_; }
@@ -66,7 +70,7 @@ private:
     std::vector<InputFile> further_inputs_;
     std::vector<std::string> further_outputs_;
     std::vector<report::Section> sections_;
-    std::optional<Error> error_;
+    std::optional<Error> error_, refusal_;
     bool failed_ = false;
 };
 

@@ -1,11 +1,10 @@
 // check PROGRAM --job JOB.json: any turning program against its drawing, its stock and what stands around them.
 #include <nlohmann/json.hpp>
 
-#include "app/cli/any_shaft.h"
+#include "app/cli/jobs.h"
 #include "app/cli/programs.h"
 #include "app/cli/shafts.h"
 #include "app/cli/verbs.h"
-#include "engine/cam/cam_codes.h"
 #include "engine/cam/check/check_report.h"
 #include "engine/cam/check/correction_file.h"
 #include "engine/cam/job_file.h"
@@ -52,37 +51,13 @@ std::vector<Option> checkOptions()
     return options;
 }
 
-cam::Job readJob(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
+cam::Job jobOfOption(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const std::string path = wordOf(request, "job");
     if (path.empty())
         throw Error(errors::valueNotUnderstood,
                     {{"parameter", "--job"}, {"found", ""}, {"expected", LT_TEXT("Engine", "a job (JOB.json)")}});
-    cam::JobFile file = cam::loadJob({path, inputs.open(path, progress), request.parameters, inputs, progress});
-    answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
-    return std::move(file.job);
-}
-
-Shaft partOf(const cam::Job& job, const Request& request, io::InputFiles& inputs, const Progress& progress,
-             Answer& answer)
-{
-    const std::string path = wordOf(request, "shaft");
-    if (path.empty()) {
-        if (!job.shaft) throw Error(errors::jobWithoutShaft, {{"path", wordOf(request, "job")}});
-        return *job.shaft;
-    }
-    Json facts;
-    Notes notes;
-    try {
-        Shaft part = readAnyShaft(inputs.open(path, progress), notes, facts, progress);
-        for (Note& note : notes) {
-            set(note.values, "path", path);
-            answer.notes.push_back(std::move(note));
-        }
-        return part;
-    } catch (Error& error) {
-        throw error.with("path", path);
-    }
+    return readJob(path, request, inputs, progress, answer);
 }
 
 cam::CheckInputs furtherInputs(const Request& request, io::InputFiles& inputs, const Progress& progress)
@@ -103,8 +78,9 @@ cam::CheckInputs furtherInputs(const Request& request, io::InputFiles& inputs, c
 void runCheck(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const std::string& path = request.operands.front();
-    const cam::Job job = readJob(request, inputs, progress.part(0, 0.02), answer);
-    const auto part = std::make_shared<Shaft>(partOf(job, request, inputs, progress.part(0.02, 0.05), answer));
+    const cam::Job job = jobOfOption(request, inputs, progress.part(0, 0.02), answer);
+    const auto part = std::make_shared<Shaft>(
+        partOf(job, wordOf(request, "shaft"), wordOf(request, "job"), inputs, progress.part(0.02, 0.05), answer));
     const cam::CheckInputs further = furtherInputs(request, inputs, progress.part(0.05, 0.08));
     const auto parameters = fromValues<cam::CheckParameters>(request.parameters);
     std::string text(inputs.open(path, progress));

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/cli/jobs.h"
 #include "engine/cam/job_bodies.h"
-#include "engine/cam/job_file.h"
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/normalized_error.h"
 #include "engine/core/texts.h"
@@ -23,20 +23,6 @@ Values optional(const char* key, const std::optional<double>& value)
     return value ? Values{{key, *value}} : Values{};
 }
 
-/// The finished part with the rest of its bar up to the chuck: what the spindle carries.
-Shaft heldPart(const Shaft& part, const cam::Job& job)
-{
-    Shaft held = part;
-    const double rest_mm = job.setup.chuck_face_z_mm - part.length_mm();
-    if (rest_mm > 0) {
-        ShaftSegment bar;
-        bar.length_mm = rest_mm;
-        bar.start_diameter_mm = bar.end_diameter_mm = job.stock.diameter_mm;
-        held.segments.push_back(bar);
-    }
-    return held;
-}
-
 constexpr const char* measuredFile = "measured.json";
 constexpr const char* correctedFile = "program_corrected.nc";
 
@@ -47,10 +33,8 @@ Remanufacture::Remanufacture(const Request& request, const ChainFiles& files, io
     : request_(request), files_(files), inputs_(inputs), progress_(progress), chain_(files_.out)
 {
     refuseOverwriting();
-    const auto bytes = [&](const std::string& path) {
-        return io::FileToRead{path, inputs_.open(path, progress_), request_.parameters, inputs_, progress_};
-    };
-    job_ = cam::loadJob(bytes(files_.job)).job;
+    Answer read;  // its notes are said by the steps that take the job
+    job_ = readJob(files_.job, request_, inputs_, progress_, read);
 }
 
 void Remanufacture::refuseOverwriting() const
@@ -106,7 +90,7 @@ void Remanufacture::planSpeeds()
     if (!chain_.hasFailed()) {
         Notes notes;
         const io::FileBytes bytes(shaft_);
-        chain_.write("held.json", io::shaftText(heldPart(io::readShaft(std::string(bytes.view()), notes), job_)));
+        chain_.write("held.json", io::shaftText(cam::heldPart(io::readShaft(std::string(bytes.view()), notes), job_)));
         for (const InputFile& file : inputs_.list()) chain_.alsoTakes(chain_.named(file));
     }
     const std::string held = chain_.path("held.json");
@@ -166,23 +150,12 @@ void Remanufacture::deflect()
 /// A program that cannot be corrected is still predicted.
 void Remanufacture::correct(StepRequest step)
 {
-    const Progress progress = share(0.65, 0.8, LT_TEXT("Engine", "Deflection"));
-    std::optional<Error> refused;
-    if (!chain_.hasFailed()) {
-        const std::vector<Verb>& all = verbs();
-        const auto verb =
-            std::find_if(all.begin(), all.end(), [](const Verb& one) { return one.name == "deflection"; });
-        io::InputFiles own;
-        const Answer tried =
-            ask(*verb, requestOf(*verb, step.operands, step.given, {{"--compensate", chain_.path(correctedFile)}}), own,
-                progress.part(0, 0.5));
-        if (!tried.errors.empty() && tried.errors.front().code().kind == ErrorKind::NoAnswer)
-            refused = tried.errors.front();
+    step.outputs_if_possible = {{"--compensate", correctedFile}};
+    deflected_ = chain_.run(step, share(0.65, 0.8, LT_TEXT("Engine", "Deflection")));
+    if (const std::optional<Error>& refusal = chain_.refusal(); refusal && !chain_.hasFailed()) {
+        chain_.remark({notes::correctionRefused, {{"reason", text(*refusal)}}});
+        return chain_.miss("corrected_check", LT_TEXT("Engine", "a corrected program"));
     }
-    if (!refused) step.outputs = {{"--compensate", correctedFile}};
-    deflected_ = chain_.run(step, progress.part(0.5, 1));
-    if (refused && chain_.isDone("deflection")) chain_.remark({notes::correctionRefused, {{"reason", text(*refused)}}});
-    if (refused && !chain_.hasFailed()) return chain_.miss("corrected_check", LT_TEXT("Engine", "a corrected program"));
     chain_.run({"corrected_check",
                 "check",
                 {chain_.path(correctedFile)},

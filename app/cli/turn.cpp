@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/any_shaft.h"
+#include "app/cli/jobs.h"
 #include "app/cli/shafts.h"
 #include "app/cli/verbs.h"
-#include "engine/cam/cam_codes.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_report.h"
@@ -63,22 +62,6 @@ struct TurnRead {
     cam::TurningInputs inputs;
 };
 
-Shaft readPart(const std::string& path, io::InputFiles& inputs, const Progress& progress, Answer& answer)
-{
-    Json facts;
-    Notes notes;
-    try {
-        Shaft part = readAnyShaft(inputs.open(path, progress), notes, facts, progress);
-        for (Note& note : notes) {
-            set(note.values, "path", path);
-            answer.notes.push_back(std::move(note));
-        }
-        return part;
-    } catch (Error& error) {
-        throw error.with("path", path);
-    }
-}
-
 cam::Post readPost(const std::string& stated, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const std::vector<std::string> names = cam::postNames();
@@ -104,15 +87,8 @@ TurnRead readAll(const Request& request, io::InputFiles& inputs, const Progress&
     TurnRead read;
     const std::string &operand = request.operands.front(), stated = wordOf(request, "job");
     const std::string& path = stated.empty() ? operand : stated;
-    cam::JobFile file = cam::loadJob({path, inputs.open(path, progress), request.parameters, inputs, progress});
-    answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
-    read.job = std::move(file.job);
-    if (!stated.empty())
-        read.part = readPart(operand, inputs, progress, answer);
-    else if (read.job.shaft)
-        read.part = *read.job.shaft;
-    else
-        throw Error(errors::jobWithoutShaft, {{"path", path}});
+    read.job = readJob(path, request, inputs, progress, answer);
+    read.part = partOf(read.job, stated.empty() ? std::string() : operand, path, inputs, progress, answer);
     read.inputs.post = readPost(wordOf(request, "post"), inputs, progress, answer);
     read.inputs.spindle = readSpindle(request, inputs, progress, answer);
     for (const InputFile& input : inputs.list()) {

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/cam/clampings.h"
+
 namespace lathelier::cam {
 namespace {
+
+constexpr double kSlenderBeam_mm = 0.1;  // least diameter that a beam takes
 
 constexpr double leastGrip_mm = 10;  ///< of a bar whose length is not stated
 
@@ -74,6 +78,33 @@ Shaft mirrored(const Shaft& part)
     for (ShaftSegment& segment : result.segments) std::swap(segment.start_diameter_mm, segment.end_diameter_mm);
     for (ShaftBore& bore : result.bores) bore.from = bore.from == ShaftEnd::Free ? ShaftEnd::Chuck : ShaftEnd::Free;
     return result;
+}
+
+Shaft heldPart(const Shaft& part, const Job& job)
+{
+    const double face = job.setup.chuck_face_z_mm;
+    Shaft body = part;
+    body.bores.clear();
+    body.marks.clear();
+    if (body.length_mm() > face) return cutAt(body, face);
+    if (const double stub = face - body.length_mm(); stub > 1e-9) {
+        // While the part hangs on the bar, what falls behind its last cylinder is not cut yet.
+        for (std::size_t i = body.segments.size(); i-- > 1;) {
+            ShaftSegment& row = body.segments[i];
+            if (row.start_diameter_mm == row.end_diameter_mm && !row.arc_radius_mm) break;
+            if (row.end_diameter_mm > row.start_diameter_mm) break;
+            row.end_diameter_mm = row.start_diameter_mm;
+            row.arc_radius_mm.reset();
+        }
+        ShaftSegment bar;
+        bar.length_mm = stub;
+        bar.start_diameter_mm = bar.end_diameter_mm = job.stock.diameter_mm;
+        body.segments.push_back(bar);
+    }
+    for (ShaftSegment& row : body.segments)
+        for (double* diameter : {&row.start_diameter_mm, &row.end_diameter_mm})
+            *diameter = std::max(*diameter, kSlenderBeam_mm);
+    return body;
 }
 
 }  // namespace lathelier::cam

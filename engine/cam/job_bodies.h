@@ -24,4 +24,8 @@ stock::StockParameters stockParameters(const Job& job);
 /// The part seen from its other end, for the second clamping: z becomes length - z.
 Shaft mirrored(const Shaft& part);
 
+/// The finished part with the rest of its bar, up to the chuck's face: what the spindle carries. What falls behind its
+/// last cylinder is not cut while it hangs on the bar. Without bores and marks.
+Shaft heldPart(const Shaft& part, const Job& job);
+
 }  // namespace lathelier::cam

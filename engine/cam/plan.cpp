@@ -16,37 +16,8 @@ namespace lathelier::cam {
 namespace {
 
 constexpr double kAssumedLimit_rpm = 3000;
-constexpr double kSlenderBeam_mm = 0.1;  // least diameter that a beam takes
 constexpr double kUmPerMm = 1000;
 constexpr double kMm3PerCm3 = 1000;
-
-/// The finished part in a clamping, up to the chuck's face.
-Shaft bodyInClamping(const Shaft& part, const Clamping& clamping)
-{
-    const double face = clamping.job.setup.chuck_face_z_mm;
-    Shaft body = clamping.is_mirrored ? mirrored(part) : part;
-    body.bores.clear();
-    body.marks.clear();
-    if (body.length_mm() > face) return cutAt(body, face);
-    if (const double stub = face - body.length_mm(); stub > 1e-9) {
-        // While the part hangs on the bar, what falls behind its last cylinder is not cut yet.
-        for (std::size_t i = body.segments.size(); i-- > 1;) {
-            ShaftSegment& row = body.segments[i];
-            if (row.start_diameter_mm == row.end_diameter_mm && !row.arc_radius_mm) break;
-            if (row.end_diameter_mm > row.start_diameter_mm) break;
-            row.end_diameter_mm = row.start_diameter_mm;
-            row.arc_radius_mm.reset();
-        }
-        ShaftSegment bar;
-        bar.length_mm = stub;
-        bar.start_diameter_mm = bar.end_diameter_mm = clamping.job.stock.diameter_mm;
-        body.segments.push_back(bar);
-    }
-    for (ShaftSegment& row : body.segments)
-        for (double* diameter : {&row.start_diameter_mm, &row.end_diameter_mm})
-            *diameter = std::max(*diameter, kSlenderBeam_mm);
-    return body;
-}
 
 class Planner {
 public:
@@ -137,7 +108,7 @@ private:
         request.relation = parameters_.relation;
         request.model = parameters_.part_model;
         request.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
-        request.whole = bodyInClamping(part_, clamping);
+        request.whole = heldPart(clamping.is_mirrored ? mirrored(part_) : part_, clamping.job);
         std::vector<SectionSpeed> sections;
         WorkStock work = begin;
         for (Operation& operation : planned.operations) {

@@ -111,7 +111,12 @@ void bend(ShaftModel& shaft, const Shaft& part, const Progress& progress)
                            (contour.z_mm[i + 1] - contour.z_mm[i]);
         return 0.0;
     };
+    double behind_um = 0;  // at the end of the last cylinder: a chamfer goes on there
     for (ShaftPiece& piece : shaft) {
+        if (piece.radius_start_mm != piece.radius_end_mm) {
+            piece.oversize_um = behind_um;
+            continue;
+        }
         // A parabola through three places within the piece: at shoulders the contour steps.
         const double length_mm = piece.z_end_mm - piece.z_start_mm, inset_mm = 0.1 * length_mm;
         const double start_um = error_um(piece.z_start_mm + inset_mm) / 2;
@@ -120,7 +125,7 @@ void bend(ShaftModel& shaft, const Shaft& part, const Progress& progress)
         piece.barrel_um = (2 * middle_um - start_um - end_um) / 1.28;
         const double mean_um = middle_um - piece.barrel_um, half_um = (end_um - start_um) / 1.6;
         piece.taper_start_um = mean_um - half_um;
-        piece.taper_end_um = mean_um + half_um;
+        behind_um = piece.taper_end_um = mean_um + half_um;
     }
 }
 

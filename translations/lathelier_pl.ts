@@ -7344,8 +7344,8 @@
         <translation>Wiersz {line}, od z = {z_mm} mm: głębokość skrawania nie przekracza wysokości grzbietu {scallop_um} µm; siły się tam nie przyjmuje, choć krawędź trze.</translation>
     </message>
     <message>
-        <source>Line {line}: a cut toward the free end is taken as if it did not deflect; its material is removed.</source>
-        <translation>Wiersz {line}: skrawanie w stronę wolnego końca przyjmuje się bez ugięcia; jego materiał jest usuwany.</translation>
+        <source>Line {line}: a cut toward the free end is not predicted; its material is removed, and what it leaves is not judged.</source>
+        <translation>Wiersz {line}: skrawania w stronę wolnego końca nie przewiduje się; jego materiał jest usuwany, a tego, co zostawia, nie ocenia się.</translation>
     </message>
     <message>
         <source>Line {line}: the tool plunges at z = {z_mm} mm; neither force nor groove of that is modelled.</source>

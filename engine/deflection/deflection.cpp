@@ -120,19 +120,25 @@ FinalContour TargetContour::against(const WorkPlan& plan, const TurningWork& wor
     FinalContour found;
     for (std::vector<double>* list : {&found.z_mm, &found.target_radius_mm, &found.radius_mm, &found.diameter_error_um})
         list->reserve(plan.z_mm.size());
-    const auto add = [&](double z_mm, double target_mm, double radius_mm) {
-        if (std::isnan(target_mm)) return;
+    bool is_gap = false;
+    const auto add = [&](double z_mm, double target_mm, double radius_mm, bool is_unpredicted) {
+        if (std::isnan(target_mm) || is_unpredicted) {
+            is_gap = true;
+            return;
+        }
         if (!found.z_mm.empty() && found.z_mm.back() == z_mm && found.target_radius_mm.back() == target_mm &&
             found.radius_mm.back() == radius_mm)
             return;
+        if (is_gap && !found.z_mm.empty()) found.gaps.push_back(found.z_mm.size());
+        is_gap = false;
         found.z_mm.push_back(z_mm);
         found.target_radius_mm.push_back(target_mm);
         found.radius_mm.push_back(radius_mm);
         found.diameter_error_um.push_back(2 * um_per_mm * (radius_mm - target_mm));
     };
     for (std::size_t i = 0; i < plan.pieces(); ++i) {
-        add(plan.z_mm[i], start_mm_[i], work.outerStart_mm()[i]);
-        add(plan.z_mm[i + 1], end_mm_[i], work.outerEnd_mm()[i]);
+        add(plan.z_mm[i], start_mm_[i], work.outerStart_mm()[i], work.isUnpredicted(i, true));
+        add(plan.z_mm[i + 1], end_mm_[i], work.outerEnd_mm()[i], work.isUnpredicted(i, false));
     }
     return found;
 }
@@ -147,13 +153,16 @@ ErrorSummary summaryOf(const FinalContour& contour)
     summary.range_um = *largest - *least;
     summary.wear_offset_um = -(*largest + *least) / 2;
     double length_mm = 0, sum = 0, plain = std::abs(e.front());
-    double widest_mm = 0;
-    for (std::size_t i = 1; i < e.size(); ++i) widest_mm = std::max(widest_mm, contour.z_mm[i] - contour.z_mm[i - 1]);
+    auto gap = contour.gaps.begin();
     for (std::size_t i = 1; i < e.size(); ++i) {
+        plain += std::abs(e[i]);
+        if (gap != contour.gaps.end() && *gap == i) {
+            ++gap;
+            continue;
+        }
         const double width_mm = contour.z_mm[i] - contour.z_mm[i - 1];
         length_mm += width_mm;
         sum += width_mm * (std::abs(e[i]) + std::abs(e[i - 1])) / 2;
-        plain += std::abs(e[i]);
     }
     summary.mean_abs_um = length_mm > 0 ? sum / length_mm : plain / static_cast<double>(e.size());
     return summary;
@@ -185,6 +194,7 @@ DeflectionResult predictDeflection(const WorkPlan& plan, const TurningSetup& set
     }
     if (result.passes.empty()) throw Error(errors::noCut, {});
     result.final = targets.against(plan, work);
+    if (result.final.z_mm.empty()) throw Error(errors::noCut, {});
     result.summary = summaryOf(result.final);
     noteLargest(result.passes, result.notes);
     progress.report(1);

@@ -32,12 +32,13 @@ struct PassResult {
     std::vector<double> stiffness_N_mm;        ///< radial, at the tool
 };
 
-/// What is left where anything was cut.
+/// What is left where anything was cut, but for places that a run toward the free end cut last: that is not predicted.
 struct FinalContour {
     std::vector<double> z_mm;               ///< ascending; twice the same z is a shoulder
     std::vector<double> target_radius_mm;   ///< X of the last pass that cut there
     std::vector<double> radius_mm;          ///< left
     std::vector<double> diameter_error_um;  ///< 2 (radius - target)
+    std::vector<std::size_t> gaps;          ///< places before which there is a stretch without an answer
 };
 
 /// One number each for a curve of errors.

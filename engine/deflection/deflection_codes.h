@@ -77,8 +77,10 @@ inline constexpr NoteCode belowScallop{
 
 inline constexpr NoteCode towardFreeEnd{
     "cut_toward_free_end", Severity::Warning,
-    LT_TEXT("Engine",
-            "Line {line}: a cut toward the free end is taken as if it did not deflect; its material is removed.")};
+    LT_TEXT(
+        "Engine",
+        "Line {line}: a cut toward the free end is not predicted; its material is removed, and what it leaves is not "
+        "judged.")};
 
 inline constexpr NoteCode plungeNotModelled{
     "plunge_not_modelled", Severity::Warning,

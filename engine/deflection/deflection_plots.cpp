@@ -22,7 +22,8 @@ report::Plot alongZ(Text title, Text quantity, Text unit)
 }
 
 /// Broken where nothing is cut.
-report::Curve curveOf(report::Caption name, const std::vector<double>& z_mm, const std::vector<double>& values)
+report::Curve curveOf(report::Caption name, const std::vector<double>& z_mm, const std::vector<double>& values,
+                      const std::vector<std::size_t>& gaps = {})
 {
     report::Curve curve;
     curve.name = std::move(name);
@@ -30,7 +31,8 @@ report::Curve curveOf(report::Caption name, const std::vector<double>& z_mm, con
     curve.y.reserve(z_mm.size());
     const double usual_mm = z_mm.size() > 1 ? (z_mm.back() - z_mm.front()) / static_cast<double>(z_mm.size() - 1) : 0;
     for (std::size_t i = 0; i < z_mm.size(); ++i) {
-        if (i > 0 && z_mm[i] - z_mm[i - 1] > gapFactor * usual_mm) {
+        if (i > 0 &&
+            (z_mm[i] - z_mm[i - 1] > gapFactor * usual_mm || std::binary_search(gaps.begin(), gaps.end(), i))) {
             curve.x.push_back((z_mm[i] + z_mm[i - 1]) / 2);
             curve.y.push_back(std::nan(""));
         }
@@ -67,10 +69,11 @@ report::Plot errorPlot(const DeflectionResult& result, const ErrorPlotParts& par
         curve.style = report::Curve::Style::Dashed;
         plot.curves.push_back(std::move(curve));
     }
-    plot.curves.push_back(curveOf(LT_TEXT("Engine", "predicted"), result.final.z_mm, result.final.diameter_error_um));
-    if (parts.corrected)
-        plot.curves.push_back(curveOf(LT_TEXT("Engine", "corrected program"), parts.corrected->after.z_mm,
-                                      parts.corrected->after.diameter_error_um));
+    const auto add = [&](report::Caption name, const FinalContour& contour) {
+        plot.curves.push_back(curveOf(std::move(name), contour.z_mm, contour.diameter_error_um, contour.gaps));
+    };
+    add(LT_TEXT("Engine", "predicted"), result.final);
+    if (parts.corrected) add(LT_TEXT("Engine", "corrected program"), parts.corrected->after);
     if (!parts.measured.empty()) {
         report::Curve points{LT_TEXT("Engine", "measured"), {}, {}};
         points.style = report::Curve::Style::Points;

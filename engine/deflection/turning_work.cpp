@@ -52,6 +52,8 @@ void TurningWork::reset()
 {
     start_mm_ = plan_->outer_start_mm;
     end_mm_ = plan_->outer_end_mm;
+    unpredicted_start_.assign(start_mm_.size(), false);
+    unpredicted_end_.assign(end_mm_.size(), false);
 }
 
 Symmetric2 TurningWork::flexibilityOf(std::size_t piece) const
@@ -230,8 +232,14 @@ void TurningWork::removeContour(const CutPlan& cut)
 {
     for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
         const std::size_t k = cut.first + i;
-        start_mm_[k] = std::min(start_mm_[k], cut.pieces[i].start_mm);
-        if (meetsBefore(cut, i)) end_mm_[k] = cut.pieces[i].end_mm;
+        if (start_mm_[k] - cut.pieces[i].start_mm > noDepth_mm) {
+            start_mm_[k] = cut.pieces[i].start_mm;
+            unpredicted_start_[k] = true;
+        }
+        if (meetsBefore(cut, i)) {
+            end_mm_[k] = cut.pieces[i].end_mm;
+            unpredicted_end_[k] = true;
+        }
     }
     last_node_ = 0;
 }
@@ -258,13 +266,17 @@ void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& s
                                    plan_->z_mm[node] - plan_->z_mm[node - 1]);
         }
         compliance_[node] = inverse(heldAt(node));
-        if (i > 0) end_mm_[node - 1] = stationAt(cut, i - 1, false, stock_mm, task, stations);
+        if (i > 0) {
+            end_mm_[node - 1] = stationAt(cut, i - 1, false, stock_mm, task, stations);
+            if (was_cut_) unpredicted_end_[node - 1] = false;
+        }
         if (i == cut.pieces.size()) break;
         const bool goes_on =
             i > 0 && cut.pieces[i].start_mm == cut.pieces[i - 1].end_mm && start_mm_[node] == stock_mm &&
             cut.pieces[i].feed_mm_rev == cut.pieces[i - 1].feed_mm_rev &&
             (setup_->slope == SlopeModel::Radial || cut.pieces[i].slope_rad == cut.pieces[i - 1].slope_rad);
         start_mm_[node] = goes_on ? end_mm_[node - 1] : stationAt(cut, i, true, start_mm_[node], task, stations);
+        if (was_cut_) unpredicted_start_[node] = false;
     }
 }
 

@@ -65,6 +65,12 @@ public:
     const std::vector<double>& outerStart_mm() const { return start_mm_; }
     const std::vector<double>& outerEnd_mm() const { return end_mm_; }
 
+    /// Whether a run that is not predicted, one toward the free end, left the radius at the start or end of a piece.
+    bool isUnpredicted(std::size_t piece, bool at_start) const
+    {
+        return (at_start ? unpredicted_start_ : unpredicted_end_)[piece];
+    }
+
     /// After take(): compliance of the work at a node of that run, as it was when the tool was there.
     Symmetric2 complianceAt(std::size_t node) const { return compliance_[node]; }
 
@@ -98,10 +104,11 @@ private:
     const WorkPlan* plan_;
     const TurningSetup* setup_;
     Elasticity elasticity_;
-    std::vector<double> start_mm_, end_mm_;  ///< radii now
-    std::vector<double> rest_N_mm_;          ///< of the nodes
-    std::vector<Symmetric2> left_, right_;   ///< stiffness of what lies to both sides, without the node's own rest
-    std::vector<Symmetric2> compliance_;     ///< of the nodes of the run
+    std::vector<double> start_mm_, end_mm_;                  ///< radii now
+    std::vector<bool> unpredicted_start_, unpredicted_end_;  ///< left by a run toward the free end
+    std::vector<double> rest_N_mm_;                          ///< of the nodes
+    std::vector<Symmetric2> left_, right_;  ///< stiffness of what lies to both sides, without the node's own rest
+    std::vector<Symmetric2> compliance_;    ///< of the nodes of the run
     double tool_mm_N_ = 0, tool_across_mm_N_ = 0;
     // Of the block in cut.
     cutting::CuttingEdge edge_;

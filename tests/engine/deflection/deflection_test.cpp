@@ -14,6 +14,7 @@
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/deflection/deflection_report.h"
 #include "engine/deflection/deflection_verification.h"
+#include "engine/deflection/measured_places.h"
 
 namespace lathelier::deflection {
 namespace {
@@ -139,6 +140,36 @@ TEST(Deflection, PassesCarryErrorsOver)
     EXPECT_EQ(result.final.target_radius_mm.front(), 14.5);
     EXPECT_EQ(result.final.target_radius_mm.back(), 15);
     EXPECT_TRUE(std::is_sorted(result.final.z_mm.begin(), result.final.z_mm.end()));
+}
+
+TEST(Deflection, WhatACutTowardTheFreeEndLeavesIsNotJudged)
+{
+    std::vector<ToolRun> runs = straightCut(15, 280);
+    const DeflectionResult without = predictDeflection(caseAStock(), runs, caseASetup());
+    runs.push_back({ToolRun::Kind::TowardFreeEnd, {{160, 13, 0.2, 9}, {120, 13, 0.2, 10}}});
+    const DeflectionResult result = predictDeflection(caseAStock(), runs, caseASetup());
+    EXPECT_TRUE(contains(result.notes, notes::towardFreeEnd));
+    for (const double z_mm : result.final.z_mm) EXPECT_FALSE(z_mm > 120.001 && z_mm < 159.999) << z_mm;
+    ASSERT_EQ(result.final.gaps.size(), 1U);
+    EXPECT_NEAR(result.final.z_mm[result.final.gaps[0]], 160, 1e-9);
+    EXPECT_EQ(result.summary.max_um, without.summary.max_um);
+    EXPECT_EQ(result.summary.wear_offset_um, without.summary.wear_offset_um);
+    // A measured diameter in there has nothing to be compared with.
+    const std::vector<MeasuredDiameter> inside{{140, 26, 1}}, beside{{100, 30, 1}};
+    EXPECT_EQ(codeOfError([&] { MeasuredPlaces(result.final, inside); }), errors::measuredOutsideCut);
+    EXPECT_NO_THROW(MeasuredPlaces(result.final, beside));
+    // Cut toward the chuck once more, it is judged again.
+    runs.push_back(straightCut(12.5, 200, 110).front());
+    const DeflectionResult again = predictDeflection(caseAStock(), runs, caseASetup());
+    EXPECT_TRUE(again.final.gaps.empty());
+    EXPECT_LT(again.summary.max_um, 500);
+}
+
+TEST(Deflection, NothingPredictedIsNoAnswer)
+{
+    std::vector<ToolRun> runs = straightCut(15, 100);
+    runs.push_back({ToolRun::Kind::TowardFreeEnd, {{120, 13, 0.2, 9}, {-2, 13, 0.2, 10}}});
+    EXPECT_EQ(codeOfError([&] { predictDeflection(caseAStock(), runs, caseASetup()); }), errors::noCut);
 }
 
 TEST(Deflection, SeriesOfToolPostAddsItsCompliance)

@@ -7300,8 +7300,8 @@
         <translation>Przy z = {z_mm} mm zostałby promień {radius_mm} mm; oczekiwano więcej niż {least_mm} mm.</translation>
     </message>
     <message>
-        <source>No feed move toward the chuck meets the stock.</source>
-        <translation>Żaden ruch roboczy w stronę uchwytu nie trafia w półfabrykat.</translation>
+        <source>No feed move toward the chuck leaves a diameter: none meets the stock, or cuts toward the free end took it off again.</source>
+        <translation>Żaden ruch roboczy w stronę uchwytu nie zostawia średnicy: nie trafia w półfabrykat albo skrawania w stronę wolnego końca zebrały ją potem.</translation>
     </message>
     <message>
         <source>Nothing holds the work: chuck, tailstock and rests together leave it free to move.</source>

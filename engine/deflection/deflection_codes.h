@@ -17,7 +17,9 @@ inline constexpr ErrorCode nothingLeft{
     LT_TEXT("Engine", "At z = {z_mm} mm a radius of {radius_mm} mm would be left; expected more than {least_mm} mm.")};
 
 inline constexpr ErrorCode noCut{"no_cut", ErrorKind::NoAnswer,
-                                 LT_TEXT("Engine", "No feed move toward the chuck meets the stock.")};
+                                 LT_TEXT("Engine",
+                                         "No feed move toward the chuck leaves a diameter: none meets the stock, or "
+                                         "cuts toward the free end took it off again.")};
 
 inline constexpr ErrorCode notHeld{
     "not_held", ErrorKind::NoAnswer,

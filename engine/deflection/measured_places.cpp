@@ -23,9 +23,8 @@ MeasuredPlaces::MeasuredPlaces(const FinalContour& contour, std::span<const Meas
         const auto k = static_cast<std::size_t>(after - contour.z_mm.begin());
         const std::size_t before = k > 0 ? k - 1 : 0;
         const double width_mm = contour.z_mm[k] - contour.z_mm[before];
-        const bool in_gap = std::binary_search(contour.gaps.begin(), contour.gaps.end(), k) &&
-                            one.z_mm > contour.z_mm[before] + samePlace_mm && one.z_mm < contour.z_mm[k] - samePlace_mm;
-        if (in_gap)
+        if (std::binary_search(contour.gaps.begin(), contour.gaps.end(), k) &&
+            one.z_mm < contour.z_mm[k] - samePlace_mm)
             throw Error(errors::measuredOutsideCut,
                         {{"z_mm", one.z_mm}, {"from_mm", contour.z_mm[before]}, {"to_mm", contour.z_mm[k]}});
         places_.push_back({before, k, width_mm > 0 ? std::min(1.0, (one.z_mm - contour.z_mm[before]) / width_mm) : 1});

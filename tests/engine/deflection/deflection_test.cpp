@@ -162,7 +162,10 @@ TEST(Deflection, WhatACutTowardTheFreeEndLeavesIsNotJudged)
     runs.push_back(straightCut(12.5, 200, 110).front());
     const DeflectionResult again = predictDeflection(caseAStock(), runs, caseASetup());
     EXPECT_TRUE(again.final.gaps.empty());
-    EXPECT_LT(again.summary.max_um, 500);
+    const auto at =
+        std::lower_bound(again.final.z_mm.begin(), again.final.z_mm.end(), 140.0) - again.final.z_mm.begin();
+    EXPECT_EQ(again.final.target_radius_mm[static_cast<std::size_t>(at)], 12.5);
+    EXPECT_GT(again.final.diameter_error_um[static_cast<std::size_t>(at)], 0);
 }
 
 TEST(Deflection, NothingPredictedIsNoAnswer)

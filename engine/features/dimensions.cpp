@@ -177,8 +177,8 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             row.uncertainty.length_um = length(s[6]);
             row.uncertainty.start_diameter_um = diameter(s[2]);
             row.uncertainty.end_diameter_um = diameter(e.cylinder ? s[2] : s[3]);
-            if (e.rough) {  // its crests are known to about the noise
-                row.uncertainty.start_diameter_um = row.uncertainty.end_diameter_um = 2e3 * outline.model.sigma_mm;
+            if (e.rough) {
+                row.uncertainty.start_diameter_um = row.uncertainty.end_diameter_um = diameter(e.level_sigma_mm);
                 row.role = "rough";
             }
             if (e.arc) row.uncertainty.arc_radius_um = length(s[4]);

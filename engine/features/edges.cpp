@@ -102,6 +102,8 @@ std::optional<PlanePlace> placeOf(const registration::EdgeRays& edge)
 std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, double inner_mm, double outer_mm,
                                    double sigma_mm, double walls_per_mm2)
 {
+    constexpr double least_mm = 1e-3;  // of exact data, whose axis is not exact
+    sigma_mm = std::max(sigma_mm, least_mm);
     const double margin = 6 * sigma_mm + 0.15, reach = 8 * sigma_mm + 0.3;
     const double low = inner_mm + (inner_mm > 0 ? margin : 0), high = outer_mm - margin;
     if (!(high > low)) return std::nullopt;

@@ -7,6 +7,8 @@
 #include <complex>
 #include <numbers>
 
+#include "engine/features/crest.h"
+
 namespace lathelier::features {
 namespace {
 
@@ -308,19 +310,21 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         folded[bin] += static_cast<double>(cloud.r_mm[i]);
         filled[bin] += 1;
     }
-    double crest = 0, root = 1e300;
+    double root = 1e300;
     for (std::size_t b = 0; b < bins; ++b)
-        if (filled[b] > 0) {
-            crest = std::max(crest, folded[b] / filled[b]);
-            root = std::min(root, folded[b] / filled[b]);
-        }
+        if (filled[b] > 0) root = std::min(root, folded[b] / filled[b]);
+    std::vector<float> crests;
+    crests.reserve(points.size());
+    for (const std::uint32_t i : points) crests.push_back(cloud.r_mm[i]);
+    const std::optional<Crest> found = crestOf(std::move(crests), sigma_mm);
+    const double crest_mm = found ? found->radius_mm : about_mm;
     if (std::abs(best_m) <= kMostStarts) {
         mark.kind = "thread";
         mark.starts = std::abs(best_m);
         // r repeats where f·z + m·turn does: z grows with the turn for m < 0, a right-hand thread.
         mark.hand = best_m < 0 ? 1 : -1;
         mark.pitch_mm = 1 / centre;
-        mark.major_mm = 2 * crest;
+        mark.major_mm = 2 * crest_mm;
         mark.minor_mm = 2 * root;
     } else {
         mark.kind = "knurl";
@@ -329,8 +333,8 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         std::vector<double> radii;
         radii.reserve(points.size());
         for (const std::uint32_t i : points) radii.push_back(static_cast<double>(cloud.r_mm[i]));
-        mark.diameter_mm = 2 * quantile(radii, 0.875);
-        mark.depth_mm = quantile(radii, 0.875) - quantile(radii, 0.02);
+        mark.diameter_mm = 2 * crest_mm;
+        mark.depth_mm = crest_mm - quantile(std::move(radii), 0.02);
         mark.pitch_mm = std::numbers::pi * *mark.diameter_mm / *mark.teeth;
     }
     return mark;

@@ -25,6 +25,7 @@ struct Element {
     Tie start = Tie::Free, end = Tie::Free;  ///< of an arc
     bool rough = false;                      ///< a thread or knurl: a cylinder that no selection changes
     double root_mm = 0;                      ///< of a rough one: radius that nearly all of its points lie above
+    double level_sigma_mm = 0;               ///< of a rough one: standard uncertainty of the radius of its crests
 
     double radius_mm() const;
     double radiusAt_mm(double z_mm) const;

@@ -6,6 +6,7 @@
 #include "engine/features/plane_places.h"
 #include "engine/features/selection.h"
 #include "engine/features/stretches.h"
+#include "engine/features/undercut_search.h"
 #include "engine/features/wear.h"
 
 namespace lathelier::features {
@@ -19,6 +20,8 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
     for (const Chain* chain : chainsOf(input.fine, input.bore))
         for (const Wall& wall : chain->walls) {
             if (wall.z_mm < stretch.from_mm - 0.5 || wall.z_mm > stretch.to_mm + 0.5) continue;
+            const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm; };
+            if (std::any_of(stretch.crests.begin(), stretch.crests.end(), over)) continue;
             const auto next = std::lower_bound(stretch.coarse.begin(), stretch.coarse.end(), wall.z_mm,
                                                [](const Wall& one, double z) { return one.z_mm < z; });
             const auto near = next == stretch.coarse.end() ? next - 1 : next;
@@ -27,6 +30,7 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
             if (std::abs(wall.r_mm - near->r_mm) < 0.3 + 2 * slope * std::abs(wall.z_mm - near->z_mm) + slope * 0.2)
                 walls.push_back(wall);
         }
+    walls.insert(walls.end(), stretch.crests.begin(), stretch.crests.end());
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.z_mm < b.z_mm; });
     return walls;
 }
@@ -115,6 +119,7 @@ std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& 
     fitAll(model, 8, progress);
     progress.report(0.6);
     tryCorners(model, progress);
+    tryUndercuts(model, progress);
     simplify(model, progress);
     selectKinds(model, progress);
     selectKinds(model, progress);

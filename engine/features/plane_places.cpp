@@ -7,6 +7,8 @@
 namespace lathelier::features {
 namespace {
 
+constexpr double kLeastShoulder = 8;  // in σ: what is lower is placed as a step
+
 /// Smallest and largest radius of a run within a distance of one of its planes.
 std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
 {
@@ -21,35 +23,46 @@ std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
     return {low, high};
 }
 
-/// A small step of the radius: the place that the points between the two levels change at.
+/// A small step of the radius: the place that parts the points of the two levels best. A point's word for one of them
+/// is the logarithm of the ratio of its likelihoods, held to 100 : 1, for some points are spurious.
 void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
 {
+    constexpr double kMostReach_mm = 3, kLongestWord = 4.6, kFar = 5;
     Plane& plane = model.planes[p];
-    const double before = endRadius_mm(a), after = startRadius_mm(b), jump = after - before;
-    const double reach =
-        std::min({3.0, 0.4 * (a.nodes_mm.back() - a.nodes_mm.front()), 0.4 * (b.nodes_mm.back() - b.nodes_mm.front())});
+    const Element &before = a.elements.back(), &after = b.elements.front();
+    const double jump = startRadius_mm(b) - endRadius_mm(a), sigma = model.sigma_mm;
+    const double reach = std::min({kMostReach_mm, 0.4 * (a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2]),
+                                   0.4 * (b.nodes_mm[1] - b.nodes_mm.front())});
     std::vector<std::pair<double, double>> points;
-    const double clip = 3 * model.sigma_mm;
     for (std::size_t i = 0; i < input.cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(input.cloud.z_mm[i]);
         if (std::abs(z - plane.z_mm) > reach) continue;
-        const double off = static_cast<double>(input.cloud.r_mm[i]) - (before + after) / 2;
-        if (std::abs(off) < 2 * clip) points.emplace_back(z, std::clamp(off, -clip, clip));
+        const double low = before.radiusAt_mm(z), high = after.radiusAt_mm(z);
+        const double off = static_cast<double>(input.cloud.r_mm[i]) - (low + high) / 2;
+        if (std::abs(off) > std::abs(high - low) / 2 + kFar * sigma) continue;
+        points.emplace_back(z, std::clamp(off * (high - low) / (sigma * sigma), -kLongestWord, kLongestWord));
     }
-    if (points.size() < 40 || jump == 0) return;
+    if (points.size() < 40 || jump == 0 || !(sigma > 0)) return;
     std::sort(points.begin(), points.end());
     double sum = 0, best = 0, place = plane.z_mm;
+    std::size_t at = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        sum += points[i].second * (jump > 0 ? -1 : 1);
+        sum -= points[i].second;
         if (sum > best) {
             best = sum;
             place = (points[i].first + points[i + 1].first) / 2;
+            at = i;
         }
     }
+    double gap = 0;
+    for (std::size_t i = at < 8 ? 0 : at - 8; i + 1 < points.size() && i < at + 8; ++i)
+        gap = std::max(gap, points[i + 1].first - points[i].first);
     const double density = static_cast<double>(points.size()) / (2 * reach);
     plane.z_mm = plane.seen_mm = place;
-    // Spread of the likeliest change point of a mean: about 5 σ²/(Δ²·density) (Hinkley 1970).
-    plane.sigma_mm = std::max(0.005, 5 * model.sigma_mm * model.sigma_mm / (jump * jump * density));
+    // Spread of the likeliest change point of a mean: about 5 σ²/(Δ²·density) (Hinkley 1970); of an edge that the spot
+    // blurs and rows meet: as of edges.h.
+    const double change = 5 * sigma * sigma / (jump * jump * density);
+    plane.sigma_mm = std::sqrt(change * change + model.spot_mm / (6 * density) + gap * gap / 12 + 1e-6);
 }
 
 }  // namespace
@@ -75,7 +88,10 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         const Run &a = model.runs[r], &b = model.runs[r + 1];
         if (a.right != b.left) continue;
         Plane& plane = model.planes[a.right];
-        if (borders[a.right] == Border::Step) {
+        const double jump = std::abs(startRadius_mm(b) - endRadius_mm(a));
+        const bool is_rough = a.elements.back().rough || b.elements.front().rough;
+        if (borders[a.right] == Border::Step ||
+            (borders[a.right] == Border::Shoulder && !is_rough && jump < kLeastShoulder * model.sigma_mm)) {
             placeStep(input, model, a.right, a, b);
             continue;
         }

@@ -112,6 +112,11 @@ double arcPrice(std::size_t walls)
     return 7.5 * std::log(static_cast<double>(walls) + 1);
 }
 
+double leftOutPrice(std::size_t walls)
+{
+    return 2 * std::log(static_cast<double>(walls) + 1);
+}
+
 double lineCost(std::span<const Wall> walls)
 {
     return sumsOf(walls).line();
@@ -126,38 +131,47 @@ double arcCost(std::span<const Wall> walls)
 std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& progress)
 {
     const std::size_t n = walls.size();
-    const double line_price = linePrice(n), arc_price = arcPrice(n);
-    std::vector<double> best(n + 1, kInfinity);
+    const double line_price = linePrice(n), arc_price = arcPrice(n), left_out_price = leftOutPrice(n);
+    std::vector<double> best(n + 1, kInfinity);    // of a piece that ends before wall j
+    std::vector<double> before(n + 1, kInfinity);  // of a piece that may start at wall i
+    std::vector<std::size_t> left_out(n + 1, 0);
     std::vector<std::size_t> from(n + 1, 0);
     std::vector<char> is_arc(n + 1, 0);
-    best[0] = 0;
+    best[0] = before[0] = 0;
     for (std::size_t j = kLeastOfLine; j <= n; ++j) {
         if (j % 64 == 0) progress.check();
         Sums sums(walls[j - 1].z_mm, walls[j - 1].r_mm);
         for (std::size_t i = j; i-- > 0;) {
             sums.add(walls[i]);
             const std::size_t length = j - i;
-            if (length < kLeastOfLine || best[i] == kInfinity) continue;
+            if (length < kLeastOfLine || before[i] == kInfinity) continue;
             const double line = sums.line();
-            if (best[i] + line + line_price < best[j]) {
-                best[j] = best[i] + line + line_price;
+            if (before[i] + line + line_price < best[j]) {
+                best[j] = before[i] + line + line_price;
                 from[j] = i;
                 is_arc[j] = 0;
             }
             if (length < kLeastOfArc || walls[j - 1].z_mm - walls[i].z_mm > kLongestArc_mm) continue;
-            if (best[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
+            if (before[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
             double a = 0, b = 0, c = 0;
             const double arc = sums.arc(a, b, c);
-            if (best[i] + arc + arc_price < best[j]) {
-                best[j] = best[i] + arc + arc_price;
+            if (before[i] + arc + arc_price < best[j]) {
+                best[j] = before[i] + arc + arc_price;
                 from[j] = i;
                 is_arc[j] = 1;
             }
         }
+        before[j] = best[j];
+        for (std::size_t k = 1; k <= kMostLeftOut && k < j; ++k)
+            if (const double value = best[j - k] + static_cast<double>(k) * left_out_price; value < before[j]) {
+                before[j] = value;
+                left_out[j] = k;
+            }
     }
     std::vector<Piece> pieces;
     if (n < kLeastOfLine || best[n] == kInfinity) return pieces;
-    for (std::size_t j = n; j > 0; j = from[j]) pieces.push_back(pieceOf(walls, from[j], j, is_arc[j] != 0));
+    for (std::size_t j = n; j > 0; j = from[j] - left_out[from[j]])
+        pieces.push_back(pieceOf(walls, from[j], j, is_arc[j] != 0));
     return {pieces.rbegin(), pieces.rend()};
 }
 

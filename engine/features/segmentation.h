@@ -3,7 +3,8 @@
 // Of all cuttings the one with the least sum of misfit and price, found by dynamic programming: F(j) = min over i < j
 // of F(i) + cost(i, j) + β. Cost of a line: χ² = S_rr - S_zr²/S_zz. Cost of an arc: the algebraic circle q = Ax + By +
 // C, q = x² + y², its residuals divided by 4ρ² and by the mean squared cosine of the normal, because the noise is
-// radial. Prices: 5 ln n for a line, 7.5 ln n for an arc.
+// radial. Prices: 5 ln n for a line, 7.5 ln n for an arc. Up to two walls between two pieces may be left out, for
+// 2 ln n each: points on both sides of a step of the radius lie in them, and neither piece explains their mean.
 #pragma once
 
 #include <span>
@@ -34,6 +35,7 @@ double lineCost(std::span<const Wall> walls);
 double arcCost(std::span<const Wall> walls);
 double linePrice(std::size_t walls);
 double arcPrice(std::size_t walls);
-inline constexpr std::size_t kLeastOfLine = 3, kLeastOfArc = 5;
+double leftOutPrice(std::size_t walls);
+inline constexpr std::size_t kLeastOfLine = 3, kLeastOfArc = 5, kMostLeftOut = 2;
 
 }  // namespace lathelier::features

@@ -4,58 +4,15 @@
 #include <cmath>
 
 #include "engine/features/model_fit.h"
+#include "engine/features/selection_criterion.h"
 
 namespace lathelier::features {
 namespace {
 
 constexpr double kShortCone_mm = 4;
-constexpr double kShortNeighbour_mm = 5;
-constexpr double kAround_mm = 1.5;  // of the neighbours are looked at
 constexpr double kMargin = 8;       // beyond its price, what a new element must gain
 constexpr double kShort_mm = 0.45;  // shorter elements are dropped when that costs little
 constexpr double kBend = 3.4 * 3.14159265358979323846 / 180;
-
-double price(const Model& model, std::size_t parameters)
-{
-    std::size_t rows = 1;
-    for (const Run& run : model.runs) rows += run.walls.size();
-    return 2.5 * static_cast<double>(parameters) * std::log(static_cast<double>(rows));
-}
-
-/// The elements that are free while element k is judged, and the stretch that is looked at.
-struct Scope {
-    Window window;
-    double from_mm = 0, to_mm = 0;
-};
-
-Scope scopeOf(const Run& run, std::size_t r, std::size_t first, std::size_t last)
-{
-    const auto length = [&](std::size_t k) { return run.nodes_mm[k + 1] - run.nodes_mm[k]; };
-    Scope scope;
-    scope.window = {r, first, last};
-    scope.from_mm = run.nodes_mm[first];
-    scope.to_mm = run.nodes_mm[last + 1];
-    if (first > 0) {
-        const bool free = length(first - 1) < kShortNeighbour_mm;
-        scope.from_mm =
-            std::max(run.nodes_mm[first - 1], run.nodes_mm[first] - (free ? kShortNeighbour_mm : kAround_mm));
-        if (free) scope.window.first = first - 1;
-    }
-    if (last + 1 < run.elements.size()) {
-        const bool free = length(last + 1) < kShortNeighbour_mm;
-        scope.to_mm =
-            std::min(run.nodes_mm[last + 2], run.nodes_mm[last + 1] + (free ? kShortNeighbour_mm : kAround_mm));
-        if (free) scope.window.last = last + 1;
-    }
-    return scope;
-}
-
-/// The model judged over the scope: misfit and price of the free parameters.
-double criterion(Model& model, const Scope& scope, int iterations)
-{
-    const double chi2 = fitWindow(model, scope.window, scope.from_mm, scope.to_mm, iterations);
-    return chi2 + price(model, slotsOf(model, scope.window.run, scope.window.first, scope.window.last).size());
-}
 
 /// A run tried in place of the one that is there.
 struct Trial {
@@ -83,19 +40,6 @@ void loosenNeighbours(Run& run, std::size_t k)
         run.elements[k - 1].end = Tie::Free;
     if (k + 1 < run.elements.size() && run.elements[k + 1].arc && run.elements[k + 1].start == Tie::Tangent)
         run.elements[k + 1].start = Tie::Free;
-}
-
-/// Is the radius beyond the plane larger? At the ends of the part it is not.
-bool isFoot(const Model& model, std::size_t r, bool start)
-{
-    const std::size_t plane = start ? model.runs[r].left : model.runs[r].right;
-    const double own = start ? startRadius_mm(model.runs[r]) : endRadius_mm(model.runs[r]);
-    for (std::size_t other = 0; other < model.runs.size(); ++other) {
-        if (other == r) continue;
-        if (start && model.runs[other].right == plane) return endRadius_mm(model.runs[other]) > own;
-        if (!start && model.runs[other].left == plane) return startRadius_mm(model.runs[other]) > own;
-    }
-    return false;
 }
 
 /// A slope that rises into a shoulder's foot is a fillet more often than a cone.

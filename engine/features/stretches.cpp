@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/features/crest.h"
 #include "engine/features/selection.h"
 #include "engine/features/wear.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
+constexpr double kRough = 1.7;              // times the scatter that noise and slope explain
 constexpr double kLeastScatter_mm = 0.001;  // of exact data: what is smoother is no thread or knurl
 constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur may have made
 
@@ -21,10 +23,11 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
 {
     std::vector<char> rough(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        const double slope = slopeAt(walls, i),
-                     spread = slope * slope * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
-        rough[i] =
-            walls[i].sigma_mm > 2.5 * std::sqrt(sigma_mm * sigma_mm + kLeastScatter_mm * kLeastScatter_mm + spread);
+        // Noise along the normal of a slope is more along the radius.
+        const double slope = slopeAt(walls, i), square = slope * slope,
+                     spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
+        rough[i] = walls[i].sigma_mm > kRough * std::sqrt(sigma_mm * sigma_mm * (1 + square) +
+                                                          kLeastScatter_mm * kLeastScatter_mm + spread);
     }
     std::vector<std::pair<std::size_t, std::size_t>> stretches;
     for (std::size_t i = 0; i < walls.size();) {
@@ -53,8 +56,9 @@ bool isStep(const Element& a, const Element& b, double z, double error_mm)
 }
 
 /// Cuts walls of one chain into stretches at steps.
-void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, bool trim_start, bool trim_end,
-                  double form_mm, Border after, std::vector<MergedJunction>& merged, const Progress& progress)
+void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, const std::vector<Wall>& crests,
+                  bool trim_start, bool trim_end, double form_mm, Border after, std::vector<MergedJunction>& merged,
+                  const Progress& progress)
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
@@ -81,6 +85,8 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
         stretch.after = last ? after : Border::Step;
         for (const Wall& one : walls)
             if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
+        for (const Wall& one : crests)
+            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.crests.push_back(one);
         stretches.push_back(stretch);
         stretch = {};
         stretch.from_mm = z;
@@ -91,11 +97,11 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 /// First harmonic of the points' radii between two heights: mean, and how far off the axis their circle is.
 struct Circle {
     double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
-    double crest_mm = 0;  ///< radius that the outermost eighth of the points has
-    double root_mm = 0;   ///< radius that one in fifty lies below
+    double root_mm = 0;  ///< radius that one in fifty lies below
+    std::optional<Crest> crest;
 };
 
-Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm)
+Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm)
 {
     std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
@@ -126,16 +132,58 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     }
     circle.radius_mm = found[0];
     circle.offset_mm = found.tail<2>().norm();
-    std::vector<double> radii;
+    std::vector<float> radii;
     radii.reserve(points.size());
-    for (const auto& point : points) radii.push_back(point.second);
-    const auto crest = radii.begin() + static_cast<std::ptrdiff_t>(0.9375 * static_cast<double>(radii.size()));
-    std::nth_element(radii.begin(), crest, radii.end());
-    circle.crest_mm = *crest;
+    for (const auto& point : points) radii.push_back(static_cast<float>(point.second));
+    circle.crest = crestOf(radii, sigma_mm);
     const auto root = radii.begin() + static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(radii.size()));
     std::nth_element(radii.begin(), root, radii.end());
-    circle.root_mm = *root;
+    circle.root_mm = static_cast<double>(*root);
     return circle;
+}
+
+/// A rough zone as one cylinder over its crests, and the cones that lead into it.
+struct RoughStretch {
+    Stretch stretch;
+    double eccentric_mm = 0;
+    std::vector<Wall> lead_in, lead_out;  ///< in order of z
+};
+
+RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, std::size_t from, std::size_t to)
+{
+    constexpr double kLongestLead_mm = 4;
+    RoughStretch rough;
+    Stretch& stretch = rough.stretch;
+    const double half = input.coarse.bin_mm / 2;
+    stretch.from_mm = walls[from].z_mm;
+    stretch.to_mm = walls[to - 1].z_mm;
+    stretch.coarse.assign(walls.begin() + static_cast<std::ptrdiff_t>(from),
+                          walls.begin() + static_cast<std::ptrdiff_t>(to));
+    double mean = 0;
+    for (const Wall& wall : stretch.coarse) mean += wall.r_mm / static_cast<double>(stretch.coarse.size());
+    const Circle circle = circleOf(input.cloud, stretch.from_mm, stretch.to_mm, mean, input.coarse.sigma_mm);
+    const bool eccentric =
+        circle.sigma_mm > 0 && circle.sigma_mm < 1.6 * input.coarse.sigma_mm && circle.offset_mm > 0.05;
+    Element cylinder;
+    cylinder.cylinder = cylinder.rough = true;
+    cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest ? circle.crest->radius_mm : mean;
+    cylinder.level_sigma_mm = circle.crest && !eccentric ? circle.crest->sigma_mm : input.coarse.sigma_mm;
+    cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
+    if (eccentric) rough.eccentric_mm = circle.offset_mm;
+    if (circle.crest && !eccentric) {
+        const double longest = std::min(kLongestLead_mm, (stretch.to_mm - stretch.from_mm) / 3);
+        const auto lead = [&](double border, bool toward_end) {
+            return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
+        };
+        rough.lead_in = lead(stretch.from_mm - half, true);
+        rough.lead_out = lead(stretch.to_mm + half, false);
+        if (!rough.lead_in.empty()) stretch.from_mm = rough.lead_in.back().z_mm + half;
+        if (!rough.lead_out.empty()) stretch.to_mm = rough.lead_out.front().z_mm - half;
+    }
+    cylinder.at_mm = (stretch.from_mm + stretch.to_mm) / 2;
+    stretch.elements = {cylinder};
+    stretch.nodes_mm = {stretch.from_mm, stretch.to_mm};
+    return rough;
 }
 
 }  // namespace
@@ -183,39 +231,30 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         }
         const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;
         std::size_t at = 0;
+        std::vector<Wall> lead_out;  // of the rough zone before
+        const auto addQuiet = [&](std::size_t from, std::size_t to, const std::vector<Wall>& lead_in, Border border,
+                                  bool trim) {
+            std::vector<Wall> own = lead_out;
+            own.insert(own.end(), walls.begin() + static_cast<std::ptrdiff_t>(from),
+                       walls.begin() + static_cast<std::ptrdiff_t>(to));
+            own.insert(own.end(), lead_in.begin(), lead_in.end());
+            if (own.size() <= 2) return false;
+            std::vector<Wall> crests = lead_out;
+            crests.insert(crests.end(), lead_in.begin(), lead_in.end());
+            addStretches(stretches, own, crests, (trim_start && from == 0) || (from > 0 && lead_out.empty()),
+                         trim && lead_in.empty(), input.form_mm, border, outline.merged, progress);
+            return true;
+        };
         for (const auto& [from, to] : roughStretches(walls, input.coarse.sigma_mm)) {
-            if (from > at + 2)
-                addStretches(stretches,
-                             {walls.begin() + static_cast<std::ptrdiff_t>(at),
-                              walls.begin() + static_cast<std::ptrdiff_t>(from)},
-                             trim_start && at == 0, true, input.form_mm, Border::Rough, outline.merged, progress);
-            Stretch rough;
-            rough.from_mm = walls[from].z_mm;
-            rough.to_mm = walls[to - 1].z_mm;
-            rough.nodes_mm = {rough.from_mm, rough.to_mm};
-            rough.coarse.assign(walls.begin() + static_cast<std::ptrdiff_t>(from),
-                                walls.begin() + static_cast<std::ptrdiff_t>(to));
-            double mean = 0;
-            for (const Wall& wall : rough.coarse) mean += wall.r_mm / static_cast<double>(rough.coarse.size());
-            const Circle circle = circleOf(input.cloud, rough.from_mm, rough.to_mm, mean);
-            const bool eccentric =
-                circle.sigma_mm > 0 && circle.sigma_mm < 1.6 * input.coarse.sigma_mm && circle.offset_mm > 0.05;
-            Element cylinder;
-            cylinder.cylinder = cylinder.rough = true;
-            cylinder.at_mm = (rough.from_mm + rough.to_mm) / 2;
-            cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest_mm > 0 ? circle.crest_mm : mean;
-            cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
-            rough.elements = {cylinder};
-            rough.after = to < walls.size() ? Border::Rough : after;
-            outline.rough.push_back({rough.from_mm, rough.to_mm, eccentric ? circle.offset_mm : 0});
-            stretches.push_back(rough);
+            RoughStretch rough = roughStretch(input, walls, from, to);
+            addQuiet(at, from, rough.lead_in, Border::Rough, true);
+            rough.stretch.after = to < walls.size() || !rough.lead_out.empty() ? Border::Rough : after;
+            outline.rough.push_back({rough.stretch.from_mm, rough.stretch.to_mm, rough.eccentric_mm});
+            stretches.push_back(rough.stretch);
+            lead_out = rough.lead_out;
             at = to;
         }
-        if (at + 2 < walls.size())
-            addStretches(stretches, {walls.begin() + static_cast<std::ptrdiff_t>(at), walls.end()},
-                         (trim_start && at == 0) || at > 0, trim_end, input.form_mm, after, outline.merged, progress);
-        else if (!stretches.empty())
-            stretches.back().after = after;
+        if (!addQuiet(at, walls.size(), {}, after, trim_end) && !stretches.empty()) stretches.back().after = after;
     }
     return stretches;
 }

@@ -17,6 +17,7 @@ struct Stretch {
     double from_mm = 0, to_mm = 0;  ///< of its walls
     Border after = Border::End;     ///< toward larger z
     std::vector<Wall> coarse;       ///< walls that it was made from
+    std::vector<Wall> crests;       ///< of these, those over the crests of a rough zone
 };
 
 /// Chains of one side, those dropped that lie beside a longer one.

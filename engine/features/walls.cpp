@@ -121,6 +121,31 @@ std::vector<Cluster> clustersOf(const MeridianCloud& cloud, const std::uint32_t*
     return clusters;
 }
 
+/// A chain that goes on behind a short hole ends there when other walls fill the hole: those of a narrow groove.
+void splitAtGrooves(std::vector<Chain>& chains, double bin_mm)
+{
+    constexpr double kFilled = 0.4;
+    const double blur = 1.5 * bin_mm;  // both levels are seen in the bins at an edge
+    const auto fills = [&](const Chain& chain, double from, double to) {
+        return chain.zFirst_mm() > from - blur && chain.zLast_mm() < to + blur &&
+               chain.zLast_mm() - chain.zFirst_mm() + bin_mm > kFilled * (to - from);
+    };
+    std::vector<Chain> split;
+    for (const Chain& chain : chains) {
+        auto first = chain.walls.begin();
+        for (auto wall = chain.walls.begin(); wall + 1 < chain.walls.end(); ++wall) {
+            const double from = wall->z_mm, to = (wall + 1)->z_mm;
+            if (to - from <= 2.6 * bin_mm) continue;
+            if (std::none_of(chains.begin(), chains.end(), [&](const Chain& one) { return fills(one, from, to); }))
+                continue;
+            split.push_back({{first, wall + 1}, false});
+            first = wall + 1;
+        }
+        split.push_back({{first, chain.walls.end()}, false});
+    }
+    chains = std::move(split);
+}
+
 /// Share of the sectors that so many points see when they lie evenly about the circle.
 double expectedCoverage(double points)
 {
@@ -253,7 +278,10 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
         chain.walls = {chain.walls.begin() + static_cast<std::ptrdiff_t>(from),
                        chain.walls.begin() + static_cast<std::ptrdiff_t>(to)};
     }
-    std::erase_if(closed, [](const Chain& chain) { return chain.walls.size() < 3; });
+    const auto few = [](const Chain& chain) { return chain.walls.size() < 3; };
+    std::erase_if(closed, few);
+    splitAtGrooves(closed, bin_mm);
+    std::erase_if(closed, few);
     // A bore: over most of its length another chain lies outside it by more than 1 mm.
     for (Chain& chain : closed) {
         std::size_t inside = 0;

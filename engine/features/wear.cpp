@@ -7,20 +7,30 @@
 namespace lathelier::features {
 namespace {
 
-/// Largest deviation of means over five walls from a line over [from, to].
+/// Largest deviation of means over five walls from a line over [from, to]; the last five count though they overlap
+/// those before.
 double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
 {
-    double largest = 0, sum = 0;
-    int count = 0;
-    for (const Wall& wall : run.walls) {
-        if (wall.z_mm < from_mm + 0.1 || wall.z_mm > to_mm - 0.1) continue;
-        sum += wall.r_mm - level - slope * (wall.z_mm - at);
-        if (++count == 5) {
-            largest = std::max(largest, std::abs(sum / 5));
-            sum = count = 0;
-        }
-    }
+    constexpr std::size_t kMean = 5;
+    std::vector<double> offs;
+    for (const Wall& wall : run.walls)
+        if (wall.z_mm >= from_mm + 0.1 && wall.z_mm <= to_mm - 0.1)
+            offs.push_back(wall.r_mm - level - slope * (wall.z_mm - at));
+    double largest = 0;
+    const auto mean = [&](std::size_t first) {
+        double sum = 0;
+        for (std::size_t i = first; i < first + kMean; ++i) sum += offs[i];
+        largest = std::max(largest, std::abs(sum / kMean));
+    };
+    for (std::size_t first = 0; first + kMean <= offs.size(); first += kMean) mean(first);
+    if (offs.size() >= kMean) mean(offs.size() - kMean);
     return largest;
+}
+
+/// How far the direction of the element turns between two places.
+double turnOf(const Element& element, double from_mm, double to_mm)
+{
+    return element.arc ? std::abs(std::atan(element.slopeAt(to_mm)) - std::atan(element.slopeAt(from_mm))) : 0;
 }
 
 /// Is the jump between two pieces a step of the part, and not wear? A jump within the form tolerance is one only
@@ -61,6 +71,10 @@ void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, doubl
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
         for (std::size_t j = pieces.size() - 1; j > i; --j) {
             bool possible = true;
+            for (std::size_t k = i; k <= j && possible; ++k) {
+                const double chord = walls[pieces[k].end - 1].z_mm - walls[pieces[k].begin].z_mm;
+                possible = !pieces[k].arc || chord < kWearBend * pieces[k].radius_mm;
+            }
             for (std::size_t k = i; k < j && possible; ++k) {
                 const MergedJunction join = joins(k);
                 const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump at all
@@ -114,8 +128,10 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
                                 [](const Element& e) { return e.rough; }))
                     continue;
                 const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
-                // What bends is designed, whatever its size.
+                // What bends is designed, whatever its size: a corner, or a fillet that joins without one.
                 bool bends = false;
+                for (std::size_t k = i; k <= j; ++k)
+                    bends |= turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > kWearBend;
                 for (std::size_t k = i; k < j; ++k) {
                     const double z = run.nodes_mm[k + 1];
                     bends |= std::abs(std::atan(run.elements[k + 1].slopeAt(z)) -

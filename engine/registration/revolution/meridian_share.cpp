@@ -137,16 +137,18 @@ double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::
     std::size_t good = 0;
     for (const Place& p : places) {
         const int key = bins.find(p.z, p.r);
-        if (key >= 0) {
-            if (isOnBin(bins, key, p.z, p.r, widest)) ++good;
+        if (key >= 0 && isOnBin(bins, key, p.z, p.r, widest)) {
+            ++good;
             continue;
         }
+        if (key >= 0 && key < bins.wall_count) continue;
         const double place = (p.z - bins.z_start_mm) / bins.step_mm;
         if (place < 0 || place >= bins.side_count) continue;
         const auto b = static_cast<std::size_t>(place);
         if (bins.bins[b].active || bins.bins[b].points <= 0) continue;
         const double reach = std::min(6 * bins.sigma_mm, widest);
-        const bool on_shoulder = p.r > low[b] - reach && p.r < high[b] + reach;
+        // What was taken for a face may be a thread.
+        const bool on_shoulder = key < 0 && p.r > low[b] - reach && p.r < high[b] + reach;
         if (on_shoulder || (rough[b] && std::abs(p.r - bins.bins[b].value) < 4 * bins.bins[b].own_mm)) ++good;
     }
     return static_cast<double>(good) / static_cast<double>(sample.size());

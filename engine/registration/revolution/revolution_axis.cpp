@@ -40,7 +40,11 @@ struct Trial {
     Eigen::Isometry3d pose;
     MeridianBins bins;
     double consistent = -1;
-    double on_bins = -1;  ///< decides between trials
+    double on_bins = -1;
+
+    /// Decides between trials: the share of the points that agree, and of those on bins. The one alone forgives bins
+    /// that hold anything, the other a part that is mostly thread and knurl.
+    double worth() const { return consistent < 0 ? -1 : consistent * on_bins; }
 };
 
 Trial tryCandidate(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& pose, double noise_mm,
@@ -127,7 +131,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     const AxisCandidates candidates = findAxisCandidates(small, progress);
     for (const Eigen::Isometry3d& candidate : candidates.axis_T_scan) {
         const Trial trial = tryCandidate(small, candidate, candidates.noise_mm, progress);
-        if (trial.on_bins > best.on_bins) best = trial;
+        if (trial.worth() > best.worth()) best = trial;
         trials.push_back(trial);
         if ((best.consistent > 0.93 && best.on_bins > 0.6) || ++tried == 4) break;
     }

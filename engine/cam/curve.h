@@ -16,7 +16,8 @@ enum class Touch : std::uint8_t {
     BackRay,  ///< the back edge lies against a place before
     LeadRay,  ///< the main edge lies against a place behind
     Bridge,   ///< the floor of a blade lies on a summit
-    Join      ///< a vertical move between what jumps
+    Join,     ///< a vertical move between what jumps
+    Tailstock ///< insert or holder stand beside the tailstock
 };
 
 /// A line, or an arc that is a function of u, from smaller to larger u (a Join stays at one u).

@@ -6,9 +6,11 @@
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/check/insert_check.h"
+#include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
 #include "engine/cam/post/post.h"
+#include "engine/cam/tool_library.h"
 #include "engine/core/field_within.h"
 #include "engine/stock/stock_codes.h"
 
@@ -166,7 +168,9 @@ private:
 
     void checkSurface(const Clamping& clamping)
     {
-        const DrawnContour drawing(clamping.part, inputs_.correction);
+        const bool has_hole = parameters_.setup != 2 && job_.setup.tailstock;
+        const DrawnContour drawing(clamping.part, inputs_.correction, usualSpacing_mm,
+                                   has_hole ? job_.setup.tailstock->centre_hole_mm / 2 : 0);
         AllStrokes all;
         all.strokes = cutterPath(result_.path.moves, job_, {parameters_.z_zero_mm, false, 0}, result_.notes);
         all.own = all.strokes.size();
@@ -210,6 +214,7 @@ private:
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
         const std::vector<gcode::Move>& moves = result_.path.moves;
+        clamping.bodies.tailstock_from_move = tailstockComes(moves);
         result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
                                      : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);
         const stock::StockResult& met = *result_.stock;
@@ -222,6 +227,14 @@ private:
                 if (const double* number = std::get_if<double>(z)) set(note.values, "z_mm", *number - zero);
             result_.notes.push_back(std::move(note));
         }
+    }
+
+    /// The tailstock comes when its hole was drilled; without a drill in the program it is there from the start.
+    std::size_t tailstockComes(const std::vector<gcode::Move>& moves) const
+    {
+        for (std::size_t i = moves.size(); i-- > 0;)
+            if (const JobTool* tool = job_.tool(moves[i].tool); tool && tool->isDrill()) return i + 1;
+        return 0;
     }
 
     /// The deepest of a block and kind.
@@ -297,13 +310,15 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
     return all;
 }
 
-CheckResult checkTurning(std::string text, const Shaft& part, const Job& job, const CheckParameters& parameters,
+CheckResult checkTurning(std::string text, const Shaft& part, const Job& stated, const CheckParameters& parameters,
                          const CheckInputs& inputs, const Progress& progress)
 {
+    const Job job = withLibrary(stated);
     checkPart(part);
     checkStock(job, part);
     checkTools(job);
-    return Check(part, job, parameters, inputs, progress).run(std::move(text));
+    const Shaft drawn = brokenEdges(part, job.edge_break_mm).part;
+    return Check(drawn, job, parameters, inputs, progress).run(std::move(text));
 }
 
 }  // namespace lathelier::cam

@@ -238,6 +238,8 @@ private:
         };
         for (const SetupPlan& setup : plan.setups) {
             for (const Unreached& unreached : setup.predicted) {
+                if (meets(setup, unreached) && unreached.cause == RestCause::Tailstock && rest.cause == RestCause::Uncut)
+                    rest.cause = RestCause::Tailstock;  // no more can be left than the bar has
                 if (!meets(setup, unreached) || std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
                 rest.cause = unreached.cause;
                 rest.tool = unreached.tool;

@@ -17,6 +17,8 @@
 namespace lathelier::cam {
 namespace {
 
+constexpr std::int32_t mostBlamed = 8;  ///< strokes between those on both sides of a rest
+
 struct Named {
     const char* key;
     Text name;
@@ -69,6 +71,19 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
     read.program = gcode::readProgram(std::move(text), parameters.program.dialect, progress.part(0, 0.5));
     read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
     return read;
+}
+
+/// LinuxCNC counts from its zero before a program has named both axes. Where the tool really stands is unknown: a first
+/// rapid move along Z alone does not lead along the axis.
+std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, gcode::Dialect dialect)
+{
+    if (dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
+    gcode::Move& first = moves.front();
+    const gcode::Move& next = moves[1];
+    if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
+        next.x_mm != 0 && first.z_mm == next.z_mm)
+        first.x_mm = gcode::none;
+    return moves;
 }
 
 /// What belongs to one clamping: part, bar, bodies.
@@ -184,7 +199,10 @@ private:
             result_.gouge_line = found.gouge_line;
         }
         result_.left_max_mm = found.left_max_mm;
-        for (const LeftStretch& stretch : found.left) addRest(stretch, drawing, all);
+        for (const LeftStretch& stretch : found.left) {
+            addRest(stretch, drawing, all);
+            if (result_.rest.back().cause == RestCause::Uncut) blame(stretch, found.clearances, all);
+        }
         for (const InsertBelow& below :
              insertsBelow(result_.path.moves, job_, drawing, parameters_.z_zero_mm, progress_.part(0.5, 0.6)))
             add({below.line, CheckKind::InsertBelowDrawing, below.at.z_mm, below.at.x_mm, below.depth_mm});
@@ -210,10 +228,25 @@ private:
         result_.rest.push_back(rest);
     }
 
+    /// Where nothing hinders the tool, the block at fault stands between those that cut on both sides of the rest.
+    void blame(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
+    {
+        if (stretch.first == 0 || stretch.last + 1 >= clearances.size()) return;
+        const std::int32_t before = clearances[stretch.first - 1].own, after = clearances[stretch.last + 1].own;
+        if (before < 0 || after < 0 || after <= before || after - before > mostBlamed) return;
+        for (auto i = static_cast<std::size_t>(before) + 1; i < static_cast<std::size_t>(after); ++i) {
+            const CutterStroke& stroke = all.strokes[i];
+            if (stroke.tool != all.strokes[static_cast<std::size_t>(before)].tool) continue;
+            result_.rest.back().line = stroke.line;
+            result_.rest.back().tool = stroke.tool;
+            return;
+        }
+    }
+
     void checkBodies(Clamping& clamping)
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
-        const std::vector<gcode::Move>& moves = result_.path.moves;
+        const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program.dialect);
         clamping.bodies.tailstock_from_move = tailstockComes(moves);
         result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
                                      : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);

@@ -144,7 +144,15 @@ TEST(PlantedFaults, DiameterTooSmallByThirtyMicrometres)
                 continue;
             ++planted;
             const CheckResult result = checkedAs(joined(lines), sound);
-            expectFound(result, sound.moves[i].line, {CheckKind::InsertBelowDrawing}, sound.name + " 30 um");
+            if (result.path.has_errors) {  // an arc behind the pass no longer ends on its circle
+                bool is_said = false;
+                for (const gcode::Diagnostic& diagnostic : result.path.diagnostics)
+                    is_said = is_said || (diagnostic.error && std::abs(diagnostic.line - sound.moves[i].line) <= 1);
+                EXPECT_TRUE(is_said) << sound.name;
+                continue;
+            }
+            expectFound(result, sound.moves[i].line, {CheckKind::InsertBelowDrawing},
+                        sound.name + " 30 um " + lines[line] + " / " + lines[line + 1]);
             EXPECT_NEAR(result.gouge_um, 15, 2) << sound.name;
         }
     EXPECT_GT(planted, 8);
@@ -196,7 +204,12 @@ TEST(PlantedFaults, ArcTheOtherWay)
             bool is_found = false;
             for (const CheckFinding& finding : result.findings) is_found = is_found || std::abs(finding.line - move.line) <= 1;
             for (const RestInterval& rest : result.rest) is_found = is_found || std::abs(rest.line - move.line) <= 1;
-            EXPECT_TRUE(is_found) << sound.name << " line " << move.line;
+            std::string all;
+            for (const RestInterval& rest : result.rest)
+                all += fmt::format(" {:.3f}-{:.3f} {:.4f}@{}", rest.z_start_mm, rest.z_end_mm, rest.left_mm, rest.line);
+            for (const CheckFinding& finding : result.findings)
+                all += fmt::format(" {}@{}", key(finding.kind), finding.line);
+            EXPECT_TRUE(is_found) << sound.name << " line " << move.line << ' ' << line << all;
         }
     EXPECT_GT(planted, 10);
 }

@@ -62,8 +62,12 @@ inline std::vector<Move> movesOf(std::istream& printed)
 inline std::vector<Move> movesOfLinuxCnc(const std::string& program, const std::filesystem::path& folder)
 {
     std::ofstream(folder / "program.ngc", std::ios::binary) << program;
-    const std::string command =
-        fmt::format("cd '{}' && {} -g program.ngc printed.txt >messages.txt 2>&1", folder.string(), LATHELIER_RS274);
+    // It refuses tools that are not in its table. Without an INI file it takes the table for inches: nothing but zeros.
+    std::ofstream table(folder / "tools.tbl", std::ios::binary);
+    for (int tool = 1; tool <= 20; ++tool) table << fmt::format("T{0} P{0} X0 Z0 D0\n", tool);
+    table.close();
+    const std::string command = fmt::format("cd '{}' && {} -t tools.tbl -g program.ngc printed.txt >messages.txt 2>&1",
+                                            folder.string(), LATHELIER_RS274);
     const int state = std::system(command.c_str());  // NOLINT(cert-env33-c,concurrency-mt-unsafe): a test of our own
     EXPECT_EQ(state, 0) << program;
     std::ifstream printed(folder / "printed.txt");

@@ -20,9 +20,9 @@ constexpr double kPerKilowatt = 60000;
 const std::string& builtInLibrary(const char* name)
 {
     const std::vector<BuiltInText>& all = builtInLibraries();
-    return std::find_if(all.begin(), all.end(), [name](const BuiltInText& text) {
-               return std::string(name) == text.name;
-           })->text;
+    return std::find_if(all.begin(), all.end(),
+                        [name](const BuiltInText& text) { return std::string(name) == text.name; })
+        ->text;
 }
 
 std::string plainName(const std::string& name)

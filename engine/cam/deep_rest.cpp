@@ -25,8 +25,8 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
     left.radius_mm += cutting.allowance_mm;  // what it leaves everywhere is no rest
     const double fine = finishFeed_mm_rev(*frame.job, finish);
     const double feed = std::max(fine, std::min(cutting.feed_mm_rev, kFeedOverNose * r));
-    Operation result{OperationKind::SemiFinish, finish.number, frame.job->cutting.finish.cutting_speed_m_min,
-                     {},                        {},            {}};
+    Operation result{
+        OperationKind::SemiFinish, finish.number, frame.job->cutting.finish.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(finish));
     WorkStock worked = stock;
     const Curve finished = toolCurve(frame, finish);
@@ -36,8 +36,8 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
         for (const CurvePiece& piece : clipped(finished, rest.z_start_mm - r, rest.z_end_mm + r))
             for (const double share : {0.0, 0.5, 1.0})
                 if (piece.touch != Touch::Join)
-                    deepest = std::max(deepest,
-                                       distanceTo(left.curve, piece.point(share), 1e4) - rough.radius_mm() + r);
+                    deepest =
+                        std::max(deepest, distanceTo(left.curve, piece.point(share), 1e4) - rough.radius_mm() + r);
         const int passes = static_cast<int>(std::ceil(deepest / step - 1e-9));
         for (int i = 1; i < passes; ++i) {
             const double allowance = deepest * (passes - i) / passes;
@@ -51,9 +51,9 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
                 moves.rapid({start.x(), frame.safe_x_mm});
             else
                 moves.rapidZ(start.x());
-            moves.rapidX(std::min(frame.safe_x_mm, worked.reachableFromAbove_mm(finish.number, start.x(),
-                                                                                start.y() + kAbove_mm,
-                                                                                frame.safe_x_mm)));
+            moves.rapidX(std::min(
+                frame.safe_x_mm,
+                worked.reachableFromAbove_mm(finish.number, start.x(), start.y() + kAbove_mm, frame.safe_x_mm)));
             moves.line(start, feed);
             moves.follow(part, feed);
             moves.line(moves.at() + Vector2d(-retract_mm, retract_mm), feed);

@@ -9,9 +9,9 @@ namespace lathelier::cam {
 
 /// A part whose edges are broken.
 struct BrokenEdges {
-    Shaft part;             ///< with a row more for each chamfer
-    std::int64_t count = 0; ///< edges that were broken
-    std::int64_t left = 0;  ///< edges whose face or row is too short for it
+    Shaft part;              ///< with a row more for each chamfer
+    std::int64_t count = 0;  ///< edges that were broken
+    std::int64_t left = 0;   ///< edges whose face or row is too short for it
 };
 
 /// Chamfers with legs of `leg_mm` along and across the axis where a straight row that leans no more than 30° meets a

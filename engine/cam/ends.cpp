@@ -18,7 +18,7 @@ constexpr double kDrillSpeed_m_min = 25;  // of high-speed steel
 constexpr double kSlowRadius_mm = 3;
 constexpr double kOutsideHole_mm = 1;  // facing stops so far outside a centre hole
 constexpr double kLeastFace_mm = 0.5;  // a ring that is less is not worth facing
-constexpr double kPilotShare = 0.4;  // pilot diameter over that of the centre hole
+constexpr double kPilotShare = 0.4;    // pilot diameter over that of the centre hole
 constexpr double kRad = 3.14159265358979323846 / 180;
 
 }  // namespace

@@ -7,8 +7,9 @@
 namespace lathelier::cam {
 
 /// Passes toward the axis with the roughing tool down to faceLeft_mm, at most largestFacing_mm deep, until the nose has
-/// passed the axis; with a tailstock as far as innerEnd_mm() says. Where nothing faces the end afterwards, a last pass at
-/// the feed of finishing takes the rest. None: nothing stands before the part, or the tailstock stands before all of it.
+/// passed the axis; with a tailstock as far as innerEnd_mm() says. Where nothing faces the end afterwards, a last pass
+/// at the feed of finishing takes the rest. None: nothing stands before the part, or the tailstock stands before all of
+/// it.
 std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool);
 
 /// How far down the tip comes on the end face: until the nose has passed the axis; where the tailstock stands, 1 mm

@@ -54,8 +54,8 @@ enum class Hand : std::uint8_t { TowardChuck, FromChuck };
 
 inline constexpr double usualBackMargin_deg = 2;  ///< JobTool::back_margin_deg where it is not stated
 
-/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), a centre drill, or an insert for threads.
-/// What is not stated of an insert or a holder that are named comes from the library (tool_library.h).
+/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), a centre drill, or an insert for
+/// threads. What is not stated of an insert or a holder that are named comes from the library (tool_library.h).
 struct JobTool {
     int number = 0;                                ///< T of the program
     ToolUse use = ToolUse::Rough;                  ///< what it is for
@@ -79,8 +79,8 @@ struct JobTool {
     bool isThreader() const { return use == ToolUse::Thread; }
     bool isBlade() const { return width_mm.has_value() && !isDrill() && !isThreader(); }
     bool isProfile() const { return !isDrill() && !isBlade() && !isThreader(); }  ///< an insert
-    double radius_mm() const;                                    ///< of the nose, or of the corners of a blade
-    double backAngle_deg() const;                                ///< κ' = 180° - κ - ε of an insert; 90 of a blade
+    double radius_mm() const;      ///< of the nose, or of the corners of a blade
+    double backAngle_deg() const;  ///< κ' = 180° - κ - ε of an insert; 90 of a blade
 };
 
 /// Data of roughing.

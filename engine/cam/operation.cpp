@@ -22,11 +22,10 @@ const char* key(OperationKind kind)
 
 Text nameOf(OperationKind kind)
 {
-    static const Text names[]{LT_TEXT("Engine", "face"),   LT_TEXT("Engine", "centre drill"),
-                              LT_TEXT("Engine", "rough"),  LT_TEXT("Engine", "semi-finish"),
-                              LT_TEXT("Engine", "finish"), LT_TEXT("Engine", "finish, opposite hand"),
-                              LT_TEXT("Engine", "groove"), LT_TEXT("Engine", "part off"),
-                              LT_TEXT("Engine", "thread")};
+    static const Text names[]{
+        LT_TEXT("Engine", "face"),        LT_TEXT("Engine", "centre drill"), LT_TEXT("Engine", "rough"),
+        LT_TEXT("Engine", "semi-finish"), LT_TEXT("Engine", "finish"),       LT_TEXT("Engine", "finish, opposite hand"),
+        LT_TEXT("Engine", "groove"),      LT_TEXT("Engine", "part off"),     LT_TEXT("Engine", "thread")};
     return names[static_cast<std::size_t>(kind)];
 }
 

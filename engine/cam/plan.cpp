@@ -238,7 +238,8 @@ private:
         };
         for (const SetupPlan& setup : plan.setups) {
             for (const Unreached& unreached : setup.predicted) {
-                if (meets(setup, unreached) && unreached.cause == RestCause::Tailstock && rest.cause == RestCause::Uncut)
+                if (meets(setup, unreached) && unreached.cause == RestCause::Tailstock &&
+                    rest.cause == RestCause::Uncut)
                     rest.cause = RestCause::Tailstock;  // no more can be left than the bar has
                 if (!meets(setup, unreached) || std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
                 rest.cause = unreached.cause;
@@ -284,8 +285,8 @@ void checkFeeds(const Job& job)
 }
 
 /// Of a part and a job that keep the rules.
-TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inputs,
-                    const TurningParameters& parameters, const Progress& progress)
+TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inputs, const TurningParameters& parameters,
+                    const Progress& progress)
 {
     Planner planner(part, job, inputs, parameters);
     std::optional<TurningPlan> one;
@@ -353,8 +354,7 @@ TurningPlan planTurning(const Shaft& part, const Job& stated, const TurningInput
     noteRanges(job, plan.notes);
     if (job.edge_break_mm > 0)
         plan.notes.push_back(
-            {notes::edgesBroken,
-             {{"edge_break_mm", job.edge_break_mm}, {"count", edges.count}, {"left", edges.left}}});
+            {notes::edgesBroken, {{"edge_break_mm", job.edge_break_mm}, {"count", edges.count}, {"left", edges.left}}});
     return plan;
 }
 

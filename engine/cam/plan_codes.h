@@ -69,9 +69,10 @@ inline constexpr NoteCode feedForRoughness{
 
 inline constexpr NoteCode roughnessNotReached{
     "roughness_not_reached", Severity::Warning,
-    LT_TEXT("Engine",
-            "The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm; at the least feed of {feed_mm_rev:3} "
-            "mm per revolution the ideal Rz of tool {tool} is {ideal_Rz_um:2} µm.")};
+    LT_TEXT(
+        "Engine",
+        "The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm; at the least feed of {feed_mm_rev:3} "
+        "mm per revolution the ideal Rz of tool {tool} is {ideal_Rz_um:2} µm.")};
 
 inline constexpr NoteCode secondClampingAssumed{
     "second_clamping_assumed", Severity::Warning,
@@ -99,9 +100,10 @@ inline constexpr NoteCode threadNotPlanned{
 
 inline constexpr NoteCode threadCut{
     "thread_cut", Severity::Info,
-    LT_TEXT("Engine",
-            "Thread {designation}: pitch {pitch_mm} mm, {passes} passes to a depth of {depth_mm:3} mm; what it takes off "
-            "is not looked at.")};
+    LT_TEXT(
+        "Engine",
+        "Thread {designation}: pitch {pitch_mm} mm, {passes} passes to a depth of {depth_mm:3} mm; what it takes off "
+        "is not looked at.")};
 
 inline constexpr NoteCode edgesBroken{
     "edges_broken", Severity::Info,
@@ -109,8 +111,9 @@ inline constexpr NoteCode edgesBroken{
 
 inline constexpr NoteCode outsideRange{
     "tool_outside_range", Severity::Info,
-    LT_TEXT("Engine", "Tool {tool}: {quantity} of {found} is outside {low} … {high}, the range of its insert "
-                      "({standing}).")};
+    LT_TEXT("Engine",
+            "Tool {tool}: {quantity} of {found} is outside {low} … {high}, the range of its insert "
+            "({standing}).")};
 
 inline constexpr NoteCode partOffLeftOut{
     "part_off_left_out", Severity::Warning,

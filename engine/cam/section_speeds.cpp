@@ -269,8 +269,8 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
         return {section};
     }
     const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
-    const std::optional<double> coefficient = coefficientOf(
-        request.material, finishFeed_mm_rev(clamping.job, tool), tool.entering_angle_deg.value_or(90));
+    const std::optional<double> coefficient =
+        coefficientOf(request.material, finishFeed_mm_rev(clamping.job, tool), tool.entering_angle_deg.value_or(90));
     double begin = 0;
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
         const Cylinder& cylinder = cylinders[i];
@@ -321,10 +321,9 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
     if (!request.spindle) return;
     const double speed = rough.cutting_speed_m_min;
     const JobTool* tool = clamping.job.tool(rough.tool);
-    const std::optional<double> coefficient =
-        coefficientOf(request.material,
-                      tool && tool->feed_mm_rev ? *tool->feed_mm_rev : clamping.job.cutting.rough.feed_mm_rev,
-                      tool ? tool->entering_angle_deg.value_or(90) : 90);
+    const std::optional<double> coefficient = coefficientOf(
+        request.material, tool && tool->feed_mm_rev ? *tool->feed_mm_rev : clamping.job.cutting.rough.feed_mm_rev,
+        tool ? tool->entering_angle_deg.value_or(90) : 90);
     std::size_t count = 0, done = 0;
     Operation part = rough;
     for (std::size_t k = 1; k < rough.moves.size() && count < kMostRoughSpeeds; ++k) {

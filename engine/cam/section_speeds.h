@@ -39,24 +39,24 @@ struct SpeedRequest {
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel model = PartModel::Finished;                                    ///< for finishing
     double max_rpm = 0;                                                       ///< limit of the spindle
-    const WorkMaterial* material = nullptr;  ///< for depths in mm; null: not known
+    const WorkMaterial* material = nullptr;                                   ///< for depths in mm; null: not known
     Shaft whole;  ///< the part as it will be, in this clamping, up to the chuck
 };
 
 /// A stretch of the part with one speed in the finish.
 struct SectionSpeed {
-    double z_start_mm = 0;               ///< from the free end of the clamping
-    double z_end_mm = 0;                 ///< up to here
-    double diameter_mm = 0;              ///< of its cylinder, or the largest
-    std::optional<double> speed_rpm;     ///< fixed; none: constant cutting speed
-    double cutting_speed_m_min = 0;      ///< at the diameter
-    std::optional<double> frequency_hz;  ///< where Re G is least; none: no dynamics
-    int lobe = 0;                        ///< k of the selected speed; 0: none
-    Text reason;                         ///< in words
-    double Rz_um = 0;                    ///< ideal, the worst of its rows
+    double z_start_mm = 0;                  ///< from the free end of the clamping
+    double z_end_mm = 0;                    ///< up to here
+    double diameter_mm = 0;                 ///< of its cylinder, or the largest
+    std::optional<double> speed_rpm;        ///< fixed; none: constant cutting speed
+    double cutting_speed_m_min = 0;         ///< at the diameter
+    std::optional<double> frequency_hz;     ///< where Re G is least; none: no dynamics
+    int lobe = 0;                           ///< k of the selected speed; 0: none
+    Text reason;                            ///< in words
+    double Rz_um = 0;                       ///< ideal, the worst of its rows
     std::optional<double> stable_depth_mm;  ///< where no speed is stable: the depth that would be, at the one kept
-    int setup = 1;                       ///< clamping
-    FrfPtr receptance;                   ///< of the work at that moment, where it is cut; null: no dynamics
+    int setup = 1;                          ///< clamping
+    FrfPtr receptance;                      ///< of the work at that moment, where it is cut; null: no dynamics
 };
 
 /// What the finish of this clamping runs at. Without spindle and stated sections: constant cutting speed.

@@ -217,7 +217,7 @@ private:
             if (!row.Rz_um) continue;
             const double feed = finishFeed_mm_rev(job_, finish, *row.Rz_um);
             const double ideal = idealRz_um(feed, finish.radius_mm(), finish.backAngle_deg());
-            const Values place{{"z_start_mm", begin}, {"z_end_mm", end}, {"Rz_um", *row.Rz_um},
+            const Values place{{"z_start_mm", begin}, {"z_end_mm", end},      {"Rz_um", *row.Rz_um},
                                {"feed_mm_rev", feed}, {"ideal_Rz_um", ideal}, {"tool", std::int64_t{finish.number}}};
             if (ideal > *row.Rz_um * (1 + 1e-9))
                 result_.notes.push_back({notes::roughnessNotReached, place});

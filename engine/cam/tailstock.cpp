@@ -80,7 +80,8 @@ Curve liftedOverTailstock(const Job& job, const JobTool& tool, const Curve& curv
     const Vector2d offset = tipOffset(tool);
     const double first = curve.front().from.x(), last = curve.back().to.x();
     Curve floor = shifted(tailstockFloor(job, tool, first + offset.x(), last + offset.x()), -offset);
-    const double entry = lowestBesideTailstock_mm(job, tool, std::min(front_mm, first + offset.x()), first + offset.x());
+    const double entry =
+        lowestBesideTailstock_mm(job, tool, std::min(front_mm, first + offset.x()), first + offset.x());
     if (entry > kNothing_mm / 2 && entry - offset.y() > curve.front().from.y())
         floor.push_back(lineBetween({first, entry - offset.y()}, {first + kEntry_mm, entry - offset.y()}));
     if (floor.empty()) return curve;

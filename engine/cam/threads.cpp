@@ -23,9 +23,9 @@ constexpr double kSame_mm = 1e-6;
 std::optional<double> coarsePitch_mm(double diameter_mm)
 {
     static constexpr std::pair<double, double> all[]{
-        {3, 0.5},  {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},  {16, 2},
-        {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},   {30, 3.5}, {33, 3.5},  {36, 4},  {39, 4},
-        {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5},   {56, 5.5}, {60, 5.5}, {64, 6},    {68, 6}};
+        {3, 0.5},  {4, 0.7},  {5, 0.8},  {6, 1},  {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2}, {16, 2},
+        {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3}, {27, 3},   {30, 3.5}, {33, 3.5},  {36, 4}, {39, 4},
+        {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}, {56, 5.5}, {60, 5.5}, {64, 6},    {68, 6}};
     for (const auto& [diameter, pitch] : all)
         if (std::abs(diameter - diameter_mm) < kSame_mm) return pitch;
     return {};
@@ -35,8 +35,8 @@ std::optional<double> coarsePitch_mm(double diameter_mm)
 std::optional<double> numberAt(const std::string& text, std::size_t& at)
 {
     std::size_t end = at;
-    while (end < text.size() && (std::isdigit(static_cast<unsigned char>(text[end])) || text[end] == '.' ||
-                                 text[end] == ','))
+    while (end < text.size() &&
+           (std::isdigit(static_cast<unsigned char>(text[end])) || text[end] == '.' || text[end] == ','))
         ++end;
     if (end == at) return {};
     std::string number = text.substr(at, end - at);
@@ -173,10 +173,10 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
     const double square = (depth / kFirstPass_mm) * (depth / kFirstPass_mm);
     result.passes = std::clamp(static_cast<int>(std::ceil(square)), kLeastPasses, kMostPasses);
     result.depth_mm = depth;
-    Operation operation{OperationKind::Thread, tool.number,
-                        kSpeedShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
-    operation.speed_rpm = std::max(
-        1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * kPi * crest))));
+    Operation operation{
+        OperationKind::Thread, tool.number, kSpeedShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
+    operation.speed_rpm =
+        std::max(1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * kPi * crest))));
     operation.reason = thread.designation;
     const double above = crest + kAbove_mm;
     MoveList moves(Eigen::Vector2d(0, 0));

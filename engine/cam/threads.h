@@ -1,5 +1,5 @@
-// External threads of a part, and the passes that cut them: G32 or G33 as the post has it, explicit moves throughout, so
-// that every control makes the same ones.
+// External threads of a part, and the passes that cut them: G32 or G33 as the post has it, explicit moves throughout,
+// so that every control makes the same ones.
 //
 // ISO 68-1, ISO 724: the depth of an external thread is 0.6134 P from the drawn diameter, that of its crest. Pass i of
 // n stands at depth √(i/n) of it, so all take off the same area; the last one is run twice. The tool is straight to the

@@ -93,8 +93,7 @@ const std::vector<Field<LibraryInsert>>& fieldsOf(const LibraryInsert*)
               Label{LT_TEXT("Engine", "Least cutting speed"), help, m_min}),
         field("speed_high_m_min", &I::speed_high_m_min, {0, 1e5},
               Label{LT_TEXT("Engine", "Largest cutting speed"), help, m_min}),
-        field("standing", &I::standing,
-              Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
+        field("standing", &I::standing, Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
     return all;
 }
 
@@ -111,8 +110,7 @@ const std::vector<Field<LibraryHolder>>& fieldsOf(const LibraryHolder*)
               Label{LT_TEXT("Engine", "Hand"), LT_TEXT("Engine", "Direction of its feed.")}),
         rows("holder", &H::holder, {0, 1000},
              Label{LT_TEXT("Engine", "Holder"), LT_TEXT("Engine", "Corners from the tip.")}),
-        field("standing", &H::standing,
-              Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
+        field("standing", &H::standing, Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
     return all;
 }
 

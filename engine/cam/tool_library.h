@@ -17,14 +17,14 @@ namespace lathelier::cam {
 
 /// An insert of the library.
 struct LibraryInsert {
-    double corner_radius_mm = 0;                                ///< r
-    double tip_angle_deg = 0;                                   ///< ε
-    std::optional<double> lead_angle_deg;                       ///< 90° - κ on the usual holder
-    std::optional<double> edge_length_mm;                       ///< of the edge
-    std::optional<double> depth_low_mm, depth_high_mm;          ///< a_p
-    std::optional<double> feed_low_mm_rev, feed_high_mm_rev;    ///< f
-    std::optional<double> speed_low_m_min, speed_high_m_min;    ///< v_c
-    std::string standing;                                       ///< of the ranges: "given" or "assumed"
+    double corner_radius_mm = 0;                              ///< r
+    double tip_angle_deg = 0;                                 ///< ε
+    std::optional<double> lead_angle_deg;                     ///< 90° - κ on the usual holder
+    std::optional<double> edge_length_mm;                     ///< of the edge
+    std::optional<double> depth_low_mm, depth_high_mm;        ///< a_p
+    std::optional<double> feed_low_mm_rev, feed_high_mm_rev;  ///< f
+    std::optional<double> speed_low_m_min, speed_high_m_min;  ///< v_c
+    std::string standing;                                     ///< of the ranges: "given" or "assumed"
     friend bool operator==(const LibraryInsert&, const LibraryInsert&) = default;
 };
 

@@ -28,8 +28,8 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     if (const JobTool* blade = job.part_off ? job.partingBlade() : nullptr)
         frame.contour = extendedBy(frame.contour, blade->width_mm.value_or(0) + kBeyondBlade_mm);
     for (const ContourPiece& piece : frame.contour.pieces)
-        frame.Rz_um.push_back(
-            piece.row >= 0 ? part.segments.at(static_cast<std::size_t>(piece.row)).Rz_um.value_or(0) : 0);
+        frame.Rz_um.push_back(piece.row >= 0 ? part.segments.at(static_cast<std::size_t>(piece.row)).Rz_um.value_or(0)
+                                             : 0);
     frame.end_mm = frame.contour.pieces.back().to_mm.x();
     frame.stock_radius_mm = job.stock.diameter_mm / 2;
     frame.face_mm = job.stock.face_allowance_mm;
@@ -88,8 +88,8 @@ Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm
 {
     Curve curve;
     if (tool.isBlade()) {
-        curve = bladeCurve(frame.contour, tool.corner_radius_mm, *tool.width_mm - 2 * tool.corner_radius_mm,
-                           allowance_mm);
+        curve =
+            bladeCurve(frame.contour, tool.corner_radius_mm, *tool.width_mm - 2 * tool.corner_radius_mm, allowance_mm);
     } else if (tool.hand == Hand::TowardChuck) {
         curve = noseCurve(frame.contour, wedgeOf(tool), allowance_mm);
     } else {

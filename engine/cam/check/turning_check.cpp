@@ -233,14 +233,11 @@ private:
     {
         if (stretch.first == 0 || stretch.last + 1 >= clearances.size()) return;
         const std::int32_t before = clearances[stretch.first - 1].own, after = clearances[stretch.last + 1].own;
-        if (before < 0 || after < 0 || after <= before || after - before > mostBlamed) return;
-        for (auto i = static_cast<std::size_t>(before) + 1; i < static_cast<std::size_t>(after); ++i) {
-            const CutterStroke& stroke = all.strokes[i];
-            if (stroke.tool != all.strokes[static_cast<std::size_t>(before)].tool) continue;
-            result_.rest.back().line = stroke.line;
-            result_.rest.back().tool = stroke.tool;
-            return;
-        }
+        if (before < 0 || after < before || after - before > mostBlamed) return;
+        // Without one between them it is one of both.
+        const auto fault = static_cast<std::size_t>(std::min(before + 1, after));
+        result_.rest.back().line = all.strokes[fault].line;
+        result_.rest.back().tool = all.strokes[fault].tool;
     }
 
     void checkBodies(Clamping& clamping)

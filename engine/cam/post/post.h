@@ -79,8 +79,8 @@ Post readPost(const std::string& json, Notes& notes);
 std::string postText(const Post& post);
 
 /// The text with the codes of Fanuc's system B replaced by those of system A, line by line: G90 is left out, G92 S
-/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. What has no such counterpart (G91) stays, and is then read as system
-/// A has it.
+/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. What has no such counterpart (G91) stays, and is
+/// then read as system A has it.
 std::string asSystemA(const std::string& text);
 
 /// Names of the posts that are built in, and one of them. Error postUnknown naming them.

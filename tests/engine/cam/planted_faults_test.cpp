@@ -37,8 +37,8 @@ bool shiftWord(std::string& line, char address, double by)
     const std::size_t at = line.find(address);
     if (at == std::string::npos || at > comment) return false;
     std::size_t end = at + 1;
-    while (end < line.size() && (std::isdigit(static_cast<unsigned char>(line[end])) || line[end] == '.' ||
-                                 line[end] == '-'))
+    while (end < line.size() &&
+           (std::isdigit(static_cast<unsigned char>(line[end])) || line[end] == '.' || line[end] == '-'))
         ++end;
     const double value = std::stod(line.substr(at + 1, end - at - 1)) + by;
     line.replace(at + 1, end - at - 1, fmt::format("{:.3f}", value));
@@ -188,7 +188,8 @@ TEST(PlantedFaults, ArcTheOtherWay)
     int planted = 0;
     for (const Sound& sound : soundPrograms())
         for (const gcode::Move& move : sound.moves) {
-            if (move.kind != gcode::MoveKind::Arc || sound.operations[sound.operationOf(move.line)].kind != OperationKind::Finish)
+            if (move.kind != gcode::MoveKind::Arc ||
+                sound.operations[sound.operationOf(move.line)].kind != OperationKind::Finish)
                 continue;
             // An arc that is worth seeing: its other half stands off by more than 0.05 mm.
             const gcode::Move& before = *(&move - 1);
@@ -202,7 +203,8 @@ TEST(PlantedFaults, ArcTheOtherWay)
             ++planted;
             const CheckResult result = checkedAs(joined(lines), sound);
             bool is_found = false;
-            for (const CheckFinding& finding : result.findings) is_found = is_found || std::abs(finding.line - move.line) <= 1;
+            for (const CheckFinding& finding : result.findings)
+                is_found = is_found || std::abs(finding.line - move.line) <= 1;
             for (const RestInterval& rest : result.rest) is_found = is_found || std::abs(rest.line - move.line) <= 1;
             std::string all;
             for (const RestInterval& rest : result.rest)

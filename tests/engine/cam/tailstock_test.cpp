@@ -93,7 +93,7 @@ TEST(Tailstock, CheckFindsAMoveIntoItOnlyAfterItCame)
     const TurningPlan plan = planned(job, "fanuc_a");
     const std::string& text = plan.setups[0].text;
     // The finish comes down to X4 before the face: into the centre.
-    const std::size_t finish = text.find("(FINISH)"), down = text.find("\nN", text.find(" X", text.find(" Z", finish)) );
+    const std::size_t finish = text.find("(FINISH)"), down = text.find("\nN", text.find(" X", text.find(" Z", finish)));
     ASSERT_NE(down, std::string::npos);
     std::string wrong = text;
     wrong.insert(down, "\nG0 X3.");

@@ -34,6 +34,10 @@ inline constexpr ErrorCode toolIncomplete{"tool_incomplete", ErrorKind::InputRej
 inline constexpr ErrorCode toolMissing{"tool_missing", ErrorKind::InputRejected,
                                        LT_TEXT("Engine", "The job has no tool for {use}.")};
 
+inline constexpr ErrorCode toolNotInLibrary{
+    "tool_not_in_library", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "Tool {tool}: “{found}” is not in the library; expected one of: {expected}.")};
+
 inline constexpr ErrorCode toolTooShort{
     "tool_too_short", ErrorKind::InputRejected,
     LT_TEXT("Engine", "Blade {tool} reaches {reach_mm} mm; parting off needs {needed_mm} mm.")};

@@ -13,6 +13,11 @@ constexpr double kSame_mm = 1e-9;
 
 }  // namespace
 
+bool isToleranced(const ShaftSegment& row)
+{
+    return row.tolerance.has_value() || row.tolerance_um.has_value();
+}
+
 Clamping wholeClamping(const Shaft& part, const Job& job)
 {
     Clamping clamping;
@@ -21,6 +26,7 @@ Clamping wholeClamping(const Shaft& part, const Job& job)
     clamping.finished_to_mm = part.length_mm();
     clamping.parts_off = job.part_off;
     clamping.part_off_z_mm = part.length_mm();
+    clamping.threads = threadsOf(part);
     return clamping;
 }
 
@@ -72,7 +78,7 @@ std::optional<Grip> gripBefore(const Shaft& part, const Job& job, double split_m
         const double to = std::min(end, split_mm) - jawsFromShoulder_mm, length = to - begin;
         if (is_cylinder && length > 0) {
             longest = std::max(longest, length);
-            const bool toleranced = row.tolerance.has_value();
+            const bool toleranced = isToleranced(row);
             const bool better = !best || (best->has_tolerance && !toleranced) ||
                                 (best->has_tolerance == toleranced && length > best->to_mm - best->from_mm);
             if (length >= needed && better) best = Grip{begin, to, toleranced};
@@ -105,6 +111,11 @@ std::vector<Clamping> twoClampings(const Shaft& part, const Job& job, double spl
     second.job.sections.clear();
     second.finished_to_mm = length - split_mm;
     first.job.part_off = second.job.part_off = false;
+    for (const DrawnThread& thread : threadsOf(part))
+        if ((thread.z_start_mm + thread.z_end_mm) / 2 < split_mm)
+            first.threads.push_back(thread);
+        else
+            second.threads.push_back(mirrored({thread}, length).front());
     return {std::move(first), std::move(second)};
 }
 

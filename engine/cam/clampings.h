@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/cam/job.h"
+#include "engine/cam/threads.h"
 
 namespace lathelier::cam {
 
@@ -17,12 +18,13 @@ inline constexpr double leastGripLength_mm = 15;  ///< of the second clamping, w
 
 /// One clamping of a plan.
 struct Clamping {
-    bool is_mirrored = false;   ///< seen from the other end
-    Shaft part;                 ///< what is turned, from this clamping's free end; may end within the part
-    Job job;                    ///< with this clamping's chuck; parting off left to the plan
-    double finished_to_mm = 0;  ///< z up to which this clamping finishes the drawing, from its free end
-    bool parts_off = false;     ///< the work is cut off at its end
-    double part_off_z_mm = 0;   ///< z of the end where it is cut off
+    bool is_mirrored = false;          ///< seen from the other end
+    Shaft part;                        ///< what is turned, from this clamping's free end; may end within the part
+    Job job;                           ///< with this clamping's chuck; parting off left to the plan
+    double finished_to_mm = 0;         ///< z up to which this clamping finishes the drawing, from its free end
+    bool parts_off = false;            ///< the work is cut off at its end
+    double part_off_z_mm = 0;          ///< z of the end where it is cut off
+    std::vector<DrawnThread> threads;  ///< to be cut in this clamping, from its free end
 };
 
 /// The grip of the second clamping, z of the whole part from its drawn free end.
@@ -33,6 +35,9 @@ struct Grip {
 
 /// All of the part in the clamping of the job.
 Clamping wholeClamping(const Shaft& part, const Job& job);
+
+/// Does the drawing state limits of its diameter?
+bool isToleranced(const ShaftSegment& row);
 
 /// z of the split; none: the part has one row only.
 std::optional<double> splitOf(const Shaft& part);

@@ -11,12 +11,13 @@ namespace lathelier::cam {
 
 /// What of the part a piece of a curve goes back to.
 enum class Touch : std::uint8_t {
-    Element,  ///< a line or an arc of the contour, which the nose touches all along
-    Vertex,   ///< a corner of the contour, around which the nose rolls
-    BackRay,  ///< the back edge lies against a place before
-    LeadRay,  ///< the main edge lies against a place behind
-    Bridge,   ///< the floor of a blade lies on a summit
-    Join      ///< a vertical move between what jumps
+    Element,   ///< a line or an arc of the contour, which the nose touches all along
+    Vertex,    ///< a corner of the contour, around which the nose rolls
+    BackRay,   ///< the back edge lies against a place before
+    LeadRay,   ///< the main edge lies against a place behind
+    Bridge,    ///< the floor of a blade lies on a summit
+    Join,      ///< a vertical move between what jumps
+    Tailstock  ///< insert or holder stand beside the tailstock
 };
 
 /// A line, or an arc that is a function of u, from smaller to larger u (a Join stays at one u).

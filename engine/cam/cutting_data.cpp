@@ -15,7 +15,17 @@ constexpr double kRad = 3.14159265358979323846 / 180;
 constexpr double kUm = 1000;
 constexpr double kPerKilowatt = 60000;
 
-std::string plain(const std::string& name)
+}  // namespace
+
+const std::string& builtInLibrary(const char* name)
+{
+    const std::vector<BuiltInText>& all = builtInLibraries();
+    return std::find_if(all.begin(), all.end(),
+                        [name](const BuiltInText& text) { return std::string(name) == text.name; })
+        ->text;
+}
+
+std::string plainName(const std::string& name)
 {
     std::string result;
     for (const char c : name)
@@ -23,8 +33,6 @@ std::string plain(const std::string& name)
             result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
-
-}  // namespace
 
 const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*)
 {
@@ -47,14 +55,14 @@ const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*)
 const std::vector<LibraryEntry<WorkMaterial>>& workMaterials()
 {
     static const std::vector<LibraryEntry<WorkMaterial>> all =
-        io::readLibrary<WorkMaterial>(builtInLibraries().at(0).text, "work_materials");
+        io::readLibrary<WorkMaterial>(builtInLibrary("work_materials"), "work_materials");
     return all;
 }
 
 const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name)
 {
     for (const LibraryEntry<WorkMaterial>& entry : workMaterials())
-        if (plain(entry.key) == plain(name) || plain(entry.value.name) == plain(name)) return &entry;
+        if (plainName(entry.key) == plainName(name) || plainName(entry.value.name) == plainName(name)) return &entry;
     return nullptr;
 }
 
@@ -85,6 +93,19 @@ double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_d
         (circle < edge ? low : high) = h;
     }
     return kUm * (low + high) / 2;
+}
+
+double feedForRz_mm_rev(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev)
+{
+    const auto fits = [&](double feed) { return idealRz_um(feed, nose_radius_mm, back_angle_deg) <= Rz_um; };
+    if (fits(most_mm_rev)) return most_mm_rev;
+    double low = 0, high = most_mm_rev;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (low + high) / 2;
+        (fits(middle) ? low : high) = middle;
+    }
+    return low;
 }
 
 }  // namespace lathelier::cam

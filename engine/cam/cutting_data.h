@@ -25,6 +25,9 @@ struct WorkMaterial {
 
 const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*);
 
+/// Letters and digits of a name, small: "CNMG 120408" and "cnmg_120408" are the same.
+std::string plainName(const std::string& name);
+
 /// The library that is built in.
 const std::vector<LibraryEntry<WorkMaterial>>& workMaterials();
 /// By name or key, letter case and hyphens aside; null: there is none.
@@ -37,5 +40,8 @@ double cuttingPower_kW(const WorkMaterial& material, double depth_mm, double fee
 /// Ideal Rz in µm. `back_angle_deg`: κ' of the insert, margin not taken off; 90: no straight edge in the way. NaN where
 /// f ≥ 2 r and nothing trims.
 double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg = 90);
+
+/// The largest feed up to `most_mm_rev` whose ideal Rz is no more than `Rz_um`.
+double feedForRz_mm_rev(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev);
 
 }  // namespace lathelier::cam

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cam/tailstock.h"
+
 namespace lathelier::cam {
 namespace {
 
@@ -14,30 +16,40 @@ constexpr double kPartingFeed_mm_rev = 0.08;
 constexpr double kPartingShare = 0.475;   // of the cutting speed of roughing
 constexpr double kDrillSpeed_m_min = 25;  // of high-speed steel
 constexpr double kSlowRadius_mm = 3;
-constexpr double kPilotShare = 0.4;  // pilot diameter over that of the centre hole
+constexpr double kOutsideHole_mm = 1;  // facing stops so far outside a centre hole
+constexpr double kLeastFace_mm = 0.5;  // a ring that is less is not worth facing
+constexpr double kPilotShare = 0.4;    // pilot diameter over that of the centre hole
 constexpr double kRad = 3.14159265358979323846 / 180;
 
 }  // namespace
 
+double innerEnd_mm(const WorkFrame& frame, const JobTool& tool)
+{
+    if (!frame.has_tailstock) return -tool.radius_mm();
+    return std::max(frame.job->setup.tailstock->centre_hole_mm / 2 + kOutsideHole_mm,
+                    lowestBesideTailstock_mm(*frame.job, tool, -frame.face_mm - approach_mm, 0));
+}
+
 std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool)
 {
-    const double away = frame.face_mm - faceLeft_mm;
-    if (!(away > 1e-6)) return {};
+    const double away = frame.face_mm - faceLeft_mm, inner = innerEnd_mm(frame, tool);
+    const bool is_last = !frame.faces_end && frame.face_mm > 1e-6;  // down to the finished face
+    if ((!(away > 1e-6) && !is_last) || inner > frame.stock_radius_mm - kLeastFace_mm) return {};
     const RoughCutting& rough = frame.job->cutting.rough;
     Operation result{OperationKind::Face, tool.number, rough.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(tool));
     const double feed = std::min(kFacingFeed_mm_rev, tool.feed_mm_rev.value_or(rough.feed_mm_rev));
-    const double inner =
-        frame.job->setup.tailstock ? frame.job->setup.tailstock->centre_hole_mm / 2 + 1 : -tool.radius_mm();
-    const int passes = static_cast<int>(std::ceil(away / std::min(rough.depth_mm, largestFacing_mm) - 1e-9));
+    const int passes =
+        std::max(0, static_cast<int>(std::ceil(away / std::min(rough.depth_mm, largestFacing_mm) - 1e-9)));
     moves.rapid({-frame.face_mm - clearance_mm, frame.safe_x_mm});
-    for (int i = 1; i <= passes; ++i) {
-        const double z = -frame.face_mm + away * i / passes;
+    const auto pass = [&](double z, double along) {
         moves.rapidZ(z);
-        moves.line({z, inner}, feed);
-        moves.line({z - retract_mm, inner}, feed);
+        moves.line({z, inner}, along);
+        moves.line({z - retract_mm, inner}, along);
         moves.rapidX(frame.safe_x_mm);
-    }
+    };
+    for (int i = 1; i <= passes; ++i) pass(-frame.face_mm + away * i / passes, feed);
+    if (is_last) pass(0, std::min(feed, frame.job->cutting.finish.feed_mm_rev));
     result.moves = moves.taken();
     return result;
 }

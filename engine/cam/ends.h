@@ -7,8 +7,14 @@
 namespace lathelier::cam {
 
 /// Passes toward the axis with the roughing tool down to faceLeft_mm, at most largestFacing_mm deep, until the nose has
-/// passed the axis; with a tailstock to 1 mm outside its centre hole. None: nothing stands before the part.
+/// passed the axis; with a tailstock as far as innerEnd_mm() says. Where nothing faces the end afterwards, a last pass
+/// at the feed of finishing takes the rest. None: nothing stands before the part, or the tailstock stands before all of
+/// it.
 std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool);
+
+/// How far down the tip comes on the end face: until the nose has passed the axis; where the tailstock stands, 1 mm
+/// outside its centre hole, and no farther than insert and holder keep clear of it.
+double innerEnd_mm(const WorkFrame& frame, const JobTool& tool);
 
 /// Down to a cone of the tailstock's centre hole: pilot length and half the difference of diameters over tan 30°.
 /// None: no tailstock or no drill. Nothing faces the end afterwards.

@@ -24,7 +24,8 @@ const std::vector<FieldChoice>& useChoices()
                                               {"finish_back", LT_TEXT("Engine", "finishing from the chuck")},
                                               {"groove", LT_TEXT("Engine", "grooving")},
                                               {"part_off", LT_TEXT("Engine", "parting off")},
-                                              {"centre_drill", LT_TEXT("Engine", "centre drilling")}};
+                                              {"centre_drill", LT_TEXT("Engine", "centre drilling")},
+                                              {"thread", LT_TEXT("Engine", "threading")}};
     return all;
 }
 
@@ -140,6 +141,11 @@ const std::vector<Field<JobTool>>& fieldsOf(const JobTool*)
               required(LT_TEXT("Engine", "Tool number"), LT_TEXT("Engine", "As the program calls it."))),
         field("use", &T::use, useChoices(), required(LT_TEXT("Engine", "Use"), LT_TEXT("Engine", "What it is for."))),
         field("name", &T::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "Of insert and holder.")}),
+        field("insert", &T::insert,
+              Label{LT_TEXT("Engine", "Insert"), LT_TEXT("Engine", "ISO code from the library, such as CNMG 120408.")}),
+        field("holder_name", &T::holder_name,
+              Label{LT_TEXT("Engine", "Holder's code"),
+                    LT_TEXT("Engine", "ISO code from the library, such as PCLNL 2525M12.")}),
         field("nose_radius_mm", &T::nose_radius_mm, {0, 100},
               Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of an insert."), mm}),
         field("entering_angle_deg", &T::entering_angle_deg, {1, 178},

@@ -44,9 +44,9 @@ struct JobSetup {
     friend bool operator==(const JobSetup&, const JobSetup&) = default;
 };
 
-enum class ToolUse : std::uint8_t { Rough, Finish, FinishBack, Groove, PartOff, CentreDrill };
+enum class ToolUse : std::uint8_t { Rough, Finish, FinishBack, Groove, PartOff, CentreDrill, Thread };
 
-/// "rough", "finish", "finish_back", "groove", "part_off", "centre_drill".
+/// "rough", "finish", "finish_back", "groove", "part_off", "centre_drill", "thread".
 const char* key(ToolUse use);
 Text nameOf(ToolUse use);
 
@@ -54,11 +54,14 @@ enum class Hand : std::uint8_t { TowardChuck, FromChuck };
 
 inline constexpr double usualBackMargin_deg = 2;  ///< JobTool::back_margin_deg where it is not stated
 
-/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), or a centre drill.
+/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), a centre drill, or an insert for
+/// threads. What is not stated of an insert or a holder that are named comes from the library (tool_library.h).
 struct JobTool {
     int number = 0;                                ///< T of the program
     ToolUse use = ToolUse::Rough;                  ///< what it is for
     std::string name;                              ///< of insert and holder, for people
+    std::string insert;                            ///< ISO code of an insert in the library; empty: none
+    std::string holder_name;                       ///< ISO code of a holder in the library; empty: none
     std::optional<double> nose_radius_mm;          ///< r of an insert
     std::optional<double> entering_angle_deg;      ///< κ of an insert, from the direction of its feed
     std::optional<double> tip_angle_deg;           ///< ε of an insert; the point of a drill
@@ -73,10 +76,11 @@ struct JobTool {
     friend bool operator==(const JobTool&, const JobTool&) = default;
 
     bool isDrill() const { return use == ToolUse::CentreDrill; }
-    bool isBlade() const { return width_mm.has_value() && !isDrill(); }
-    bool isProfile() const { return !isDrill() && !isBlade(); }  ///< an insert
-    double radius_mm() const;                                    ///< of the nose, or of the corners of a blade
-    double backAngle_deg() const;                                ///< κ' = 180° - κ - ε of an insert; 90 of a blade
+    bool isThreader() const { return use == ToolUse::Thread; }
+    bool isBlade() const { return width_mm.has_value() && !isDrill() && !isThreader(); }
+    bool isProfile() const { return !isDrill() && !isBlade() && !isThreader(); }  ///< an insert
+    double radius_mm() const;      ///< of the nose, or of the corners of a blade
+    double backAngle_deg() const;  ///< κ' = 180° - κ - ε of an insert; 90 of a blade
 };
 
 /// Data of roughing.

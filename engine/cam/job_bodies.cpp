@@ -10,6 +10,7 @@ namespace {
 constexpr double kSlenderBeam_mm = 0.1;  // least diameter that a beam takes
 
 constexpr double leastGrip_mm = 10;  ///< of a bar whose length is not stated
+constexpr double kThreadNose_mm = 0.05, kThreadAngle_deg = 60, kThreadEdge_mm = 5;  ///< of an insert for threads
 
 }  // namespace
 
@@ -34,7 +35,12 @@ stock::TurningTool turningTool(const JobTool& tool, const Job& job)
     result.name = tool.name;
     result.holder = tool.holder;
     result.tip = tool.hand == Hand::FromChuck && tool.isProfile() ? 4 : 3;
-    if (tool.isDrill()) {
+    if (tool.isThreader()) {
+        result.tip = 8;  // straight to the axis
+        result.corner_radius_mm = tool.nose_radius_mm.value_or(kThreadNose_mm);
+        result.tip_angle_deg = tool.tip_angle_deg.value_or(kThreadAngle_deg);
+        result.edge_length_mm = tool.edge_length_mm.value_or(kThreadEdge_mm);
+    } else if (tool.isDrill()) {
         result.shape = stock::ToolShape::Drill;
         result.width_mm = tool.width_mm.value_or(job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : 5);
         result.tip_angle_deg = tool.tip_angle_deg.value_or(60);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/cam/tool_library.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/io/json/json_head.h"
@@ -36,7 +37,7 @@ Job readJob(const std::string& json, Notes& notes)
     cutting.at("finish", LT_TEXT("Engine", "the data of finishing"));
     auto job = io::readFields<Job>(root, notes, {"shaft"});
     if (const auto shaft = root.member("shaft")) job.shaft = io::readShaft(*shaft, notes);
-    return job;
+    return withLibrary(std::move(job));
 }
 
 std::string jobText(const Job& job)

@@ -11,7 +11,8 @@ namespace lathelier::cam {
 
 /// Corners ("holder", "keep_out") may be lists of two numbers. Errors with line and column: malformed, keyMissing
 /// (stock.diameter_mm, setup.chuck_face_z_mm, tools, cutting.rough, cutting.finish), keyOutOfRange. Notes: unknownKey.
-/// What job_rules.h looks at is not looked at here.
+/// Tools are filled from the library (tool_library.h): toolNotInLibrary. What job_rules.h looks at is not looked at
+/// here.
 Job readJob(const std::string& json, Notes& notes);
 
 /// The text of a file that readJob() reads to the same bits.

@@ -15,17 +15,17 @@ constexpr double kPi = 3.14159265358979323846;
 
 const char* key(OperationKind kind)
 {
-    static constexpr const char* keys[]{"face",   "centre_drill", "rough",  "semi_finish",
-                                        "finish", "finish_back",  "groove", "part_off"};
+    static constexpr const char* keys[]{"face",        "centre_drill", "rough",    "semi_finish", "finish",
+                                        "finish_back", "groove",       "part_off", "thread"};
     return keys[static_cast<std::size_t>(kind)];
 }
 
 Text nameOf(OperationKind kind)
 {
-    static const Text names[]{LT_TEXT("Engine", "face"),   LT_TEXT("Engine", "centre drill"),
-                              LT_TEXT("Engine", "rough"),  LT_TEXT("Engine", "semi-finish"),
-                              LT_TEXT("Engine", "finish"), LT_TEXT("Engine", "finish, opposite hand"),
-                              LT_TEXT("Engine", "groove"), LT_TEXT("Engine", "part off")};
+    static const Text names[]{
+        LT_TEXT("Engine", "face"),        LT_TEXT("Engine", "centre drill"), LT_TEXT("Engine", "rough"),
+        LT_TEXT("Engine", "semi-finish"), LT_TEXT("Engine", "finish"),       LT_TEXT("Engine", "finish, opposite hand"),
+        LT_TEXT("Engine", "groove"),      LT_TEXT("Engine", "part off"),     LT_TEXT("Engine", "thread")};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -54,27 +54,49 @@ void MoveList::line(const Vector2d& tip, double feed_mm_rev)
     moves_.push_back(move);
 }
 
+void MoveList::thread(const Vector2d& tip, double lead_mm)
+{
+    CutMove move;
+    move.kind = CutKind::Thread;
+    move.to = at_ = tip;
+    move.feed_mm_rev = lead_mm;
+    moves_.push_back(move);
+}
+
 void MoveList::follow(const Curve& curve, double feed_mm_rev, bool backwards)
+{
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        follow(backwards ? curve[curve.size() - 1 - i] : curve[i], feed_mm_rev, backwards);
+}
+
+void MoveList::follow(const Curve& curve, const std::vector<double>& feeds_mm_rev, double other_mm_rev, bool backwards)
 {
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const CurvePiece& piece = backwards ? curve[curve.size() - 1 - i] : curve[i];
-        const Vector2d& from = backwards ? piece.to : piece.from;
-        const Vector2d& to = backwards ? piece.from : piece.to;
-        line(from + offset_, feed_mm_rev);
-        if (!piece.isArc()) {
-            line(to + offset_, feed_mm_rev);
-            continue;
-        }
-        if ((to + offset_ - at_).norm() < kLeast_mm) continue;
-        CutMove move;
-        move.kind = CutKind::Arc;
-        move.to = at_ = to + offset_;
-        move.centre = piece.centre + offset_;
-        // Z points away from the chuck: over an upper half toward the chuck the path runs anticlockwise there.
-        move.clockwise = (piece.radius_mm > 0) == backwards;
-        move.feed_mm_rev = feed_mm_rev;
-        moves_.push_back(move);
+        const auto source = static_cast<std::size_t>(piece.source);
+        follow(piece, piece.source >= 0 && source < feeds_mm_rev.size() ? feeds_mm_rev[source] : other_mm_rev,
+               backwards);
     }
+}
+
+void MoveList::follow(const CurvePiece& piece, double feed_mm_rev, bool backwards)
+{
+    const Vector2d& from = backwards ? piece.to : piece.from;
+    const Vector2d& to = backwards ? piece.from : piece.to;
+    line(from + offset_, feed_mm_rev);
+    if (!piece.isArc()) {
+        line(to + offset_, feed_mm_rev);
+        return;
+    }
+    if ((to + offset_ - at_).norm() < kLeast_mm) return;
+    CutMove move;
+    move.kind = CutKind::Arc;
+    move.to = at_ = to + offset_;
+    move.centre = piece.centre + offset_;
+    // Z points away from the chuck: over an upper half toward the chuck the path runs anticlockwise there.
+    move.clockwise = (piece.radius_mm > 0) == backwards;
+    move.feed_mm_rev = feed_mm_rev;
+    moves_.push_back(move);
 }
 
 std::vector<Vector2d> chordsOf(const Vector2d& from, const CutMove& move, double chord_mm)

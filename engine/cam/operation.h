@@ -14,13 +14,23 @@
 
 namespace lathelier::cam {
 
-enum class OperationKind : std::uint8_t { Face, CentreDrill, Rough, SemiFinish, Finish, FinishBack, Groove, PartOff };
+enum class OperationKind : std::uint8_t {
+    Face,
+    CentreDrill,
+    Rough,
+    SemiFinish,
+    Finish,
+    FinishBack,
+    Groove,
+    PartOff,
+    Thread
+};
 
-/// "face", "centre_drill", "rough", "semi_finish", "finish", "finish_back", "groove", "part_off".
+/// "face", "centre_drill", "rough", "semi_finish", "finish", "finish_back", "groove", "part_off", "thread".
 const char* key(OperationKind kind);
 Text nameOf(OperationKind kind);
 
-enum class CutKind : std::uint8_t { Rapid, Line, Arc };
+enum class CutKind : std::uint8_t { Rapid, Line, Arc, Thread };
 
 /// One move to a place.
 struct CutMove {
@@ -28,7 +38,7 @@ struct CutMove {
     Eigen::Vector2d to = Eigen::Vector2d::Zero();      ///< of the tip
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of an arc of the tip
     bool clockwise = false;                            ///< of an arc: G2, seen with Z to the right and X upward
-    double feed_mm_rev = 0;                            ///< of feed moves
+    double feed_mm_rev = 0;                            ///< of feed moves; the lead of a thread
     std::optional<double> speed_rpm{};                 ///< from this move on, where it changes
 };
 
@@ -54,8 +64,12 @@ public:
     void rapidX(double x_mm) { rapid({at_.x(), x_mm}); }
     void rapidZ(double z_mm) { rapid({z_mm, at_.y()}); }
     void line(const Eigen::Vector2d& tip, double feed_mm_rev);
+    void thread(const Eigen::Vector2d& tip, double lead_mm);
     /// Along a curve of the centre, from its start or, `backwards`, from its end; first in a line to that place.
     void follow(const Curve& curve, double feed_mm_rev, bool backwards = false);
+    /// The same with a feed for each piece of the contour, by CurvePiece::source.
+    void follow(const Curve& curve, const std::vector<double>& feeds_mm_rev, double other_mm_rev,
+                bool backwards = false);
 
     const Eigen::Vector2d& at() const { return at_; }
     const Eigen::Vector2d& offset() const { return offset_; }
@@ -64,6 +78,8 @@ public:
     std::vector<CutMove>& moves() { return moves_; }
 
 private:
+    void follow(const CurvePiece& piece, double feed_mm_rev, bool backwards);
+
     std::vector<CutMove> moves_;
     Eigen::Vector2d offset_;
     Eigen::Vector2d at_ = Eigen::Vector2d::Zero();

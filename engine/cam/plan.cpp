@@ -4,20 +4,22 @@
 #include <cmath>
 
 #include "engine/cam/cutting_data.h"
+#include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_head.h"
 #include "engine/cam/post/program_writer.h"
+#include "engine/cam/tool_library.h"
 #include "engine/cam/work_frame.h"
 #include "engine/gcode/program_time.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double kAssumedLimit_rpm = 3000;
 constexpr double kUmPerMm = 1000;
 constexpr double kMm3PerCm3 = 1000;
+constexpr double kFace_mm = 0.02;  ///< of the end face, along z
 
 class Planner {
 public:
@@ -33,7 +35,7 @@ public:
         plan.part = part_;
         plan.job = job_;
         plan.post = inputs_.post.name;
-        if (!job_.max_rpm) plan.notes.push_back({notes::speedLimitAssumed, {{"max_rpm", kAssumedLimit_rpm}}});
+        if (!job_.max_rpm) plan.notes.push_back({notes::speedLimitAssumed, {{"max_rpm", assumedLimit_rpm}}});
         std::optional<WorkStock> left;
         const double share = 1.0 / static_cast<double>(clampings.size());
         for (std::size_t i = 0; i < clampings.size(); ++i)
@@ -57,7 +59,7 @@ private:
         ProgramHead head;
         head.title = job_.title.empty() ? part_.name : job_.title;
         head.number = 100 + static_cast<int>(index);
-        head.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
+        head.max_rpm = job_.max_rpm.value_or(assumedLimit_rpm);
         head.has_tailstock = clamping.job.setup.tailstock.has_value();
         head.comments =
             headComments({clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
@@ -107,8 +109,10 @@ private:
         request.spindle = inputs_.spindle;
         request.relation = parameters_.relation;
         request.model = parameters_.part_model;
-        request.max_rpm = job_.max_rpm.value_or(kAssumedLimit_rpm);
+        if (const auto* material = workMaterial(job_.cutting.material)) request.material = &material->value;
+        request.max_rpm = job_.max_rpm.value_or(assumedLimit_rpm);
         request.whole = heldPart(clamping.is_mirrored ? mirrored(part_) : part_, clamping.job);
+        if (request.spindle && clamping.job.setup.tailstock) notes.push_back({notes::tailstockNotInSpeeds, {}});
         std::vector<SectionSpeed> sections;
         WorkStock work = begin;
         for (Operation& operation : planned.operations) {
@@ -116,7 +120,7 @@ private:
                 setRoughSpeeds(operation, clamping, request, work, notes, progress.part(0, 0.5));
             if (operation.kind == OperationKind::Finish) {
                 sections = finishSections(clamping, request, work, notes, progress.part(0.5, 1));
-                setFinishSpeeds(operation, sections);
+                setFinishSpeeds(operation, sections, clamping.part);
                 break;
             }
             if (request.spindle) work.run(operation);
@@ -198,11 +202,6 @@ private:
                                    {"m_c", material->value.m_c}}});
         else
             plan.notes.push_back({notes::materialForPowerMissing, {}});
-        for (const ShaftMark& mark : part_.marks)
-            if (mark.kind == "thread")
-                plan.notes.push_back({notes::threadNotPlanned, {{"designation", mark.designation}}});
-        if (job_.edge_break_mm > 0)
-            plan.notes.push_back({notes::edgesStaySharp, {{"edge_break_mm", job_.edge_break_mm}}});
         if (!part_.bores.empty()) plan.notes.push_back({notes::boresNotPlanned, {}});
         // The last clamping's check has seen the cuts of both.
         const SetupPlan& last = plan.setups.back();
@@ -239,6 +238,9 @@ private:
         };
         for (const SetupPlan& setup : plan.setups) {
             for (const Unreached& unreached : setup.predicted) {
+                if (meets(setup, unreached) && unreached.cause == RestCause::Tailstock &&
+                    rest.cause == RestCause::Uncut)
+                    rest.cause = RestCause::Tailstock;  // no more can be left than the bar has
                 if (!meets(setup, unreached) || std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
                 rest.cause = unreached.cause;
                 rest.tool = unreached.tool;
@@ -248,6 +250,9 @@ private:
             }
             for (const RefusedOperation& refused : setup.refused)
                 if (meets(setup, refused.rest)) rest.cause = refused.cause;
+            const bool is_face = rest.z_start_mm < kFace_mm && rest.z_end_mm < kFace_mm;
+            if (is_face && rest.cause == RestCause::Uncut && setup.clamping.job.setup.tailstock)
+                rest.cause = RestCause::Tailstock;
         }
     }
 
@@ -279,25 +284,10 @@ void checkFeeds(const Job& job)
     }
 }
 
-}  // namespace
-
-const CheckResult& TurningPlan::worstCheck() const
+/// Of a part and a job that keep the rules.
+TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inputs, const TurningParameters& parameters,
+                    const Progress& progress)
 {
-    const auto worse = [](const SetupPlan& a, const SetupPlan& b) {
-        return std::pair(a.check.findings.size(), a.check.gouge_um) <
-               std::pair(b.check.findings.size(), b.check.gouge_um);
-    };
-    return std::max_element(setups.begin(), setups.end(), worse)->check;
-}
-
-TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
-                        const TurningParameters& parameters, const Progress& progress)
-{
-    checkPart(part);
-    checkStock(job, part);
-    checkTools(job);
-    checkUses(job);
-    checkFeeds(job);
     Planner planner(part, job, inputs, parameters);
     std::optional<TurningPlan> one;
     std::optional<Error> refusal;
@@ -337,6 +327,35 @@ TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& 
         if (!one || !(error.code() == errors::noSetupPossible)) throw;
     }
     return *std::move(one);
+}
+
+}  // namespace
+
+const CheckResult& TurningPlan::worstCheck() const
+{
+    const auto worse = [](const SetupPlan& a, const SetupPlan& b) {
+        return std::pair(a.check.findings.size(), a.check.gouge_um) <
+               std::pair(b.check.findings.size(), b.check.gouge_um);
+    };
+    return std::max_element(setups.begin(), setups.end(), worse)->check;
+}
+
+TurningPlan planTurning(const Shaft& part, const Job& stated, const TurningInputs& inputs,
+                        const TurningParameters& parameters, const Progress& progress)
+{
+    const Job job = withLibrary(stated);
+    checkPart(part);
+    checkStock(job, part);
+    checkTools(job);
+    checkUses(job);
+    checkFeeds(job);
+    const BrokenEdges edges = brokenEdges(part, job.edge_break_mm);
+    TurningPlan plan = planned(edges.part, job, inputs, parameters, progress);
+    noteRanges(job, plan.notes);
+    if (job.edge_break_mm > 0)
+        plan.notes.push_back(
+            {notes::edgesBroken, {{"edge_break_mm", job.edge_break_mm}, {"count", edges.count}, {"left", edges.left}}});
+    return plan;
 }
 
 }  // namespace lathelier::cam

@@ -57,7 +57,22 @@ inline constexpr NoteCode materialForPowerMissing{
 
 inline constexpr NoteCode noStableSpeedHere{
     "no_stable_speed", Severity::Warning,
-    LT_TEXT("Engine", "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.")};
+    LT_TEXT("Engine",
+            "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept, where depths up to "
+            "{stable_depth_mm:3} mm would be stable.")};
+
+inline constexpr NoteCode feedForRoughness{
+    "feed_for_roughness", Severity::Info,
+    LT_TEXT("Engine",
+            "The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm: the finish feeds {feed_mm_rev:3} mm "
+            "per revolution there (ideal Rz {ideal_Rz_um:2} µm).")};
+
+inline constexpr NoteCode roughnessNotReached{
+    "roughness_not_reached", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm; at the least feed of {feed_mm_rev:3} "
+        "mm per revolution the ideal Rz of tool {tool} is {ideal_Rz_um:2} µm.")};
 
 inline constexpr NoteCode secondClampingAssumed{
     "second_clamping_assumed", Severity::Warning,
@@ -81,11 +96,36 @@ inline constexpr NoteCode finishCutsDeep{
 
 inline constexpr NoteCode threadNotPlanned{
     "thread_not_planned", Severity::Warning,
-    LT_TEXT("Engine", "The thread {designation} is not cut: its body is turned to the drawn diameter.")};
+    LT_TEXT("Engine", "The thread {designation} is not cut, {reason}: its body is turned to the drawn diameter.")};
 
-inline constexpr NoteCode edgesStaySharp{
-    "edges_stay_sharp", Severity::Info,
-    LT_TEXT("Engine", "The job asks for edges broken by {edge_break_mm} mm; the program leaves them sharp.")};
+inline constexpr NoteCode threadCut{
+    "thread_cut", Severity::Info,
+    LT_TEXT(
+        "Engine",
+        "Thread {designation}: pitch {pitch_mm} mm, {passes} passes to a depth of {depth_mm:3} mm; what it takes off "
+        "is not looked at.")};
+
+inline constexpr NoteCode edgesBroken{
+    "edges_broken", Severity::Info,
+    LT_TEXT("Engine", "Edges broken by {edge_break_mm} mm as the job asks: {count}; left sharp: {left}.")};
+
+inline constexpr NoteCode outsideRange{
+    "tool_outside_range", Severity::Info,
+    LT_TEXT("Engine",
+            "Tool {tool}: {quantity} of {found} is outside {low} … {high}, the range of its insert "
+            "({standing}).")};
+
+inline constexpr NoteCode partOffLeftOut{
+    "part_off_left_out", Severity::Warning,
+    LT_TEXT("Engine", "The part is not cut off: it stands between chuck and tailstock.")};
+
+inline constexpr NoteCode faceNotReached{
+    "face_not_reached", Severity::Warning,
+    LT_TEXT("Engine", "The end is not faced: tool {tool} would meet the tailstock.")};
+
+inline constexpr NoteCode tailstockNotInSpeeds{
+    "tailstock_not_in_speeds", Severity::Warning,
+    LT_TEXT("Engine", "The speeds are those of a part whose end is free; the tailstock holds it stiffer.")};
 
 inline constexpr NoteCode boresNotPlanned{"bores_not_planned", Severity::Warning,
                                           LT_TEXT("Engine", "Bores of the part are not in the program.")};

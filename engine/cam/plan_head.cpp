@@ -37,8 +37,11 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
         if (section.frequency_hz) line += fmt::format(", f_m {:.0f} Hz, lobe {}", *section.frequency_hz, section.lobe);
         if (section.reason == LT_TEXT("Engine", "no stable speed, that of the job is kept"))
             line += ", no stable speed";
+        if (section.stable_depth_mm) line += fmt::format(", stable to {:.3f} mm", *section.stable_depth_mm);
         lines.push_back(line);
     }
+    if (!facts.sections.empty() && facts.sections.front().speed_rpm)
+        lines.push_back(fmt::format("assumed: spindle ramp {:g} rpm/s", spindleRamp_rpm_s));
     if (facts.rest.empty()) lines.emplace_back("not reachable: nothing");
     for (std::size_t i = 0; i < std::min(facts.rest.size(), kMostRest); ++i)
         lines.push_back(fmt::format("not reachable: z {:.2f}-{:.2f} {:.3f} {}", facts.rest[i].z_start_mm,

@@ -77,6 +77,7 @@ const std::vector<QuantityOf<SectionSpeed>>& quantitiesOf(const SectionSpeed*)
                     {LT_TEXT("Engine", "Lobe"), {}, 0}),
         quantity<R>("reason", &R::reason, {LT_TEXT("Engine", "Reason"), {}, 0}),
         quantity<R>("Rz_um", &R::Rz_um, {LT_TEXT("Engine", "Ideal Rz"), LT_TEXT("Engine", "µm"), 2}),
+        quantity<R>("stable_depth_mm", &R::stable_depth_mm, {LT_TEXT("Engine", "Stable up to a depth of"), mm, 3}),
         quantity<R>("setup", &R::setup, {LT_TEXT("Engine", "Clamping"), {}, 0}));
     return all;
 }

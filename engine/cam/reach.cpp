@@ -162,6 +162,7 @@ private:
         // At a corner between two pieces a ray beside it is the reason.
         for (const CurvePiece& piece : tool.curve)
             if (piece.distanceTo(most) < least + 1e-6) {
+                if (piece.touch == Touch::Tailstock) return RestCause::Tailstock;
                 if (piece.touch == Touch::BackRay) return RestCause::BackAngle;
                 if (piece.touch == Touch::LeadRay) return RestCause::LeadingAngle;
             }

@@ -143,7 +143,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
     if (part.empty()) return {};
     const RoughCutting& rough = frame.job->cutting.rough;
     const FinishCutting& finish = frame.job->cutting.finish;
-    const double feed = tool.feed_mm_rev.value_or(finish.feed_mm_rev);
+    const double feed = finishFeed_mm_rev(*frame.job, tool);
     Operation result{OperationKind::FinishBack, tool.number, finish.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(tool));
     WorkStock worked = stock;
@@ -151,7 +151,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
     const Vector2d start = part.back().to + moves.offset();
     approach(moves, frame, worked, tool.number, start.x(), start.y() + kAbove_mm);
     moves.line(start, feed);
-    moves.follow(part, feed, true);
+    moves.follow(part, finishFeeds(frame, tool), feed, true);
     moves.line({moves.at().x(), moves.at().y() + retract_mm}, 2 * feed);
     moves.rapidX(frame.safe_x_mm);
     result.moves = moves.taken();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cam/ends.h"
+
 namespace lathelier::cam {
 namespace {
 
@@ -174,16 +176,17 @@ Operation alongContour(const WorkFrame& frame, const JobTool& tool, OperationKin
     MoveList moves(tipOffset(tool));
     const Vector2d start = curve.front().from + moves.offset();
     moves.rapid({frame.frontZ_mm(), frame.safe_x_mm});
-    if (kind == OperationKind::Finish) {
-        const auto& tailstock = frame.job->setup.tailstock;
-        const double inner = tailstock ? tailstock->centre_hole_mm / 2 + 1 : moves.offset().y();
-        moves.rapidX(std::min(inner, start.y()));
+    if (kind == OperationKind::Finish && frame.faces_end) {
+        moves.rapidX(std::min(innerEnd_mm(frame, tool), start.y()));
         moves.line({start.x(), moves.at().y()}, feed);
     } else {
         moves.rapidX(start.y());
     }
     moves.line(start, feed);
-    moves.follow(curve, feed);
+    if (kind == OperationKind::Finish)
+        moves.follow(curve, finishFeeds(frame, tool), feed);
+    else
+        moves.follow(curve, feed);
     moves.line({moves.at().x(), std::max(moves.at().y(), frame.stock_radius_mm) + retract_mm},
                std::max(feed, kFaceFeed_mm_rev));
     moves.rapidX(frame.safe_x_mm);
@@ -208,8 +211,8 @@ Operation semiFinishing(const WorkFrame& frame, const JobTool& tool)
 Operation finishing(const WorkFrame& frame, const JobTool& tool)
 {
     const FinishCutting& finish = frame.job->cutting.finish;
-    return alongContour(frame, tool, OperationKind::Finish, toolCurve(frame, tool),
-                        tool.feed_mm_rev.value_or(finish.feed_mm_rev), finish.cutting_speed_m_min);
+    return alongContour(frame, tool, OperationKind::Finish, toolCurve(frame, tool), finishFeed_mm_rev(*frame.job, tool),
+                        finish.cutting_speed_m_min);
 }
 
 }  // namespace lathelier::cam

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/work_frame.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_codes.h"
@@ -21,6 +23,8 @@ constexpr double kBodyPiece_mm = 1;
 constexpr double kLongPass_mm = 10;
 constexpr std::size_t kMostRoughSpeeds = 12;
 constexpr double kSame_mm = 1e-6;
+constexpr double kLeastLeft_mm = 0.1;  // of a cylinder, at the speed before
+constexpr double kLift_mm = 0.5;
 
 /// The speed at one place of a body.
 struct Chosen {
@@ -29,10 +33,42 @@ struct Chosen {
     int lobe = 0;
     bool is_stable = true;  ///< false: the catalogue's speed is kept
     FrfPtr receptance;
+    std::optional<double> stable_depth_mm;  ///< at that speed, where it is not stable
 };
 
+/// Force over area of the chip at a feed: Kienzle's k_c, taken as the coefficient of the lobes.
+std::optional<double> coefficientOf(const WorkMaterial* material, double feed_mm_rev, double entering_angle_deg)
+{
+    const double h = feed_mm_rev * std::sin(entering_angle_deg * std::acos(-1.0) / 180);
+    if (!material || !(h > 0)) return {};
+    return material->k_c11_N_mm2 * std::pow(h, -material->m_c);
+}
+
+/// The limiting depth at one speed; none: nothing limits it.
+std::optional<double> depthAt(const Frf& frf, double speed_rpm, double coefficient, stability::SpeedRelation relation)
+{
+    stability::LobeParameters lobes;
+    lobes.cutting_coefficient_N_mm2 = coefficient;
+    lobes.relation = relation;
+    constexpr double kAround = 1e-3;
+    lobes.speed_rpm = {{speed_rpm * (1 - kAround), speed_rpm * (1 + kAround)}};
+    lobes.points = 3;
+    const stability::LobeLimit limit = stability::limitOf(frf, lobes);
+    double least = std::numeric_limits<double>::infinity();
+    for (const double depth : limit.depth_mm)
+        if (depth < least) least = depth;
+    if (!std::isfinite(least)) return {};
+    return least;
+}
+
+Value valueOf(const std::optional<double>& number)
+{
+    return number ? Value(*number) : Value();
+}
+
 Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
-                 double cutting_speed_m_min, const SpeedRequest& request, const Progress& progress)
+                 double cutting_speed_m_min, const std::optional<double>& coefficient, const SpeedRequest& request,
+                 const Progress& progress)
 {
     Chosen chosen;
     chosen.speed_rpm = std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
@@ -60,6 +96,8 @@ Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, dou
         if (!(error.code() == errors::noStableSpeed)) throw;
         chosen.is_stable = false;
     }
+    if (!chosen.is_stable && coefficient)
+        chosen.stable_depth_mm = depthAt(frf, chosen.speed_rpm, *coefficient, request.relation);
     return chosen;
 }
 
@@ -81,16 +119,110 @@ std::vector<Cylinder> cylindersOf(const Shaft& part)
     return found;
 }
 
-double rzOf(const Clamping& clamping)
+/// The worst ideal Rz of the finish between two places.
+double rzOf(const Clamping& clamping, double from_mm, double to_mm)
 {
     const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
-    const double feed = tool.feed_mm_rev.value_or(clamping.job.cutting.finish.feed_mm_rev);
+    double feed = 0, end = 0;
+    for (const ShaftSegment& row : clamping.part.segments) {
+        const double begin = end;
+        end += row.length_mm;
+        if (begin > to_mm - kSame_mm || end < from_mm + kSame_mm) continue;
+        feed = std::max(feed, finishFeed_mm_rev(clamping.job, tool, row.Rz_um.value_or(0)));
+    }
+    if (feed == 0) feed = finishFeed_mm_rev(clamping.job, tool);
     return idealRz_um(feed, tool.radius_mm(), tool.backAngle_deg());
 }
 
 double cuttingSpeed(double rpm, double diameter_mm)
 {
     return rpm * std::acos(-1.0) * diameter_mm / 1000;
+}
+
+/// A move along a cylinder toward the chuck.
+bool isAlong(const CutMove& move, const Vector2d& start)
+{
+    return move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < kSame_mm &&
+           move.to.x() > start.x() + kSame_mm;
+}
+
+/// Does the drawing state limits or roughness of the row at z, or what is cut on it?
+bool isParticular(const Shaft& part, double z_mm)
+{
+    double end = 0;
+    for (const ShaftSegment& row : part.segments) {
+        end += row.length_mm;
+        if (z_mm <= end) return isToleranced(row) || row.Rz_um.has_value();
+    }
+    return false;
+}
+
+/// The place of a boundary in a path: moves from `first` on lead beyond it; those up to `end` are faces, chamfers and
+/// fillets before the next cylinder.
+struct Crossing {
+    std::size_t first = 0, end = 0;
+    double length_mm = 0;  // of these moves
+};
+
+std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
+{
+    for (std::size_t k = 1; k < moves.size(); ++k) {
+        const Vector2d start = moves[k - 1].to;
+        if (moves[k].kind == CutKind::Rapid) continue;
+        if (!(moves[k].to.x() > z + kSame_mm || (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm))) continue;
+        if (isAlong(moves[k], start) && start.x() < z - kSame_mm) {  // the boundary lies within a cylinder
+            CutMove before = moves[k];
+            before.to.x() = z;
+            moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(k), before);
+            ++k;
+        }
+        Crossing crossing{k, k, 0};
+        while (crossing.end < moves.size() && moves[crossing.end].kind != CutKind::Rapid &&
+               !isAlong(moves[crossing.end], moves[crossing.end - 1].to)) {
+            crossing.length_mm += (moves[crossing.end].to - moves[crossing.end - 1].to).norm();
+            ++crossing.end;
+        }
+        return crossing;
+    }
+    return {};
+}
+
+void changeSpeed(std::vector<CutMove>& moves, double from_rpm, double to_rpm, double z, const Shaft& part)
+{
+    const std::optional<Crossing> crossing = crossingOf(moves, z);
+    if (!crossing) return;
+    const std::size_t k = crossing->first;
+    const double ramp =
+        moves[k].feed_mm_rev * (from_rpm + to_rpm) / 120 * std::abs(to_rpm - from_rpm) / spindleRamp_rpm_s;
+    const double missing = ramp - crossing->length_mm;
+    const auto at = [&moves](std::size_t i) { return moves.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (missing <= 0 || crossing->end == moves.size()) {
+        moves[k].speed_rpm = to_rpm;
+        return;
+    }
+    CutMove& before = moves[k - 1];
+    const bool is_cylinder = k >= 2 && isAlong(before, moves[k - 2].to);
+    if (is_cylinder && before.to.x() - moves[k - 2].to.x() > missing + kLeastLeft_mm && !isParticular(part, z)) {
+        CutMove first = before;
+        first.to.x() -= missing;
+        before.speed_rpm = to_rpm;
+        moves.insert(at(k - 1), first);
+        return;
+    }
+    // Where the way between both cylinders is highest nothing stands above the tool.
+    const bool is_end = crossing->end > k && moves[crossing->end - 1].to.y() > before.to.y();
+    const std::size_t place = is_end ? crossing->end : k;
+    CutMove down = moves[place - 1];
+    down.kind = CutKind::Line;
+    down.feed_mm_rev = moves[k].feed_mm_rev;
+    down.speed_rpm.reset();
+    CutMove up = down;
+    up.to.y() += std::max(kLift_mm, missing / 2);
+    if (is_end)
+        moves[k].speed_rpm = to_rpm;
+    else
+        up.speed_rpm = to_rpm;
+    moves.insert(at(place), {up, down});
 }
 
 std::vector<SectionSpeed> statedSections(const Clamping& clamping)
@@ -110,7 +242,7 @@ std::vector<SectionSpeed> statedSections(const Clamping& clamping)
         }
         section.cutting_speed_m_min = cuttingSpeed(stated.rpm, section.diameter_mm);
         section.reason = LT_TEXT("Engine", "stated by the job");
-        section.Rz_um = rzOf(clamping);
+        section.Rz_um = rzOf(clamping, begin, stated.to_z_mm);
         begin = stated.to_z_mm;
         sections.push_back(section);
     }
@@ -133,9 +265,12 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
             section.diameter_mm = std::max({section.diameter_mm, row.start_diameter_mm, row.end_diameter_mm});
         section.cutting_speed_m_min = speed;
         section.reason = LT_TEXT("Engine", "constant cutting speed of the job");
-        section.Rz_um = rzOf(clamping);
+        section.Rz_um = rzOf(clamping, 0, length);
         return {section};
     }
+    const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
+    const std::optional<double> coefficient =
+        coefficientOf(request.material, finishFeed_mm_rev(clamping.job, tool), tool.entering_angle_deg.value_or(90));
     double begin = 0;
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
         const Cylinder& cylinder = cylinders[i];
@@ -144,7 +279,7 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
                                : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
         const double share = 1.0 / static_cast<double>(cylinders.size());
         const Chosen chosen =
-            chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm, speed, request,
+            chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm, speed, coefficient, request,
                       progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
         SectionSpeed section;
         section.z_start_mm = begin;
@@ -155,51 +290,29 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
         section.frequency_hz = chosen.frequency_hz;
         section.lobe = chosen.lobe;
         section.receptance = chosen.receptance;
-        section.Rz_um = rzOf(clamping);
+        section.Rz_um = rzOf(clamping, section.z_start_mm, section.z_end_mm);
+        section.stable_depth_mm = chosen.stable_depth_mm;
         section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
                                           : LT_TEXT("Engine", "no stable speed, that of the job is kept");
         if (!chosen.is_stable)
             notes.push_back({notes::noStableSpeedHere,
                              {{"z_start_mm", section.z_start_mm},
                               {"z_end_mm", section.z_end_mm},
-                              {"speed_rpm", chosen.speed_rpm}}});
+                              {"speed_rpm", chosen.speed_rpm},
+                              {"stable_depth_mm", valueOf(chosen.stable_depth_mm)}}});
         begin = section.z_end_mm;
         sections.push_back(section);
     }
     return sections;
 }
 
-void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections)
+void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections, const Shaft& part)
 {
     if (sections.empty() || !sections.front().speed_rpm) return;
     finish.speed_rpm = sections.front().speed_rpm;
-    for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
-        const double from = *sections[i].speed_rpm, to = *sections[i + 1].speed_rpm, z = sections[i].z_end_mm;
-        if (from == to) continue;
-        std::vector<CutMove>& moves = finish.moves;
-        for (std::size_t k = 1; k < moves.size(); ++k) {
-            const Vector2d start = moves[k - 1].to;
-            const bool passes =
-                moves[k].kind != CutKind::Rapid &&
-                (moves[k].to.x() > z + kSame_mm || (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm));
-            if (!passes) continue;
-            const double ramp = moves[k].feed_mm_rev * (from + to) / 120 * std::abs(to - from) / spindleRamp_rpm_s;
-            const bool is_face =
-                std::abs(moves[k].to.x() - start.x()) < kSame_mm && std::abs(moves[k].to.y() - start.y()) >= ramp;
-            CutMove& before = moves[k - 1];
-            const double room = k >= 2 ? before.to.x() - moves[k - 2].to.x() : 0;
-            if (!is_face && before.kind == CutKind::Line && room > ramp &&
-                std::abs(before.to.y() - moves[k - 2].to.y()) < kSame_mm) {
-                CutMove first = before;
-                first.to.x() -= ramp;
-                before.speed_rpm = to;
-                moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(k - 1), first);
-            } else {
-                moves[k].speed_rpm = to;
-            }
-            break;
-        }
-    }
+    for (std::size_t i = 0; i + 1 < sections.size(); ++i)
+        if (*sections[i].speed_rpm != *sections[i + 1].speed_rpm)
+            changeSpeed(finish.moves, *sections[i].speed_rpm, *sections[i + 1].speed_rpm, sections[i].z_end_mm, part);
 }
 
 void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedRequest& request, WorkStock before,
@@ -207,6 +320,10 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
 {
     if (!request.spindle) return;
     const double speed = rough.cutting_speed_m_min;
+    const JobTool* tool = clamping.job.tool(rough.tool);
+    const std::optional<double> coefficient = coefficientOf(
+        request.material, tool && tool->feed_mm_rev ? *tool->feed_mm_rev : clamping.job.cutting.rough.feed_mm_rev,
+        tool ? tool->entering_angle_deg.value_or(90) : 90);
     std::size_t count = 0, done = 0;
     Operation part = rough;
     for (std::size_t k = 1; k < rough.moves.size() && count < kMostRoughSpeeds; ++k) {
@@ -223,14 +340,20 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
         before.run(part);
         const Shaft body = before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
         const Chosen chosen = chosenFor(body, clamping.part.material, std::max(0.0, start.x()), 2 * move.to.y(), speed,
-                                        request, progress);
-        if (count++ == 0)
+                                        coefficient, request, progress);
+        if (count++ == 0) {
             rough.speed_rpm = chosen.speed_rpm;
-        else
-            move.speed_rpm = chosen.speed_rpm;
+        } else {
+            std::size_t first = k;  // on the way back to the front the spindle has time
+            while (first > 1 && rough.moves[first - 1].kind == CutKind::Rapid) --first;
+            rough.moves[first].speed_rpm = chosen.speed_rpm;
+        }
         if (!chosen.is_stable)
             notes.push_back({notes::noStableSpeedHere,
-                             {{"z_start_mm", start.x()}, {"z_end_mm", move.to.x()}, {"speed_rpm", chosen.speed_rpm}}});
+                             {{"z_start_mm", start.x()},
+                              {"z_end_mm", move.to.x()},
+                              {"speed_rpm", chosen.speed_rpm},
+                              {"stable_depth_mm", valueOf(chosen.stable_depth_mm)}}});
     }
 }
 

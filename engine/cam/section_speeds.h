@@ -6,14 +6,17 @@
 // whole length get one each as well, for the body that they leave. Faces and tapers keep constant cutting speed.
 //
 // A new speed does not act at once: with N₁ and N₂ in 1/min, an acceleration α in 1/min/s and a feed f in mm/rev the
-// tool travels L = f (N₁ + N₂)/120 |N₂ - N₁|/α meanwhile. The word stands so far before the section, on the face before
-// it where that is long enough.
+// tool travels L = f (N₁ + N₂)/120 |N₂ - N₁|/α meanwhile. The word stands where the cylinder before ends, if faces,
+// chamfers and fillets up to the next one are as long as L; what is missing is taken from the end of the cylinder
+// before, unless the drawing states its limits or its roughness: then the tool lifts off where nothing stands above it,
+// and comes back to the same place at the new speed.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "engine/cam/clampings.h"
+#include "engine/cam/cutting_data.h"
 #include "engine/cam/operation.h"
 #include "engine/cam/work_stock.h"
 #include "engine/core/frf.h"
@@ -36,22 +39,24 @@ struct SpeedRequest {
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel model = PartModel::Finished;                                    ///< for finishing
     double max_rpm = 0;                                                       ///< limit of the spindle
+    const WorkMaterial* material = nullptr;                                   ///< for depths in mm; null: not known
     Shaft whole;  ///< the part as it will be, in this clamping, up to the chuck
 };
 
 /// A stretch of the part with one speed in the finish.
 struct SectionSpeed {
-    double z_start_mm = 0;               ///< from the free end of the clamping
-    double z_end_mm = 0;                 ///< up to here
-    double diameter_mm = 0;              ///< of its cylinder, or the largest
-    std::optional<double> speed_rpm;     ///< fixed; none: constant cutting speed
-    double cutting_speed_m_min = 0;      ///< at the diameter
-    std::optional<double> frequency_hz;  ///< where Re G is least; none: no dynamics
-    int lobe = 0;                        ///< k of the selected speed; 0: none
-    Text reason;                         ///< in words
-    double Rz_um = 0;                    ///< ideal
-    int setup = 1;                       ///< clamping
-    FrfPtr receptance;                   ///< of the work at that moment, where it is cut; null: no dynamics
+    double z_start_mm = 0;                  ///< from the free end of the clamping
+    double z_end_mm = 0;                    ///< up to here
+    double diameter_mm = 0;                 ///< of its cylinder, or the largest
+    std::optional<double> speed_rpm;        ///< fixed; none: constant cutting speed
+    double cutting_speed_m_min = 0;         ///< at the diameter
+    std::optional<double> frequency_hz;     ///< where Re G is least; none: no dynamics
+    int lobe = 0;                           ///< k of the selected speed; 0: none
+    Text reason;                            ///< in words
+    double Rz_um = 0;                       ///< ideal, the worst of its rows
+    std::optional<double> stable_depth_mm;  ///< where no speed is stable: the depth that would be, at the one kept
+    int setup = 1;                          ///< clamping
+    FrfPtr receptance;                      ///< of the work at that moment, where it is cut; null: no dynamics
 };
 
 /// What the finish of this clamping runs at. Without spindle and stated sections: constant cutting speed.
@@ -59,8 +64,8 @@ struct SectionSpeed {
 std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRequest& request,
                                          const WorkStock& before_finish, Notes& notes, const Progress& progress = {});
 
-/// Lays the sections' speeds into the finish.
-void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections);
+/// Lays the sections' speeds into the finish of this part.
+void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections, const Shaft& part);
 
 /// Fixed speeds for the long passes of roughing, from the work as each leaves it; `before`: the work when it begins.
 void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedRequest& request, WorkStock before,

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 
+#include "engine/cam/cutting_data.h"
+#include "engine/cam/deep_rest.h"
 #include "engine/cam/ends.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/rest_operations.h"
 #include "engine/cam/roughing.h"
+#include "engine/cam/threads.h"
 #include "engine/cam/work_frame.h"
 
 namespace lathelier::cam {
 namespace {
-
-constexpr double kDeepFinish_mm = 1.5;  // more than this is remarked
 
 class SetupPlanner {
 public:
@@ -32,31 +33,64 @@ public:
         const JobTool& rough = *job_.toolFor(ToolUse::Rough);
         const JobTool& finish = *job_.toolFor(ToolUse::Finish);
         const double depth = job_.cutting.rough.depth_mm;
-        if (auto face = facing(frame_, rough)) keep(std::move(*face), std::min(depth, largestFacing_mm));
-        if (auto hole = centreDrilling(frame_); hole && !isSkipped(*hole)) {
-            keep(std::move(*hole), 0);
-            has_centre_hole_ = true;
-        }
+        faceTheEnd(rough, depth);
         progress_.report(0.1);
         WorkStock laid = result_.after;
         if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
         progress_.report(0.4);
         keep(semiFinishing(frame_, rough), depth);
+        std::optional<Operation> deep = deepPasses(frame_, rough, finish, result_.after);
+        const bool is_split = deep && !isSkipped(*deep);
+        if (is_split) keep(*std::move(deep), std::min(depth, deepFinish_mm));
         keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
-        noteDeepFinish(rough, finish);
+        if (!is_split) noteDeepFinish(rough, finish);
+        noteRoughness(finish);
         reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
         if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
         progress_.report(0.6);
         for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
             for (const JobTool& tool : job_.tools)
                 if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove))) clean(tool);
-        if (clamping_.parts_off) partOff();
+        for (const DrawnThread& thread : clamping_.threads) cutThread(thread);
+        if (clamping_.parts_off && !job_.setup.tailstock) partOff();
+        if (clamping_.parts_off && job_.setup.tailstock) result_.notes.push_back({notes::partOffLeftOut, {}});
         result_.rest = restOf(frame_.contour, reaches_);
         progress_.report(1);
         return std::move(result_);
     }
 
 private:
+    /// The tailstock comes after its hole was drilled into the faced end; without a drill it stands there from the
+    /// start.
+    void faceTheEnd(const JobTool& rough, double depth)
+    {
+        std::optional<Operation> hole = centreDrilling(frame_);
+        if (hole && isSkipped(*hole)) hole.reset();
+        const bool has_tailstock = job_.setup.tailstock.has_value();
+        frame_.has_tailstock = has_tailstock && !hole;
+        if (hole) {
+            frame_.faces_end = false;
+            result_.after.setTailstock(false);
+        }
+        std::optional<Operation> face = facing(frame_, rough);
+        if (face && isSkipped(*face)) face.reset();
+        if (face)
+            keep(std::move(*face), std::min(depth, largestFacing_mm));
+        else if (frame_.has_tailstock && frame_.face_mm > faceLeft_mm)
+            result_.notes.push_back({notes::faceNotReached, {{"tool", std::int64_t{rough.number}}}});
+        const bool is_faced = result_.operations.size() == 1;
+        if (has_tailstock && !is_faced) frame_.face_left_mm = frame_.face_mm;
+        if (hole) {
+            if (is_faced) frame_.face_left_mm = 0;
+            keep(std::move(*hole), 0);
+            has_centre_hole_ = true;
+            frame_.has_tailstock = true;
+            result_.after.setTailstock(true);
+        } else if (has_tailstock && !is_faced && frame_.face_mm > faceLeft_mm) {
+            frame_.faces_end = false;
+        }
+    }
+
     bool isSkipped(OperationKind kind, int tool) const
     {
         const SkippedOperation wanted{clamping_.is_mirrored ? 2 : 1, kind, tool};
@@ -143,6 +177,55 @@ private:
                                   {"reason", reason}}});
     }
 
+    void cutThread(const DrawnThread& thread)
+    {
+        const JobTool* tool = job_.toolFor(ToolUse::Thread);
+        Threading cut;
+        cut.reason = LT_TEXT("Engine", "there is no tool for threads");
+        if (tool && isSkipped(OperationKind::Thread, tool->number))
+            cut.reason = LT_TEXT("Engine", "it is switched off");
+        else if (tool)
+            cut = threading(frame_, *tool, thread, job_.max_rpm.value_or(assumedLimit_rpm));
+        if (cut.operation) {
+            WorkStock tried = result_.after;
+            if (tried.run(*cut.operation)) {
+                cut.operation.reset();
+                cut.reason = LT_TEXT("Engine", "its tool would meet something");
+            }
+        }
+        if (!cut.operation) {
+            result_.notes.push_back(
+                {notes::threadNotPlanned, {{"designation", thread.designation}, {"reason", cut.reason}}});
+            return;
+        }
+        result_.notes.push_back({notes::threadCut,
+                                 {{"designation", thread.designation},
+                                  {"pitch_mm", *thread.pitch_mm},
+                                  {"passes", std::int64_t{cut.passes}},
+                                  {"depth_mm", cut.depth_mm}}});
+        keep(*std::move(cut.operation), 0);
+    }
+
+    /// What the drawing's Rz means for the feed of the finish.
+    void noteRoughness(const JobTool& finish)
+    {
+        const double usual = finishFeed_mm_rev(job_, finish);
+        double end = 0;
+        for (const ShaftSegment& row : clamping_.part.segments) {
+            const double begin = end;
+            end += row.length_mm;
+            if (!row.Rz_um) continue;
+            const double feed = finishFeed_mm_rev(job_, finish, *row.Rz_um);
+            const double ideal = idealRz_um(feed, finish.radius_mm(), finish.backAngle_deg());
+            const Values place{{"z_start_mm", begin}, {"z_end_mm", end},      {"Rz_um", *row.Rz_um},
+                               {"feed_mm_rev", feed}, {"ideal_Rz_um", ideal}, {"tool", std::int64_t{finish.number}}};
+            if (ideal > *row.Rz_um * (1 + 1e-9))
+                result_.notes.push_back({notes::roughnessNotReached, place});
+            else if (feed < usual)
+                result_.notes.push_back({notes::feedForRoughness, place});
+        }
+    }
+
     void partOff()
     {
         const JobTool& blade = *job_.partingBlade();
@@ -172,7 +255,7 @@ private:
                     z = end.x();
                 }
             }
-        if (deepest > kDeepFinish_mm)
+        if (deepest > deepFinish_mm)
             result_.notes.push_back(
                 {notes::finishCutsDeep, {{"tool", std::int64_t{finish.number}}, {"depth_mm", deepest}, {"z_mm", z}}});
     }
@@ -194,7 +277,7 @@ const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
     using S = SkippedOperation;
     static const auto all = [] {
         std::vector<FieldChoice> kinds;
-        for (int i = 0; i <= static_cast<int>(OperationKind::PartOff); ++i) {
+        for (int i = 0; i <= static_cast<int>(OperationKind::Thread); ++i) {
             const auto kind = static_cast<OperationKind>(i);
             kinds.push_back({key(kind), nameOf(kind)});
         }

@@ -12,6 +12,8 @@
 
 namespace lathelier::cam {
 
+inline constexpr double assumedLimit_rpm = 3000;  ///< of the spindle, where the job states none
+
 /// An operation on a rest that was tried and refused.
 struct RefusedOperation {
     int tool = 0;                         ///< number

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cam/cutting_data.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/tailstock.h"
 
 namespace lathelier::cam {
 namespace {
@@ -25,13 +27,20 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     frame.contour = heightContour(part);
     if (const JobTool* blade = job.part_off ? job.partingBlade() : nullptr)
         frame.contour = extendedBy(frame.contour, blade->width_mm.value_or(0) + kBeyondBlade_mm);
+    for (const ContourPiece& piece : frame.contour.pieces)
+        frame.Rz_um.push_back(piece.row >= 0 ? part.segments.at(static_cast<std::size_t>(piece.row)).Rz_um.value_or(0)
+                                             : 0);
     frame.end_mm = frame.contour.pieces.back().to_mm.x();
     frame.stock_radius_mm = job.stock.diameter_mm / 2;
     frame.face_mm = job.stock.face_allowance_mm;
+    frame.face_left_mm = std::min(frame.face_mm, faceLeft_mm);
     frame.safe_x_mm = frame.stock_radius_mm + clearance_mm;
     if (job.setup.tailstock)
         for (const KeepOutCorner& corner : job.setup.tailstock->keep_out)
             frame.safe_x_mm = std::max(frame.safe_x_mm, corner.x_mm + clearance_mm);
+    for (const JobTool& tool : job.tools)
+        frame.safe_x_mm = std::max(
+            frame.safe_x_mm, lowestBesideTailstock_mm(job, tool, -frame.face_mm - 2 * clearance_mm, frame.end_mm));
     double radius = 0;  // by which tips stand beyond the last centre
     for (const JobTool& tool : job.tools)
         if (tool.isProfile() && tool.hand == Hand::TowardChuck) radius = std::max(radius, tool.radius_mm());
@@ -46,6 +55,28 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     return frame;
 }
 
+double finishFeed_mm_rev(const Job& job, const JobTool& tool)
+{
+    return tool.feed_mm_rev.value_or(job.cutting.finish.feed_mm_rev);
+}
+
+double finishFeed_mm_rev(const Job& job, const JobTool& tool, double Rz_um)
+{
+    const double usual = finishFeed_mm_rev(job, tool);
+    if (!(Rz_um > 0) || !tool.isProfile()) return usual;
+    const double feed = feedForRz_mm_rev(Rz_um, tool.radius_mm(), tool.backAngle_deg(), usual);
+    constexpr double kSteps = 1000;  // a post writes three decimals
+    if (feed >= usual) return usual;
+    return std::min(usual, std::max(leastFeed_mm_rev, std::floor(kSteps * feed) / kSteps));
+}
+
+std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool)
+{
+    std::vector<double> feeds;
+    for (const double Rz : frame.Rz_um) feeds.push_back(finishFeed_mm_rev(*frame.job, tool, Rz));
+    return feeds;
+}
+
 ToolWedge wedgeOf(const JobTool& tool)
 {
     // Without a margin the edge would lie on the surface; it never becomes less than nothing.
@@ -55,11 +86,19 @@ ToolWedge wedgeOf(const JobTool& tool)
 
 Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm)
 {
-    if (tool.isBlade())
-        return bladeCurve(frame.contour, tool.corner_radius_mm, *tool.width_mm - 2 * tool.corner_radius_mm,
-                          allowance_mm);
-    if (tool.hand == Hand::TowardChuck) return noseCurve(frame.contour, wedgeOf(tool), allowance_mm);
-    return mirrored(noseCurve(mirrored(frame.contour), wedgeOf(tool), allowance_mm), frame.end_mm);
+    Curve curve;
+    if (tool.isBlade()) {
+        curve =
+            bladeCurve(frame.contour, tool.corner_radius_mm, *tool.width_mm - 2 * tool.corner_radius_mm, allowance_mm);
+    } else if (tool.hand == Hand::TowardChuck) {
+        curve = noseCurve(frame.contour, wedgeOf(tool), allowance_mm);
+    } else {
+        curve = mirrored(noseCurve(mirrored(frame.contour), wedgeOf(tool), allowance_mm), frame.end_mm);
+        const auto count = static_cast<std::int32_t>(frame.contour.pieces.size());
+        for (CurvePiece& piece : curve)
+            if (piece.source >= 0) piece.source = std::clamp(count - 1 - piece.source, 0, count - 1);
+    }
+    return frame.has_tailstock ? liftedOverTailstock(*frame.job, tool, curve, frame.frontZ_mm()) : curve;
 }
 
 ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_mm)
@@ -70,7 +109,7 @@ ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_
         face.to = reach.curve.front().from;
         face.from = {face.to.x(), 0};
         face.touch = Touch::Join;
-        if (face.to.y() > 0) reach.curve.insert(reach.curve.begin(), face);
+        if (face.to.y() > 0 && frame.faces_end) reach.curve.insert(reach.curve.begin(), face);
     }
     if (tool.isBlade()) {
         reach.radius_mm = std::max(tool.corner_radius_mm, 1e-6);

@@ -22,12 +22,26 @@ struct WorkFrame {
     double stock_radius_mm = 0;  ///< of the bar
     double safe_x_mm = 0;        ///< radius at which a tip may travel along z
     double face_mm = 0;          ///< raw face before the finished one
+    double face_left_mm = 0;     ///< of it, when the contour is turned
+    bool has_tailstock = false;  ///< stands while the contour is turned; curves keep clear of it
+    bool faces_end = true;       ///< the finish comes up the face
+    /// For each piece of the contour what the drawing allows; 0: nothing is stated.
+    std::vector<double> Rz_um;
 
-    double frontZ_mm() const { return -std::min(face_mm, faceLeft_mm) - approach_mm; }  ///< before the roughed face
+    double frontZ_mm() const { return -face_left_mm - approach_mm; }  ///< before the roughed face
 };
 
 /// Errors noSetupPossible where a tool would have to work within the chuck, or the bar is held too short.
 WorkFrame frameOf(const Job& job, const Shaft& part);
+
+inline constexpr double leastFeed_mm_rev = 0.02;  ///< of a finish, however smooth the drawing wants it
+
+/// The feed of a finishing tool as stated; and where the drawing allows an Rz: a smaller one if the ideal Rz would be
+/// more, on whole 0.001 mm and no less than leastFeed_mm_rev.
+double finishFeed_mm_rev(const Job& job, const JobTool& tool);
+double finishFeed_mm_rev(const Job& job, const JobTool& tool, double Rz_um);
+/// On each piece of the contour.
+std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool);
 
 /// Of an insert of the job, as planned (the margin is off its back angle).
 ToolWedge wedgeOf(const JobTool& tool);

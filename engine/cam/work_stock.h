@@ -26,6 +26,9 @@ public:
     /// From what is left of another clamping.
     WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters);
 
+    /// Does the tailstock stand there from now on? At first it does, where the parameters have one.
+    void setTailstock(bool stands) { tailstock_stands_ = stands; }
+
     /// Cuts. None: nothing was met. What was met first is returned, and the stock is then as if it had been allowed.
     std::optional<Refusal> run(const Operation& operation);
 
@@ -55,6 +58,7 @@ private:
     std::vector<Mounted> tools_;
     std::vector<std::pair<stock::FindingKind, stock::ConvexPolygon>> regions_;
     double removed_mm3_ = 0;
+    bool tailstock_stands_ = true;
 };
 
 }  // namespace lathelier::cam

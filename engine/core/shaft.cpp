@@ -122,7 +122,14 @@ const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
         group("measured", &S::measured,
               folded(LT_TEXT("Engine", "Measured"), LT_TEXT("Engine", "What a scan said of this row."))),
         field("tie", &S::tie,
-              folded(LT_TEXT("Engine", "Tie"), LT_TEXT("Engine", "Cylinders with the same one share a diameter."))));
+              folded(LT_TEXT("Engine", "Tie"), LT_TEXT("Engine", "Cylinders with the same one share a diameter."))),
+        field("tolerance_um", &S::tolerance_um, {1e-3, widest_um},
+              folded(LT_TEXT("Engine", "Width of the tolerance"),
+                     LT_TEXT("Engine", "Of the diameter, where its limits are not stated."), um)),
+        field("Rz_um", &S::Rz_um, {1e-3, 1e4},
+              folded(LT_TEXT("Engine", "Rz"), LT_TEXT("Engine", "Roughness that the drawing allows."), um)),
+        field("thread", &S::thread,
+              folded(LT_TEXT("Engine", "Thread"), LT_TEXT("Engine", "Cut on this row, such as M16x1.5."))));
     return all;
 }
 

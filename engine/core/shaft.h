@@ -50,6 +50,9 @@ struct ShaftSegment {
     std::optional<SizeTolerance> tolerance = {};  ///< of the diameter; none: the general tolerance
     std::optional<MeasuredSize> measured = {};    ///< none: the values are what was measured, or nothing was
     std::string tie = {};  ///< cylinders with the same one share a diameter when it is edited; empty: none
+    std::optional<double> tolerance_um = {};  ///< width T of the diameter's limits, where the limits are not stated
+    std::optional<double> Rz_um = {};         ///< roughness that the drawing allows; none: not stated
+    std::string thread = {};                  ///< cut on this row: "M16x1.5"; empty: none
     friend bool operator==(const ShaftSegment&, const ShaftSegment&) = default;
 };
 

@@ -47,6 +47,7 @@ public:
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (i % reportEvery == 0) progress.report(static_cast<double>(i) / static_cast<double>(moves.size()));
             follower.take(moves[i], arcChord_mm, travel);
+            tailstock_stands_ = i >= parameters_.tailstock_from_move;
             if (!travel.is_in_reach) finishPass();
             if (!travel.corners.empty()) take(travel, progress);
         }
@@ -252,6 +253,7 @@ private:
     void testRegions(const ConvexPolygon& swept, MovePath path)
     {
         for (const Region& region : regions_) {
+            if (region.kind == FindingKind::Tailstock && !tailstock_stands_) continue;
             const Box tool = boxOf(swept), other = boxOf(region.shape);
             if (tool.high.z_mm <= other.low.z_mm || tool.low.z_mm >= other.high.z_mm ||
                 tool.low.x_mm >= other.high.x_mm)
@@ -314,6 +316,7 @@ private:
     std::size_t small_clearances_ = 0, air_cuts_ = 0, starts_unknown_ = 0;
     std::int64_t first_unknown_line_ = 0;
     bool is_thread_noted_ = false, is_drilling_noted_ = false;
+    bool tailstock_stands_ = true;
 };
 
 void simulate(const ToolSet& tools, const StockSteps& steps, MeridianStock columns, std::span<const gcode::Move> moves,

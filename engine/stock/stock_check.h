@@ -42,6 +42,7 @@ struct StockParameters {
     std::vector<TurningTool> tools;          ///< by number; a tool that is missing is one of number 0, or assumed
     std::optional<ChuckBody> chuck;          ///< none: not checked
     std::optional<TailstockBody> tailstock;  ///< none: not there
+    std::size_t tailstock_from_move = 0;     ///< it stands there from this move on. No field: it follows the program
     bool dog_leg = true;                     ///< test the dog-leg of rapid moves too
     double rapid_x_m_min = 20;               ///< rate of the slide along x, on radius; only the ratio counts
     double rapid_z_m_min = 20;               ///< rate along z

@@ -21,6 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         cam::MoveList moves(Eigen::Vector2d(0, 0));
         moves.rapid({-2, 10});
         moves.line({5, 9}, 0.1);
+        if (!post.thread.empty()) moves.thread({9, 9}, 1.5);
         operation.moves = moves.taken();
         const std::string text = cam::writeProgram(post, {"title", 1, 3000, true, {"comment"}}, {operation}).text;
         if (text.empty()) std::abort();

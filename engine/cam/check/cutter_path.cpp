@@ -91,7 +91,7 @@ private:
                 notes_.push_back({notes::toolNotInJob, {{"line", move.line}, {"tool", std::int64_t{move.tool}}}});
             return;
         }
-        if (tool->isDrill()) return;
+        if (tool->isDrill() || tool->isThreader()) return;
         CutterStroke stroke;
         stroke.line = move.line;
         stroke.tool = move.tool;

@@ -6,12 +6,12 @@
 namespace lathelier::cam {
 namespace {
 
-Contour piecesOf(const Shaft& part)
+Contour piecesOf(const Shaft& part, double hole_radius_mm)
 {
     Contour pieces = outerContour(part);
     if (pieces.empty()) return pieces;
     const Eigen::Vector2d edge = pieces.front().from_mm;
-    if (edge.y() > 0) pieces.insert(pieces.begin(), ContourPiece{{edge.x(), 0}, edge});
+    if (edge.y() > hole_radius_mm) pieces.insert(pieces.begin(), ContourPiece{{edge.x(), hole_radius_mm}, edge});
     return pieces;
 }
 
@@ -40,8 +40,8 @@ double StatedCorrection::at_mm(double z) const
     return radius_mm[i - 1] + share * (radius_mm[i] - radius_mm[i - 1]);
 }
 
-DrawnContour::DrawnContour(const Shaft& part, StatedCorrection correction, double spacing_mm)
-    : pieces_(piecesOf(part)), correction_(std::move(correction))
+DrawnContour::DrawnContour(const Shaft& part, StatedCorrection correction, double spacing_mm, double hole_radius_mm)
+    : pieces_(piecesOf(part, hole_radius_mm)), correction_(std::move(correction))
 {
     double length = 0;
     for (const ContourPiece& piece : pieces_) length += piece.length_mm();

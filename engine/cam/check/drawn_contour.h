@@ -39,8 +39,9 @@ inline constexpr std::size_t mostDrawnPoints = 200000;
 /// mostDrawnPoints. A piece begins with the point that the one before ends with.
 class DrawnContour {
 public:
-    /// Precondition: checkPart() holds.
-    explicit DrawnContour(const Shaft& part, StatedCorrection correction = {}, double spacing_mm = usualSpacing_mm);
+    /// Precondition: checkPart() holds. Within a centre hole of this radius nothing of the end face is drawn.
+    explicit DrawnContour(const Shaft& part, StatedCorrection correction = {}, double spacing_mm = usualSpacing_mm,
+                          double hole_radius_mm = 0);
 
     const std::vector<DrawnPoint>& points() const { return points_; }
     const Contour& pieces() const { return pieces_; }

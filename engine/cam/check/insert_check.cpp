@@ -75,7 +75,8 @@ std::vector<InsertBelow> insertsBelow(std::span<const gcode::Move> moves, const 
     const Skyline skyline(drawing.points());
     std::map<int, stock::ConvexPolygon> inserts;
     for (const JobTool& tool : job.tools)
-        if (!tool.isDrill()) inserts[tool.number] = stock::outlineOf(turningTool(tool, job)).insert;
+        if (!tool.isDrill() && !tool.isThreader())
+            inserts[tool.number] = stock::outlineOf(turningTool(tool, job)).insert;
     std::vector<InsertBelow> all;
     stock::TipFollower follower(z_zero_mm);
     stock::ToolTravel travel;

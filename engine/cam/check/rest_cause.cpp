@@ -18,15 +18,16 @@ struct Named {
     Text name;
 };
 
-const std::array<Named, 7>& names()
+const std::array<Named, 8>& names()
 {
-    static const std::array<Named, 7> all{{{"nose_radius", LT_TEXT("Engine", "nose radius")},
+    static const std::array<Named, 8> all{{{"nose_radius", LT_TEXT("Engine", "nose radius")},
                                            {"back_angle", LT_TEXT("Engine", "back angle")},
                                            {"leading_angle", LT_TEXT("Engine", "entering angle")},
                                            {"blade", LT_TEXT("Engine", "blade")},
                                            {"holder", LT_TEXT("Engine", "holder")},
                                            {"chuck", LT_TEXT("Engine", "chuck")},
-                                           {"not_cut", LT_TEXT("Engine", "not cut")}}};
+                                           {"not_cut", LT_TEXT("Engine", "not cut")},
+                                           {"tailstock", LT_TEXT("Engine", "tailstock")}}};
     return all;
 }
 

@@ -7,11 +7,11 @@
 namespace lathelier::cam {
 
 /// Nose: the corner is sharper than the nose. Back and leading angle: an edge would cut into the drawing. Blade:
-/// corners of a blade. Holder and chuck: what a plan kept clear of. Uncut: the tool could reach it, the program does
-/// not.
-enum class RestCause : std::uint8_t { NoseRadius, BackAngle, LeadingAngle, Blade, Holder, Chuck, Uncut };
+/// corners of a blade. Holder, chuck and tailstock: what a plan kept clear of. Uncut: the tool could reach it, the
+/// program does not.
+enum class RestCause : std::uint8_t { NoseRadius, BackAngle, LeadingAngle, Blade, Holder, Chuck, Uncut, Tailstock };
 
-/// "nose_radius", "back_angle", "leading_angle", "blade", "holder", "chuck", "not_cut".
+/// "nose_radius", "back_angle", "leading_angle", "blade", "holder", "chuck", "not_cut", "tailstock".
 const char* key(RestCause cause);
 Text nameOf(RestCause cause);
 

@@ -6,14 +6,18 @@
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/check/insert_check.h"
+#include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
 #include "engine/cam/post/post.h"
+#include "engine/cam/tool_library.h"
 #include "engine/core/field_within.h"
 #include "engine/stock/stock_codes.h"
 
 namespace lathelier::cam {
 namespace {
+
+constexpr std::int32_t mostBlamed = 8;  ///< strokes between those on both sides of a rest
 
 struct Named {
     const char* key;
@@ -67,6 +71,19 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
     read.program = gcode::readProgram(std::move(text), parameters.program.dialect, progress.part(0, 0.5));
     read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
     return read;
+}
+
+/// LinuxCNC counts from its zero before a program has named both axes. Where the tool really stands is unknown: a first
+/// rapid move along Z alone does not lead along the axis.
+std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, gcode::Dialect dialect)
+{
+    if (dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
+    gcode::Move& first = moves.front();
+    const gcode::Move& next = moves[1];
+    if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
+        next.x_mm != 0 && first.z_mm == next.z_mm)
+        first.x_mm = gcode::none;
+    return moves;
 }
 
 /// What belongs to one clamping: part, bar, bodies.
@@ -166,7 +183,9 @@ private:
 
     void checkSurface(const Clamping& clamping)
     {
-        const DrawnContour drawing(clamping.part, inputs_.correction);
+        const bool has_hole = parameters_.setup != 2 && job_.setup.tailstock;
+        const DrawnContour drawing(clamping.part, inputs_.correction, usualSpacing_mm,
+                                   has_hole ? job_.setup.tailstock->centre_hole_mm / 2 : 0);
         AllStrokes all;
         all.strokes = cutterPath(result_.path.moves, job_, {parameters_.z_zero_mm, false, 0}, result_.notes);
         all.own = all.strokes.size();
@@ -180,7 +199,10 @@ private:
             result_.gouge_line = found.gouge_line;
         }
         result_.left_max_mm = found.left_max_mm;
-        for (const LeftStretch& stretch : found.left) addRest(stretch, drawing, all);
+        for (const LeftStretch& stretch : found.left) {
+            addRest(stretch, drawing, all);
+            if (result_.rest.back().cause == RestCause::Uncut) blame(stretch, found.clearances, all);
+        }
         for (const InsertBelow& below :
              insertsBelow(result_.path.moves, job_, drawing, parameters_.z_zero_mm, progress_.part(0.5, 0.6)))
             add({below.line, CheckKind::InsertBelowDrawing, below.at.z_mm, below.at.x_mm, below.depth_mm});
@@ -206,10 +228,23 @@ private:
         result_.rest.push_back(rest);
     }
 
+    /// Where nothing hinders the tool, the block at fault stands between those that cut on both sides of the rest.
+    void blame(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
+    {
+        if (stretch.first == 0 || stretch.last + 1 >= clearances.size()) return;
+        const std::int32_t before = clearances[stretch.first - 1].own, after = clearances[stretch.last + 1].own;
+        if (before < 0 || after < before || after - before > mostBlamed) return;
+        // Without one between them it is one of both.
+        const auto fault = static_cast<std::size_t>(std::min(before + 1, after));
+        result_.rest.back().line = all.strokes[fault].line;
+        result_.rest.back().tool = all.strokes[fault].tool;
+    }
+
     void checkBodies(Clamping& clamping)
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
-        const std::vector<gcode::Move>& moves = result_.path.moves;
+        const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program.dialect);
+        clamping.bodies.tailstock_from_move = tailstockComes(moves);
         result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
                                      : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);
         const stock::StockResult& met = *result_.stock;
@@ -222,6 +257,14 @@ private:
                 if (const double* number = std::get_if<double>(z)) set(note.values, "z_mm", *number - zero);
             result_.notes.push_back(std::move(note));
         }
+    }
+
+    /// The tailstock comes when its hole was drilled; without a drill in the program it is there from the start.
+    std::size_t tailstockComes(const std::vector<gcode::Move>& moves) const
+    {
+        for (std::size_t i = moves.size(); i-- > 0;)
+            if (const JobTool* tool = job_.tool(moves[i].tool); tool && tool->isDrill()) return i + 1;
+        return 0;
     }
 
     /// The deepest of a block and kind.
@@ -297,13 +340,15 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
     return all;
 }
 
-CheckResult checkTurning(std::string text, const Shaft& part, const Job& job, const CheckParameters& parameters,
+CheckResult checkTurning(std::string text, const Shaft& part, const Job& stated, const CheckParameters& parameters,
                          const CheckInputs& inputs, const Progress& progress)
 {
+    const Job job = withLibrary(stated);
     checkPart(part);
     checkStock(job, part);
     checkTools(job);
-    return Check(part, job, parameters, inputs, progress).run(std::move(text));
+    const Shaft drawn = brokenEdges(part, job.edge_break_mm).part;
+    return Check(drawn, job, parameters, inputs, progress).run(std::move(text));
 }
 
 }  // namespace lathelier::cam

@@ -61,12 +61,12 @@ struct CheckFinding {
 
 /// Material that stays on the drawing.
 struct RestInterval {
-    double z_start_mm = 0;                   ///< from the free end of the clamping
-    double z_end_mm = 0;                     ///< on a wall the same as its start
-    double left_mm = 0;                      ///< largest, normal to the surface
-    RestCause cause = RestCause::Uncut;      ///< why
-    int tool = 0;                            ///< that comes nearest there; 0: none
-    std::int64_t line = 0;                   ///< of the block that comes nearest there; 0: none
+    double z_start_mm = 0;               ///< from the free end of the clamping
+    double z_end_mm = 0;                 ///< on a wall the same as its start
+    double left_mm = 0;                  ///< largest, normal to the surface
+    RestCause cause = RestCause::Uncut;  ///< why
+    int tool = 0;                        ///< that comes nearest there; 0: none
+    std::int64_t line = 0;  ///< of the block that comes nearest there, or of the one that should have cut; 0: none
     std::optional<double> corner_radius_mm;  ///< R of a drawn hollow arc that is sharper than the nose
     std::optional<double> nose_radius_mm;    ///< r of that tool, where its nose is the cause
 };

@@ -13,6 +13,9 @@ struct BuiltInText {
 };
 
 const std::vector<BuiltInText>& builtInPosts();      ///< resources/posts, by name
-const std::vector<BuiltInText>& builtInLibraries();  ///< resources/library: work_materials
+const std::vector<BuiltInText>& builtInLibraries();  ///< resources/library
+
+/// A library by its file's name without extension. Precondition: there is one.
+const std::string& builtInLibrary(const char* name);
 
 }  // namespace lathelier::cam

@@ -76,6 +76,9 @@ public:
             const JsonCursor cursor = root_.at(key, textExpected);
             if ((post_.*member = oneLine(cursor)).empty()) cursor.reject(LT_TEXT("Engine", "a word such as G1"));
         }
+        if (const auto thread = root_.member("thread")) post_.thread = oneLine(*thread);
+        if (const auto lead = root_.member("thread_lead"))
+            post_.thread_lead = choice(*lead, {"F", "K"}, LT_TEXT("Engine", "F or K")) == 0 ? "F" : "K";
         post_.arc = static_cast<ArcWords>(
             choice(root_.at("arc", textExpected), {"ik", "r", "cr"}, LT_TEXT("Engine", "ik, r or cr")));
         readWords(root_.at("words", LT_TEXT("Engine", "an object with X, Z, F and style")));
@@ -189,6 +192,8 @@ private:
                                              "arc_cw",
                                              "arc_ccw",
                                              "arc",
+                                             "thread",
+                                             "thread_lead",
                                              "words",
                                              "modal",
                                              "feed",
@@ -240,6 +245,8 @@ std::string postText(const Post& post)
     json["line"] = post.line;
     json["arc_cw"] = post.arc_cw;
     json["arc_ccw"] = post.arc_ccw;
+    if (!post.thread.empty()) json["thread"] = post.thread;
+    json["thread_lead"] = post.thread_lead;
     static constexpr const char* arcs[]{"ik", "r", "cr"};
     json["arc"] = arcs[static_cast<std::size_t>(post.arc)];
     json["words"]["X"]["diameter"] = post.x_is_diameter;
@@ -265,7 +272,7 @@ std::string postText(const Post& post)
 std::string asSystemA(const std::string& text)
 {
     static constexpr std::pair<const char*, const char*> codes[]{
-        {"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}};
+        {"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}, {"G33", "G32"}};
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
         if (text[at] == '(') {  // comments stay

@@ -5,7 +5,7 @@
 // "spindle_css",
 //  "spindle_rpm", "speed_change", "coolant_on", "stop", "program_end": lists of templates,
 //  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those, where a tailstock stands,
-//  "rapid", "line", "arc_cw", "arc_ccw": words, "arc": "ik" | "r" | "cr",
+//  "rapid", "line", "arc_cw", "arc_ccw": words, "arc": "ik" | "r" | "cr", "thread"?: word, "thread_lead"?: "F" | "K",
 //  "words": {"X": {"diameter", "decimals"}, "Z": {"decimals"}, "F": {"decimals"}, "style": "point" | "plain"},
 //  "modal"?, "feed"?: "per_rev" | "per_min", "css"?, "block_numbers": {"start", "step"} | null,
 //  "comment": {"open", "close", "max_length"?}, "end_of_line"?: "lf" | "crlf"}
@@ -53,6 +53,8 @@ struct Post {
     Templates program_end_tailstock;            ///< the same where a tailstock stands; empty: program_end
     std::string rapid = "G0", line = "G1";      ///< words
     std::string arc_cw = "G2", arc_ccw = "G3";  ///< words, seen with Z to the right and X upward
+    std::string thread;                         ///< word of one pass of a thread; empty: the control has none
+    std::string thread_lead = "F";              ///< address of its lead
     ArcWords arc = ArcWords::CentreOffsets;     ///< how circles are stated
     bool x_is_diameter = true;                  ///< X counts diameters
     int x_decimals = 3, z_decimals = 3;         ///< of X and I, Z and K; at least leastDecimals
@@ -77,8 +79,8 @@ Post readPost(const std::string& json, Notes& notes);
 std::string postText(const Post& post);
 
 /// The text with the codes of Fanuc's system B replaced by those of system A, line by line: G90 is left out, G92 S
-/// becomes G50 S, G94 and G95 become G98 and G99. What has no such counterpart (G91) stays, and is then read as system
-/// A has it.
+/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. What has no such counterpart (G91) stays, and is
+/// then read as system A has it.
 std::string asSystemA(const std::string& text);
 
 /// Names of the posts that are built in, and one of them. Error postUnknown naming them.

@@ -76,12 +76,12 @@ public:
             tool_ = operation.tool;
             if (!before || before->tool != operation.tool) {
                 if (before) lines(post_.tool_end, true);
-                if (operation.stops_before) lines(post_.stop, true);
                 const bool alone = head_.has_tailstock && !post_.tool_start_tailstock.empty();
                 lines(alone ? post_.tool_start_tailstock : post_.tool_start, true);
+                if (operation.stops_before) stop();
                 forget();
             } else if (operation.stops_before) {
-                lines(post_.stop, true);
+                stop();
             }
             write(operation);
             before = &operation;
@@ -94,6 +94,12 @@ public:
     }
 
 private:
+    void stop()
+    {
+        addComment("bring the tailstock");
+        lines(post_.stop, true);
+    }
+
     void write(const Operation& operation)
     {
         WrittenOperation written;
@@ -128,6 +134,8 @@ private:
         const std::int64_t z = unitsOf(-move.to.x(), post_.z_decimals);
         const bool x_moves = !is_known_ || x != x_, z_moves = !is_known_ || z != z_;
         if (!x_moves && !z_moves) return 0;
+        if (move.kind == CutKind::Thread && post_.thread.empty())
+            throw Error(errors::postCannot, {{"post", post_.name}, {"what", LT_TEXT("Engine", "cut threads")}});
         if (!is_known_ && head_.has_tailstock) {  // along the tailstock first, then down
             add(word(move.kind) + zWord(z));
             add(xWord(x));
@@ -142,7 +150,10 @@ private:
         if (x_moves || !post_.modal) append(text, xWord(x));
         if (z_moves || !post_.modal) append(text, zWord(z));
         if (kind == CutKind::Arc) append(text, circle);
-        if (kind != CutKind::Rapid) append(text, feedWord(move.feed_mm_rev));
+        if (kind == CutKind::Thread)
+            append(text, leadWord(move.feed_mm_rev));
+        else if (kind != CutKind::Rapid)
+            append(text, feedWord(move.feed_mm_rev));
         motion_ = motion;
         add(text);
         return remember(x, z), 1;
@@ -155,7 +166,17 @@ private:
         is_known_ = true;
     }
 
-    std::string word(CutKind kind) const { return kind == CutKind::Rapid ? post_.rapid : post_.line; }
+    std::string word(CutKind kind) const
+    {
+        return kind == CutKind::Rapid ? post_.rapid : kind == CutKind::Thread ? post_.thread : post_.line;
+    }
+    /// In every block, with four decimals: pitches of inch threads need them.
+    std::string leadWord(double lead_mm)
+    {
+        feed_units_ = -1;
+        constexpr int kDecimals = 4;
+        return wordText(post_.thread_lead.c_str(), unitsOf(lead_mm, kDecimals), kDecimals, post_.decimal_point);
+    }
     std::string xWord(std::int64_t units) const { return wordText("X", units, post_.x_decimals, post_.decimal_point); }
     std::string zWord(std::int64_t units) const { return wordText("Z", units, post_.z_decimals, post_.decimal_point); }
 

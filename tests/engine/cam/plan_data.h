@@ -185,4 +185,33 @@ inline Job randomJob(std::mt19937& random, bool rest_tools)
     return job;
 }
 
+inline JobTool centreDrill(int number)
+{
+    JobTool tool;
+    tool.number = number;
+    tool.use = ToolUse::CentreDrill;
+    return tool;
+}
+
+/// Between chuck and tailstock, with its centre hole drilled first.
+inline Job tailstockJob()
+{
+    Job job = jobWith({row(1, 26, 28), row(39, 28, 28), row(40, 34, 34), row(60, 42, 42)}, 46, 165,
+                      {roughC80(), finishC80(), centreDrill(9)});
+    job.setup.tailstock = JobTailstock{5, {}};
+    return job;
+}
+
+/// With a thread M24 that runs out into a relief.
+inline Job threadedJob()
+{
+    JobTool threader;
+    threader.number = 11;
+    threader.use = ToolUse::Thread;
+    Job job = jobWith({row(2, 20, 24), row(25, 24, 24), row(5, 19, 19), row(30, 32, 32)}, 36, 90,
+                      {roughD55(), finishD55(), backV35(), blade(8, ToolUse::Groove, 3, 0.2, 18), threader});
+    job.shaft->segments[1].thread = "M24x2";
+    return job;
+}
+
 }  // namespace lathelier::cam

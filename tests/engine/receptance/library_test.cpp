@@ -51,7 +51,7 @@ TEST(Library, OfMachinesIsWhole)
 TEST(Library, OfInsertsIsWholeAndCanCut)
 {
     const auto library = cutting::readInserts(resource("inserts.json"));
-    ASSERT_EQ(library.size(), 10U);
+    ASSERT_EQ(library.size(), 16U);
     for (const auto& entry : library) {
         EXPECT_NE(entry.source.find("ISO 1832"), std::string::npos) << entry.key;
         ASSERT_TRUE(entry.value.tip_angle_deg) << entry.key;

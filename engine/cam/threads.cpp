@@ -1,0 +1,197 @@
+#include "engine/cam/threads.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace lathelier::cam {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDepthOverPitch = 0.6134;  // ISO 724, with a rounded root of P/8
+constexpr double kFirstPass_mm = 0.2;
+constexpr int kLeastPasses = 4, kMostPasses = 30;
+constexpr double kRunInPitches = 3;
+constexpr double kAbove_mm = 2;  // of returns over the crest
+constexpr double kBeforeShoulder_mm = 0.5;
+constexpr double kSpeedShare = 0.5;  // of the cutting speed of roughing
+constexpr double kTan30 = 0.57735;
+constexpr double kSame_mm = 1e-6;
+
+/// ISO 261, coarse pitches.
+std::optional<double> coarsePitch_mm(double diameter_mm)
+{
+    static constexpr std::pair<double, double> all[]{
+        {3, 0.5},  {4, 0.7},  {5, 0.8},  {6, 1},  {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2}, {16, 2},
+        {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3}, {27, 3},   {30, 3.5}, {33, 3.5},  {36, 4}, {39, 4},
+        {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}, {56, 5.5}, {60, 5.5}, {64, 6},    {68, 6}};
+    for (const auto& [diameter, pitch] : all)
+        if (std::abs(diameter - diameter_mm) < kSame_mm) return pitch;
+    return {};
+}
+
+/// A number at `at`, which is moved behind it.
+std::optional<double> numberAt(const std::string& text, std::size_t& at)
+{
+    std::size_t end = at;
+    while (end < text.size() &&
+           (std::isdigit(static_cast<unsigned char>(text[end])) || text[end] == '.' || text[end] == ','))
+        ++end;
+    if (end == at) return {};
+    std::string number = text.substr(at, end - at);
+    std::replace(number.begin(), number.end(), ',', '.');
+    at = end;
+    double value = 0, unit = 1;
+    bool is_fraction = false;
+    for (const char c : number) {
+        if (c == '.') {
+            if (is_fraction) return {};
+            is_fraction = true;
+            continue;
+        }
+        value = 10 * value + (c - '0');
+        if (is_fraction) unit *= 10;
+    }
+    return value / unit;
+}
+
+DrawnThread threadNamed(const std::string& designation)
+{
+    DrawnThread thread;
+    thread.designation = designation;
+    std::string text;
+    for (std::size_t i = 0; i < designation.size(); ++i) {
+        const auto c = static_cast<unsigned char>(designation[i]);
+        if (c == 0xC3 && i + 1 < designation.size() && static_cast<unsigned char>(designation[i + 1]) == 0x97) {
+            text += 'x';  // ×
+            ++i;
+        } else if (!std::isspace(c)) {
+            text += static_cast<char>(std::tolower(c));
+        }
+    }
+    if (text.empty() || text[0] != 'm') return thread;
+    std::size_t at = 1;
+    const std::optional<double> diameter = numberAt(text, at);
+    if (!diameter) return thread;
+    if (at < text.size() && (text[at] == 'x' || text[at] == '*'))
+        thread.pitch_mm = numberAt(text, ++at);
+    else
+        thread.pitch_mm = coarsePitch_mm(*diameter);
+    if (thread.pitch_mm && !(*thread.pitch_mm > 0)) thread.pitch_mm.reset();
+    const std::string rest = text.substr(std::min(at, text.size()));
+    thread.is_plain = rest.find("lh") == std::string::npos && rest.find('(') == std::string::npos &&
+                      rest.find('p') == std::string::npos;  // M16x4(P2), M16x4P2: several starts
+    return thread;
+}
+
+/// Highest drawn radius between two places; 0 where nothing is drawn.
+double highest_mm(const HeightContour& contour, double from, double to)
+{
+    double highest = 0;
+    for (const ContourPiece& piece : contour.pieces) {
+        const double low = std::max(from, piece.from_mm.x()), high = std::min(to, piece.to_mm.x());
+        if (low > high) continue;
+        if (piece.to_mm.x() > piece.from_mm.x()) {
+            highest = std::max({highest, piece.radiusAt_mm(low), piece.radiusAt_mm(high)});
+            if (const Eigen::Vector2d centre = piece.isArc() ? piece.centre_mm() : Eigen::Vector2d(low, 0);
+                piece.arc_radius_mm > 0 && centre.x() > low && centre.x() < high)
+                highest = std::max(highest, centre.y() + piece.arc_radius_mm);
+        }
+    }
+    return highest;
+}
+
+Threading without(Text reason)
+{
+    Threading none;
+    none.reason = reason;
+    return none;
+}
+
+}  // namespace
+
+std::vector<DrawnThread> threadsOf(const Shaft& part)
+{
+    std::vector<DrawnThread> threads;
+    double begin = 0;
+    for (const ShaftSegment& row : part.segments) {
+        const double end = begin + row.length_mm;
+        if (!row.thread.empty()) {
+            DrawnThread thread = threadNamed(row.thread);
+            thread.z_start_mm = begin;
+            thread.z_end_mm = end;
+            threads.push_back(std::move(thread));
+        }
+        begin = end;
+    }
+    for (const ShaftMark& mark : part.marks) {
+        if (mark.kind != "thread") continue;
+        DrawnThread thread = threadNamed(mark.designation);
+        if (mark.pitch_mm) thread.pitch_mm = mark.pitch_mm;
+        thread.is_plain = thread.is_plain && mark.hand.value_or(1) > 0 && mark.starts.value_or(1) <= 1;
+        if (!mark.z_start_mm || !mark.z_end_mm) thread.pitch_mm.reset();
+        thread.z_start_mm = mark.z_start_mm.value_or(0);
+        thread.z_end_mm = mark.z_end_mm.value_or(0);
+        const bool is_row = std::any_of(threads.begin(), threads.end(), [&](const DrawnThread& other) {
+            return other.z_start_mm < thread.z_end_mm && other.z_end_mm > thread.z_start_mm;
+        });
+        if (!is_row) threads.push_back(std::move(thread));
+    }
+    return threads;
+}
+
+std::vector<DrawnThread> mirrored(std::vector<DrawnThread> threads, double length_mm)
+{
+    for (DrawnThread& thread : threads) {
+        const double start = thread.z_start_mm;
+        thread.z_start_mm = length_mm - thread.z_end_mm;
+        thread.z_end_mm = length_mm - start;
+    }
+    return threads;
+}
+
+Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThread& thread, double max_rpm)
+{
+    if (!thread.pitch_mm) return without(LT_TEXT("Engine", "its pitch or its place is not understood"));
+    if (!thread.is_plain) return without(LT_TEXT("Engine", "it is left-handed or has several starts"));
+    const double pitch = *thread.pitch_mm, depth = kDepthOverPitch * pitch;
+    const double from = thread.z_start_mm, to = std::min(thread.z_end_mm, frame.contour.length_mm);
+    const double crest = highest_mm(frame.contour, from + kSame_mm, to - kSame_mm), root = crest - depth;
+    if (!(root > 0) || std::abs(lowestRadius_mm(frame.contour, from + kSame_mm, to - kSame_mm) - crest) > kSame_mm)
+        return without(LT_TEXT("Engine", "its row is no cylinder that could carry it"));
+    const double run_in = from - kRunInPitches * pitch, side = depth * kTan30 + kBeforeShoulder_mm;
+    if (highest_mm(frame.contour, run_in, from - kSame_mm) > crest + kSame_mm)
+        return without(LT_TEXT("Engine", "what stands before it is higher"));
+    double end = to;
+    if (highest_mm(frame.contour, to + kSame_mm, to + 2 * side) < root + kSame_mm)
+        end = to + side;  // into the relief
+    else if (highest_mm(frame.contour, to + kSame_mm, to + side) > crest - kSame_mm)
+        end = to - side;  // the root runs out before the shoulder
+    if (end - from < pitch) return without(LT_TEXT("Engine", "its row is too short"));
+    Threading result;
+    const double square = (depth / kFirstPass_mm) * (depth / kFirstPass_mm);
+    result.passes = std::clamp(static_cast<int>(std::ceil(square)), kLeastPasses, kMostPasses);
+    result.depth_mm = depth;
+    Operation operation{
+        OperationKind::Thread, tool.number, kSpeedShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
+    operation.speed_rpm =
+        std::max(1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * kPi * crest))));
+    operation.reason = thread.designation;
+    const double above = crest + kAbove_mm;
+    MoveList moves(Eigen::Vector2d(0, 0));
+    moves.rapid({run_in, frame.safe_x_mm});
+    for (int i = 1; i <= result.passes + 1; ++i) {
+        const double share = std::min(1.0, static_cast<double>(i) / result.passes);
+        moves.rapidX(above);
+        moves.rapidZ(run_in);
+        moves.rapidX(crest - depth * std::sqrt(share));
+        moves.thread({end, moves.at().y()}, pitch);
+    }
+    moves.rapidX(frame.safe_x_mm);
+    operation.moves = moves.taken();
+    result.operation = std::move(operation);
+    return result;
+}
+
+}  // namespace lathelier::cam

@@ -1,0 +1,47 @@
+// External threads of a part, and the passes that cut them: G32 or G33 as the post has it, explicit moves throughout,
+// so that every control makes the same ones.
+//
+// ISO 68-1, ISO 724: the depth of an external thread is 0.6134 P from the drawn diameter, that of its crest. Pass i of
+// n stands at depth √(i/n) of it, so all take off the same area; the last one is run twice. The tool is straight to the
+// axis; what it takes off is not looked at.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/cam/operation.h"
+#include "engine/cam/work_frame.h"
+
+namespace lathelier::cam {
+
+/// A thread that the drawing states.
+struct DrawnThread {
+    std::string designation;         ///< "M16x1.5"
+    std::optional<double> pitch_mm;  ///< P; none: not understood
+    double z_start_mm = 0;           ///< from the free end
+    double z_end_mm = 0;             ///< end toward the chuck
+    bool is_plain = true;            ///< right-handed, with one start
+    friend bool operator==(const DrawnThread&, const DrawnThread&) = default;
+};
+
+/// Of the rows (ShaftSegment::thread) and the marks of kind "thread" with a place. M with or without a pitch (ISO 261,
+/// coarse), "x", "×" or "*" between, "LH" for left-handed.
+std::vector<DrawnThread> threadsOf(const Shaft& part);
+
+/// The same seen from the other end.
+std::vector<DrawnThread> mirrored(std::vector<DrawnThread> threads, double length_mm);
+
+/// A thread in passes, or why there is none.
+struct Threading {
+    std::optional<Operation> operation;  ///< none: see `reason`
+    Text reason;                         ///< in words
+    int passes = 0;                      ///< over the thread
+    double depth_mm = 0;                 ///< of the thread
+};
+
+/// Runs in by three pitches over what is no higher than the thread; runs out into what is lower than its root, or ends
+/// before a shoulder.
+Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThread& thread, double max_rpm);
+
+}  // namespace lathelier::cam

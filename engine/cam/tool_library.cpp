@@ -1,0 +1,192 @@
+#include "engine/cam/tool_library.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/cam/cam_codes.h"
+#include "engine/cam/cutting_data.h"
+#include "engine/cam/plan_codes.h"
+#include "engine/cam/post/built_in_posts.h"
+#include "engine/io/json/library_file.h"
+
+namespace lathelier::cam {
+namespace {
+
+const Text mm = LT_TEXT("Engine", "mm"), deg = LT_TEXT("Engine", "°"), mm_rev = LT_TEXT("Engine", "mm/rev"),
+           m_min = LT_TEXT("Engine", "m/min");
+constexpr Range lengths_mm{0, 1000};
+
+Label required(Text name, Text help, Text unit)
+{
+    Label label{name, help, unit};
+    label.required = true;
+    return label;
+}
+
+/// "CNMG 120408": C is the shape, 12 the edge, 08 the corner in 0.1 mm.
+std::optional<LibraryInsert> insertOfCode(const std::string& code)
+{
+    const std::string plain = plainName(code);
+    constexpr std::size_t kLetters = 4, kDigits = 6;
+    if (plain.size() < kLetters + kDigits) return {};
+    std::string upper(plain);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    const std::optional<double> tip = stock::tipAngleOfCode_deg(upper);
+    const auto number = [&](std::size_t at) -> std::optional<int> {
+        if (!std::isdigit(static_cast<unsigned char>(plain[at])) ||
+            !std::isdigit(static_cast<unsigned char>(plain[at + 1])))
+            return {};
+        return 10 * (plain[at] - '0') + (plain[at + 1] - '0');
+    };
+    const std::optional<int> edge = number(kLetters), corner = number(kLetters + 4);
+    if (!tip || !edge || !corner || *edge == 0 || *corner == 0) return {};
+    LibraryInsert insert;
+    insert.tip_angle_deg = *tip;
+    insert.edge_length_mm = *edge;
+    constexpr double kTenths = 10;
+    insert.corner_radius_mm = *corner / kTenths;
+    insert.standing = "given";
+    return insert;
+}
+
+void fill(std::optional<double>& stated, const std::optional<double>& found)
+{
+    if (!stated) stated = found;
+}
+
+[[noreturn]] void refuse(const JobTool& tool, const std::string& found, const std::string& expected)
+{
+    throw Error(errors::toolNotInLibrary,
+                {{"tool", std::int64_t{tool.number}}, {"found", found}, {"expected", expected}});
+}
+
+template <class T>
+std::string keysOf(const std::vector<LibraryEntry<T>>& library)
+{
+    std::string all;
+    for (const LibraryEntry<T>& entry : library) all += (all.empty() ? "" : ", ") + entry.key;
+    return all;
+}
+
+}  // namespace
+
+const std::vector<Field<LibraryInsert>>& fieldsOf(const LibraryInsert*)
+{
+    using I = LibraryInsert;
+    const Text help = LT_TEXT("Engine", "Range for it.");
+    static const auto all = described<I>(
+        field("corner_radius_mm", &I::corner_radius_mm, {0, 100},
+              required(LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of the insert."), mm)),
+        field("tip_angle_deg", &I::tip_angle_deg, {1, 180},
+              required(LT_TEXT("Engine", "Tip angle"), LT_TEXT("Engine", "Of the insert."), deg)),
+        field("lead_angle_deg", &I::lead_angle_deg, {-89, 89},
+              Label{LT_TEXT("Engine", "Lead angle"), LT_TEXT("Engine", "On its usual holder."), deg}),
+        field("edge_length_mm", &I::edge_length_mm, lengths_mm,
+              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of the insert."), mm}),
+        field("depth_low_mm", &I::depth_low_mm, lengths_mm, Label{LT_TEXT("Engine", "Least depth"), help, mm}),
+        field("depth_high_mm", &I::depth_high_mm, lengths_mm, Label{LT_TEXT("Engine", "Largest depth"), help, mm}),
+        field("feed_low_mm_rev", &I::feed_low_mm_rev, {0, 100}, Label{LT_TEXT("Engine", "Least feed"), help, mm_rev}),
+        field("feed_high_mm_rev", &I::feed_high_mm_rev, {0, 100},
+              Label{LT_TEXT("Engine", "Largest feed"), help, mm_rev}),
+        field("speed_low_m_min", &I::speed_low_m_min, {0, 1e5},
+              Label{LT_TEXT("Engine", "Least cutting speed"), help, m_min}),
+        field("speed_high_m_min", &I::speed_high_m_min, {0, 1e5},
+              Label{LT_TEXT("Engine", "Largest cutting speed"), help, m_min}),
+        field("standing", &I::standing, Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
+    return all;
+}
+
+const std::vector<Field<LibraryHolder>>& fieldsOf(const LibraryHolder*)
+{
+    using H = LibraryHolder;
+    static const auto all = described<H>(
+        field("name", &H::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "ISO code.")}),
+        field("entering_angle_deg", &H::entering_angle_deg, {1, 178},
+              required(LT_TEXT("Engine", "Entering angle"), LT_TEXT("Engine", "Of the main edge."), deg)),
+        field("hand", &H::hand,
+              {{"toward_chuck", LT_TEXT("Engine", "toward the chuck")},
+               {"from_chuck", LT_TEXT("Engine", "from the chuck")}},
+              Label{LT_TEXT("Engine", "Hand"), LT_TEXT("Engine", "Direction of its feed.")}),
+        rows("holder", &H::holder, {0, 1000},
+             Label{LT_TEXT("Engine", "Holder"), LT_TEXT("Engine", "Corners from the tip.")}),
+        field("standing", &H::standing, Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
+    return all;
+}
+
+const std::vector<LibraryEntry<LibraryInsert>>& libraryInserts()
+{
+    static const auto all = io::readLibrary<LibraryInsert>(builtInLibrary("inserts"), "inserts");
+    return all;
+}
+
+const std::vector<LibraryEntry<LibraryHolder>>& libraryHolders()
+{
+    static const auto all = io::readLibrary<LibraryHolder>(builtInLibrary("holders"), "holders");
+    return all;
+}
+
+std::optional<LibraryInsert> insertNamed(const std::string& code)
+{
+    for (const LibraryEntry<LibraryInsert>& entry : libraryInserts())
+        if (plainName(entry.key) == plainName(code)) return entry.value;
+    return insertOfCode(code);
+}
+
+const LibraryHolder* holderNamed(const std::string& code)
+{
+    for (const LibraryEntry<LibraryHolder>& entry : libraryHolders())
+        if (plainName(entry.key) == plainName(code)) return &entry.value;
+    return nullptr;
+}
+
+Job withLibrary(Job job)
+{
+    for (JobTool& tool : job.tools) {
+        if (!tool.insert.empty()) {
+            const std::optional<LibraryInsert> insert = insertNamed(tool.insert);
+            if (!insert) refuse(tool, tool.insert, keysOf(libraryInserts()));
+            fill(tool.nose_radius_mm, insert->corner_radius_mm);
+            fill(tool.tip_angle_deg, insert->tip_angle_deg);
+            fill(tool.edge_length_mm, insert->edge_length_mm);
+        }
+        if (tool.holder_name.empty()) continue;
+        const LibraryHolder* holder = holderNamed(tool.holder_name);
+        if (!holder) refuse(tool, tool.holder_name, keysOf(libraryHolders()));
+        fill(tool.entering_angle_deg, holder->entering_angle_deg);
+        if (tool.holder.empty()) tool.holder = holder->holder;
+        if (holder->hand == Hand::FromChuck) tool.hand = Hand::FromChuck;
+    }
+    return job;
+}
+
+void noteRanges(const Job& job, Notes& notes)
+{
+    for (const JobTool& tool : job.tools) {
+        const bool rough = tool.use == ToolUse::Rough;
+        if (tool.insert.empty() || (!rough && tool.use != ToolUse::Finish)) continue;
+        const std::optional<LibraryInsert> insert = insertNamed(tool.insert);
+        if (!insert) continue;
+        const auto look = [&](Text quantity, double found, const std::optional<double>& low,
+                              const std::optional<double>& high) {
+            if ((!low || found >= *low) && (!high || found <= *high)) return;
+            notes.push_back({notes::outsideRange,
+                             {{"tool", std::int64_t{tool.number}},
+                              {"quantity", quantity},
+                              {"found", found},
+                              {"low", low.value_or(0)},
+                              {"high", high.value_or(found)},
+                              {"standing", insert->standing}}});
+        };
+        const RoughCutting& cutting = job.cutting.rough;
+        look(LT_TEXT("Engine", "a feed"),
+             tool.feed_mm_rev.value_or(rough ? cutting.feed_mm_rev : job.cutting.finish.feed_mm_rev),
+             insert->feed_low_mm_rev, insert->feed_high_mm_rev);
+        look(LT_TEXT("Engine", "a cutting speed"),
+             rough ? cutting.cutting_speed_m_min : job.cutting.finish.cutting_speed_m_min, insert->speed_low_m_min,
+             insert->speed_high_m_min);
+        if (rough) look(LT_TEXT("Engine", "a depth"), cutting.depth_mm, {}, insert->depth_high_mm);
+    }
+}
+
+}  // namespace lathelier::cam

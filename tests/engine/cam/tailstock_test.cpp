@@ -1,0 +1,148 @@
+// Work between chuck and tailstock: where the tool may stand, when the tailstock comes, what it leaves on the face.
+#include "engine/cam/tailstock.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/cam/plan_codes.h"
+#include "tests/engine/cam/cam_data.h"
+#include "tests/engine/cam/plan_checks.h"
+
+namespace lathelier::cam {
+namespace {
+
+TEST(Tailstock, AllPostsGiveASoundProgram)
+{
+    for (const std::string& post : postNames()) {
+        const TurningPlan plan = planned(tailstockJob(), post.c_str());
+        expectSound(plan, post);
+        EXPECT_TRUE(plan.rest.empty() || plan.rest.front().cause == RestCause::NoseRadius) << post;
+        const SetupPlan& setup = plan.setups[0];
+        ASSERT_GE(setup.operations.size(), 4U) << post;
+        EXPECT_EQ(setup.operations[0].kind, OperationKind::Face) << post;
+        EXPECT_EQ(setup.operations[1].kind, OperationKind::CentreDrill) << post;
+        // The stop stands after the drill's last block and before the next tool's first.
+        const std::size_t stop = setup.text.find("BRING THE TAILSTOCK");
+        ASSERT_NE(stop, std::string::npos) << post;
+        EXPECT_GT(stop, setup.text.find("CENTRE DRILL")) << post;
+        EXPECT_NE(setup.text.find("M0", stop), std::string::npos) << post;
+    }
+}
+
+TEST(Tailstock, NothingFacesTheEndAfterItsHole)
+{
+    const TurningPlan plan = planned(tailstockJob(), "fanuc_a");
+    bool is_drilled = false;
+    for (const Operation& operation : plan.setups[0].moves) {
+        if (is_drilled)
+            for (const CutMove& move : operation.moves) {
+                // No tip comes below the first diameter at the face.
+                const bool is_at_face = move.to.x() < 1e-6;
+                if (is_at_face) {
+                    EXPECT_GT(move.to.y(), 11.5) << key(operation.kind);
+                }
+            }
+        is_drilled = is_drilled || operation.kind == OperationKind::CentreDrill;
+    }
+    EXPECT_TRUE(is_drilled);
+    // X leaves alone, before Z.
+    EXPECT_NE(plan.setups[0].text.find("G28 U0.\nN"), std::string::npos);
+    EXPECT_EQ(plan.setups[0].text.find("G28 U0. W0."), std::string::npos);
+}
+
+TEST(Tailstock, StandingFromTheStartItKeepsARingOnTheFace)
+{
+    Job job = tailstockJob();
+    job.tools.pop_back();
+    for (const std::string& post : postNames()) {
+        const TurningPlan plan = planned(job, post.c_str());
+        expectSound(plan, post);
+        ASSERT_FALSE(plan.rest.empty()) << post;
+        EXPECT_NEAR(plan.rest.front().z_start_mm, 0, 1e-6) << post;
+        EXPECT_EQ(plan.rest.front().cause, RestCause::Tailstock) << post;
+        EXPECT_NEAR(plan.rest.front().left_mm, 1, 0.05) << post;
+    }
+}
+
+TEST(Tailstock, StatedOutlineIsKeptClearOf)
+{
+    Job job = tailstockJob();
+    for (const double radius : {6.0, 10.0, 13.0}) {
+        job.setup.tailstock = JobTailstock{5, {{-0.5, radius}, {-4, radius}, {-30, 25}}};
+        for (const bool drill : {true, false}) {
+            Job with = job;
+            if (!drill) with.tools.pop_back();
+            const TurningPlan plan = planned(with, "sinumerik");
+            expectSound(plan, std::to_string(radius) + (drill ? " drill" : ""));
+        }
+    }
+    // Where the outline stands before the whole bar, the end stays as it is.
+    job.setup.tailstock = JobTailstock{5, {{-2, 30}, {-40, 30}}};
+    job.tools.pop_back();
+    const TurningPlan plan = planned(job, "fanuc_a");
+    expectSound(plan, "wide");
+    EXPECT_TRUE(contains(plan.notes, notes::faceNotReached));
+    ASSERT_FALSE(plan.rest.empty());
+    EXPECT_EQ(plan.rest.front().cause, RestCause::Tailstock);
+}
+
+TEST(Tailstock, CheckFindsAMoveIntoItOnlyAfterItCame)
+{
+    const Job job = tailstockJob();
+    const TurningPlan plan = planned(job, "fanuc_a");
+    const std::string& text = plan.setups[0].text;
+    // The finish comes down to X4 before the face: into the centre.
+    const std::size_t finish = text.find("(FINISH)"), down = text.find("\nN", text.find(" X", text.find(" Z", finish)));
+    ASSERT_NE(down, std::string::npos);
+    std::string wrong = text;
+    wrong.insert(down, "\nG0 X3.");
+    const std::int64_t line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(down) + 1, '\n');
+    const CheckResult result = checkTurning(wrong, *job.shaft, job);
+    bool is_found = false;
+    for (const CheckFinding& finding : result.findings)
+        is_found = is_found || (finding.kind == CheckKind::Tailstock && std::abs(finding.line - line) <= 1);
+    EXPECT_TRUE(is_found);
+    // The drill itself goes where the tailstock will stand.
+    EXPECT_TRUE(checkTurning(text, *job.shaft, job).findings.empty());
+}
+
+TEST(Tailstock, PartingOffIsLeftOut)
+{
+    Job job = tailstockJob();
+    job.part_off = true;
+    job.tools.push_back(blade(8, ToolUse::PartOff, 3, 0.2, 30));
+    const TurningPlan plan = planned(job, "haas");
+    expectSound(plan, "part off");
+    EXPECT_TRUE(contains(plan.notes, notes::partOffLeftOut));
+    for (const PlannedOperation& operation : plan.setups[0].operations)
+        EXPECT_NE(operation.kind, OperationKind::PartOff);
+}
+
+TEST(Tailstock, HoldersKeepClearToo)
+{
+    Job job = tailstockJob();
+    for (JobTool& tool : job.tools)
+        if (!tool.isDrill()) tool.holder = {{-7, 14}, {-14, 3}, {-32, 22}, {-32, 150}, {-7, 150}};
+    for (const bool drill : {true, false}) {
+        Job with = job;
+        if (!drill) with.tools.pop_back();
+        expectSound(planned(with, "linuxcnc"), "holder");
+    }
+}
+
+TEST(Tailstock, RandomShaftsBetweenCentres)
+{
+    for (int i = 0; i < 60; ++i) {
+        std::mt19937 random(static_cast<unsigned>(9000 + i));
+        Job job = randomJob(random, i % 2 == 1);
+        job.part_off = false;
+        job.setup.tailstock = JobTailstock{4, {}};
+        if (i % 3 == 1) job.setup.tailstock->keep_out = {{-1, 4}, {-12, 9}, {-12.5, 20}, {-60, 20}};
+        if (i % 2 == 0) job.tools.push_back(centreDrill(9));
+        expectSound(planned(job, i % 4 < 2 ? "fanuc_a" : "grbl"), "shaft " + std::to_string(i));
+    }
+}
+
+}  // namespace
+}  // namespace lathelier::cam

@@ -1,0 +1,101 @@
+// Inserts and holders of the library in a job.
+#include "engine/cam/tool_library.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/cam/cam_codes.h"
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/plan_codes.h"
+#include "engine/stock/turning_insert.h"
+#include "tests/engine/cam/plan_checks.h"
+
+namespace lathelier::cam {
+namespace {
+
+TEST(ToolLibrary, EntriesAreWholeAndSayWhereTheyComeFrom)
+{
+    ASSERT_GE(libraryInserts().size(), 10U);
+    for (const auto& entry : libraryInserts()) {
+        EXPECT_FALSE(entry.source.empty()) << entry.key;
+        EXPECT_EQ(entry.value.standing, "assumed") << entry.key;
+        ASSERT_TRUE(entry.value.edge_length_mm && entry.value.feed_high_mm_rev && entry.value.depth_high_mm);
+        EXPECT_LE(*entry.value.feed_high_mm_rev, 0.8 * entry.value.corner_radius_mm + 1e-9) << entry.key;
+        EXPECT_LE(*entry.value.depth_high_mm, 2 * *entry.value.edge_length_mm / 3 + 0.05) << entry.key;
+        EXPECT_LT(*entry.value.feed_low_mm_rev, *entry.value.feed_high_mm_rev) << entry.key;
+    }
+    for (const auto& entry : libraryHolders()) {
+        EXPECT_FALSE(entry.source.empty()) << entry.key;
+        EXPECT_GE(entry.value.holder.size(), 4U) << entry.key;
+        for (const stock::HolderCorner& corner : entry.value.holder)
+            EXPECT_LE(entry.value.hand == Hand::TowardChuck ? corner.dz_mm : -corner.dz_mm, 0) << entry.key;
+    }
+}
+
+TEST(ToolLibrary, NamedToolsAreFilledAndTypedValuesRule)
+{
+    Job job;
+    job.tools.resize(2);
+    job.tools[0].number = 1;
+    job.tools[0].insert = "CNMG 120408";
+    job.tools[0].holder_name = "PCLNL 2525 M12";
+    job.tools[1].number = 2;
+    job.tools[1].use = ToolUse::Finish;
+    job.tools[1].insert = "DCMT 11T3 02";  // not listed: read from its code
+    job.tools[1].nose_radius_mm = 0.25;
+    job.tools[1].entering_angle_deg = 93;
+    const Job filled = withLibrary(job);
+    EXPECT_EQ(filled.tools[0].nose_radius_mm, 0.8);
+    EXPECT_EQ(filled.tools[0].tip_angle_deg, 80.0);
+    EXPECT_EQ(filled.tools[0].entering_angle_deg, 95.0);
+    EXPECT_FALSE(filled.tools[0].holder.empty());
+    EXPECT_EQ(filled.tools[1].nose_radius_mm, 0.25);
+    EXPECT_EQ(filled.tools[1].tip_angle_deg, 55.0);
+    EXPECT_EQ(withLibrary(filled), filled);
+    job.tools[0].insert = "XXXX";
+    try {
+        withLibrary(job);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), errors::toolNotInLibrary);
+    }
+}
+
+TEST(ToolLibrary, PlansWithHoldersOfTheLibrary)
+{
+    Job job = jobWith({row(1, 18, 20), row(30, 20, 20), row(25, 30, 30), row(20, 38, 38)}, 42, 100, {});
+    JobTool rough, finish;
+    rough.number = 1;
+    rough.insert = "CNMG 120408";
+    rough.holder_name = "PCLNL 2525M12";
+    finish.number = 2;
+    finish.use = ToolUse::Finish;
+    finish.insert = "DNMG 150604";
+    finish.holder_name = "PDJNL 2525M15";
+    job.tools = {rough, finish};
+    const TurningPlan plan = planned(job, "fanuc_a");
+    expectSound(plan, "library");
+    EXPECT_EQ(plan.job.tools[1].nose_radius_mm, 0.4);
+    job.cutting.finish.feed_mm_rev = 0.5;
+    EXPECT_TRUE(contains(planned(job, "fanuc_a").notes, notes::outsideRange));
+}
+
+TEST(ToolLibrary, DeepRestIsTakenInPasses)
+{
+    // A fall of 6 mm: the 80° insert leaves it, the 55° one finishes it in passes of 1.5 mm at most.
+    const Job job = jobWith({row(20, 34, 34), row(8, 34, 22), row(25, 22, 22), row(10, 36, 36)}, 40, 100,
+                            {roughC80(), finishD55()});
+    const TurningPlan plan = planned(job, "linuxcnc");
+    expectSound(plan, "deep");
+    EXPECT_FALSE(contains(plan.notes, notes::finishCutsDeep));
+    std::size_t passes = 0;
+    for (const PlannedOperation& operation : plan.setups[0].operations)
+        passes += operation.kind == OperationKind::SemiFinish && operation.tool == 3 ? 1 : 0;
+    EXPECT_EQ(passes, 1U);
+    // What the finish still takes off is a step at most.
+    const PlannedOperation& last = plan.setups[0].operations.back();
+    EXPECT_EQ(last.kind, OperationKind::Finish);
+    EXPECT_LT(last.volume_cm3, 0.4 * 3.1416 * 6 * 1.4 * 7);
+}
+
+}  // namespace
+}  // namespace lathelier::cam

@@ -75,7 +75,7 @@ TEST(CuttingData, KienzleAndRoughness)
     const auto* c45 = workMaterial("c 45");
     ASSERT_NE(c45, nullptr);
     // h 0.1, b 1: 3064 N/mm².
-    EXPECT_NEAR(cuttingPower_kW(c45->value, 1, 0.1, 90, 60) / 0.1 * 1000, 3064, 2);
+    EXPECT_NEAR(cuttingPower(c45->value, 1, 0.1, 90, 60) / 0.1 * 1000, 3064, 2);
     EXPECT_EQ(workMaterial("unobtainium"), nullptr);
     EXPECT_NEAR(idealRz_um(0.2, 0.8), 6.275, 0.001);
     EXPECT_NEAR(idealRz_um(0.1, 0.4), 3.137, 0.001);

@@ -11244,10 +11244,6 @@
         <translation>Zadanie nie podaje materiału z biblioteki, więc moc nie jest obliczana.</translation>
     </message>
     <message>
-        <source>No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.</source>
-        <translation>Brak stabilnej prędkości obrotowej dla z = {z_start_mm} … {z_end_mm} mm; pozostaje {speed_rpm} 1/min.</translation>
-    </message>
-    <message>
         <source>Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from the new free end; {face_allowance_mm} mm are faced off there.</source>
         <translation>Drugie zamocowanie: chwyt na z = {grip_start_mm} … {grip_end_mm} mm, czoło uchwytu {chuck_face_z_mm} mm od nowego wolnego końca; planuje się tam {face_allowance_mm} mm.</translation>
     </message>
@@ -11262,14 +11258,6 @@
     <message>
         <source>The finishing tool {tool} reaches where roughing does not and cuts up to {depth_mm} mm there, near z = {z_mm} mm.</source>
         <translation>Narzędzie wykańczające {tool} sięga tam, gdzie obróbka zgrubna nie sięga, i skrawa tam do {depth_mm} mm, w pobliżu z = {z_mm} mm.</translation>
-    </message>
-    <message>
-        <source>The thread {designation} is not cut: its body is turned to the drawn diameter.</source>
-        <translation>Gwint {designation} nie jest nacinany: jego trzon toczy się na średnicę z rysunku.</translation>
-    </message>
-    <message>
-        <source>The job asks for edges broken by {edge_break_mm} mm; the program leaves them sharp.</source>
-        <translation>Zadanie wymaga stępienia krawędzi o {edge_break_mm} mm; program pozostawia je ostre.</translation>
     </message>
     <message>
         <source>Bores of the part are not in the program.</source>
@@ -12710,6 +12698,174 @@
     <message>
         <source>Machine at the chuck face, from SPINDLE.json: speeds follow its dynamics.</source>
         <translation>Maszyna przy czole uchwytu, z SPINDLE.json: prędkości obrotowe wynikają z jej dynamiki.</translation>
+    </message>
+    <message>
+        <source>Tool {tool}: “{found}” is not in the library; expected one of: {expected}.</source>
+        <translation>Narzędzie {tool}: „{found}” nie ma w bibliotece; oczekiwano jednego z: {expected}.</translation>
+    </message>
+    <message>
+        <source>threading</source>
+        <translation>nacinanie gwintu</translation>
+    </message>
+    <message>
+        <source>ISO code from the library, such as CNMG 120408.</source>
+        <translation>Kod ISO z biblioteki, np. CNMG 120408.</translation>
+    </message>
+    <message>
+        <source>Holder&apos;s code</source>
+        <translation>Kod oprawki</translation>
+    </message>
+    <message>
+        <source>ISO code from the library, such as PCLNL 2525M12.</source>
+        <translation>Kod ISO z biblioteki, np. PCLNL 2525M12.</translation>
+    </message>
+    <message>
+        <source>The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm: the finish feeds {feed_mm_rev:3} mm per revolution there (ideal Rz {ideal_Rz_um:2} µm).</source>
+        <translation>Rysunek dopuszcza Rz {Rz_um} µm dla z = {z_start_mm} … {z_end_mm} mm: posuw wykończenia wynosi tam {feed_mm_rev:3} mm na obrót (idealne Rz {ideal_Rz_um:2} µm).</translation>
+    </message>
+    <message>
+        <source>The drawing allows Rz {Rz_um} µm at z = {z_start_mm} … {z_end_mm} mm; at the least feed of {feed_mm_rev:3} mm per revolution the ideal Rz of tool {tool} is {ideal_Rz_um:2} µm.</source>
+        <translation>Rysunek dopuszcza Rz {Rz_um} µm dla z = {z_start_mm} … {z_end_mm} mm; przy najmniejszym posuwie {feed_mm_rev:3} mm na obrót idealne Rz narzędzia {tool} wynosi {ideal_Rz_um:2} µm.</translation>
+    </message>
+    <message>
+        <source>The thread {designation} is not cut, {reason}: its body is turned to the drawn diameter.</source>
+        <translation>Gwint {designation} nie jest nacinany, {reason}: jego trzon toczy się na średnicę z rysunku.</translation>
+    </message>
+    <message>
+        <source>Thread {designation}: pitch {pitch_mm} mm, {passes} passes to a depth of {depth_mm:3} mm; what it takes off is not looked at.</source>
+        <translation>Gwint {designation}: skok {pitch_mm} mm, przejścia: {passes}, do głębokości {depth_mm:3} mm; tego, co zbiera, się nie sprawdza.</translation>
+    </message>
+    <message>
+        <source>Edges broken by {edge_break_mm} mm as the job asks: {count}; left sharp: {left}.</source>
+        <translation>Krawędzie stępione o {edge_break_mm} mm zgodnie z zadaniem: {count}; pozostawione ostre: {left}.</translation>
+    </message>
+    <message>
+        <source>Tool {tool}: {quantity} of {found} is outside {low} … {high}, the range of its insert ({standing}).</source>
+        <translation>Narzędzie {tool}: {quantity} {found} jest poza zakresem {low} … {high} jego płytki ({standing}).</translation>
+    </message>
+    <message>
+        <source>The part is not cut off: it stands between chuck and tailstock.</source>
+        <translation>Część nie jest odcinana: stoi między uchwytem a konikiem.</translation>
+    </message>
+    <message>
+        <source>The end is not faced: tool {tool} would meet the tailstock.</source>
+        <translation>Czoło nie jest planowane: narzędzie {tool} trafiłoby w konik.</translation>
+    </message>
+    <message>
+        <source>The speeds are those of a part whose end is free; the tailstock holds it stiffer.</source>
+        <translation>Prędkości dotyczą części o wolnym końcu; konik trzyma ją sztywniej.</translation>
+    </message>
+    <message>
+        <source>Stable up to a depth of</source>
+        <translation>Stabilne do głębokości</translation>
+    </message>
+    <message>
+        <source>F or K</source>
+        <translation>F lub K</translation>
+    </message>
+    <message>
+        <source>cut threads</source>
+        <translation>nacinać gwintów</translation>
+    </message>
+    <message>
+        <source>there is no tool for threads</source>
+        <translation>bo nie ma narzędzia do gwintów</translation>
+    </message>
+    <message>
+        <source>it is switched off</source>
+        <translation>bo jest wyłączony</translation>
+    </message>
+    <message>
+        <source>its tool would meet something</source>
+        <translation>bo jego narzędzie w coś by trafiło</translation>
+    </message>
+    <message>
+        <source>its pitch or its place is not understood</source>
+        <translation>bo jego skok lub miejsce jest niezrozumiałe</translation>
+    </message>
+    <message>
+        <source>it is left-handed or has several starts</source>
+        <translation>bo jest lewy lub wielokrotny</translation>
+    </message>
+    <message>
+        <source>its row is no cylinder that could carry it</source>
+        <translation>bo jego wiersz nie jest walcem, który mógłby go unieść</translation>
+    </message>
+    <message>
+        <source>what stands before it is higher</source>
+        <translation>bo to, co stoi przed nim, jest wyższe</translation>
+    </message>
+    <message>
+        <source>its row is too short</source>
+        <translation>bo jego wiersz jest za krótki</translation>
+    </message>
+    <message>
+        <source>Range for it.</source>
+        <translation>Jej zakres.</translation>
+    </message>
+    <message>
+        <source>On its usual holder.</source>
+        <translation>W typowej oprawce.</translation>
+    </message>
+    <message>
+        <source>Largest cutting speed</source>
+        <translation>Największa prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>ISO code.</source>
+        <translation>Kod ISO.</translation>
+    </message>
+    <message>
+        <source>Of the main edge.</source>
+        <translation>Głównej krawędzi.</translation>
+    </message>
+    <message>
+        <source>Corners from the tip.</source>
+        <translation>Narożniki liczone od ostrza.</translation>
+    </message>
+    <message>
+        <source>a feed</source>
+        <translation>posuw</translation>
+    </message>
+    <message>
+        <source>a cutting speed</source>
+        <translation>prędkość skrawania</translation>
+    </message>
+    <message>
+        <source>a depth</source>
+        <translation>głębokość</translation>
+    </message>
+    <message>
+        <source>Width of the tolerance</source>
+        <translation>Szerokość pola tolerancji</translation>
+    </message>
+    <message>
+        <source>Of the diameter, where its limits are not stated.</source>
+        <translation>Średnicy, gdy nie podano jej odchyłek.</translation>
+    </message>
+    <message>
+        <source>Rz</source>
+        <translation>Rz</translation>
+    </message>
+    <message>
+        <source>Roughness that the drawing allows.</source>
+        <translation>Chropowatość dopuszczona przez rysunek.</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Gwint</translation>
+    </message>
+    <message>
+        <source>Cut on this row, such as M16x1.5.</source>
+        <translation>Nacinany na tym wierszu, np. M16x1.5.</translation>
+    </message>
+    <message>
+        <source>No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.</source>
+        <translation>Brak stabilnej prędkości obrotowej dla z = {z_start_mm} … {z_end_mm} mm; pozostaje {speed_rpm} 1/min.</translation>
+    </message>
+    <message>
+        <source>At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} mm, with the force of the work material.</source>
+        <translation>Przy {speed_rpm} 1/min stabilne byłyby głębokości do {stable_depth_mm:3} mm dla z = {z_start_mm} … {z_end_mm} mm, przy oporze skrawania materiału obrabianego.</translation>
     </message>
 </context>
 <context>

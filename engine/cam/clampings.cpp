@@ -74,7 +74,7 @@ std::optional<Grip> gripBefore(const Shaft& part, const Job& job, double split_m
     for (std::size_t i = 0; i < part.segments.size(); ++i) {
         const ShaftSegment& row = part.segments[i];
         const double end = begin + row.length_mm;
-        const bool is_cylinder = !row.arc_radius_mm.value_or(0) && row.start_diameter_mm == row.end_diameter_mm;
+        const bool is_cylinder = row.arc_radius_mm.value_or(0) == 0 && row.start_diameter_mm == row.end_diameter_mm;
         const double to = std::min(end, split_mm) - jawsFromShoulder_mm, length = to - begin;
         if (is_cylinder && length > 0) {
             longest = std::max(longest, length);

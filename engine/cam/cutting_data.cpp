@@ -66,8 +66,8 @@ const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name)
     return nullptr;
 }
 
-double cuttingPower_kW(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
-                       double cutting_speed_m_min)
+double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
+                    double cutting_speed_m_min)
 {
     const double sine = std::sin(entering_angle_deg * kRad), h = feed_mm_rev * sine, b = depth_mm / sine;
     if (!(h > 0) || !(b > 0)) return 0;
@@ -95,7 +95,7 @@ double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_d
     return kUm * (low + high) / 2;
 }
 
-double feedForRz_mm_rev(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev)
+double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev)
 {
     const auto fits = [&](double feed) { return idealRz_um(feed, nose_radius_mm, back_angle_deg) <= Rz_um; };
     if (fits(most_mm_rev)) return most_mm_rev;

@@ -34,14 +34,14 @@ const std::vector<LibraryEntry<WorkMaterial>>& workMaterials();
 const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name);
 
 /// P_c in kW of a depth across and a feed along; κ in degrees.
-double cuttingPower_kW(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
-                       double cutting_speed_m_min);
+double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
+                    double cutting_speed_m_min);
 
 /// Ideal Rz in µm. `back_angle_deg`: κ' of the insert, margin not taken off; 90: no straight edge in the way. NaN where
 /// f ≥ 2 r and nothing trims.
 double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg = 90);
 
 /// The largest feed up to `most_mm_rev` whose ideal Rz is no more than `Rz_um`.
-double feedForRz_mm_rev(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev);
+double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev);
 
 }  // namespace lathelier::cam

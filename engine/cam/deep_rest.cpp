@@ -23,7 +23,7 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
     if (!finish.isProfile() || finish.hand != Hand::TowardChuck) return {};
     ToolReach left = reachOf(frame, rough, cutting.allowance_mm);
     left.radius_mm += cutting.allowance_mm;  // what it leaves everywhere is no rest
-    const double fine = finishFeed_mm_rev(*frame.job, finish);
+    const double fine = finishFeed(*frame.job, finish);
     const double feed = std::max(fine, std::min(cutting.feed_mm_rev, kFeedOverNose * r));
     Operation result{
         OperationKind::SemiFinish, finish.number, frame.job->cutting.finish.cutting_speed_m_min, {}, {}, {}};

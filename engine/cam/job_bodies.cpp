@@ -44,7 +44,7 @@ stock::TurningTool turningTool(const JobTool& tool, const Job& job)
         result.shape = stock::ToolShape::Drill;
         result.width_mm = tool.width_mm.value_or(job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : 5);
         result.tip_angle_deg = tool.tip_angle_deg.value_or(60);
-        result.edge_length_mm = tool.edge_length_mm;
+        result.edge_length_mm = tool.edge_length_mm.value_or(stock::assumedReach_mm);
     } else if (tool.isBlade()) {
         result.shape = stock::ToolShape::Blade;
         result.width_mm = tool.width_mm;

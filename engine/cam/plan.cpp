@@ -190,7 +190,7 @@ private:
         double feed = 0, speed = operation.cutting_speed_m_min;
         for (const CutMove& move : operation.moves) feed = std::max(feed, move.feed_mm_rev);
         const double angle = tool && tool->isProfile() ? tool->entering_angle_deg.value_or(90) : 90;
-        return cuttingPower_kW(material.value, depth, feed, angle, speed);
+        return cuttingPower(material.value, depth, feed, angle, speed);
     }
 
     void conclude(TurningPlan& plan) const

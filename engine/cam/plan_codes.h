@@ -57,9 +57,13 @@ inline constexpr NoteCode materialForPowerMissing{
 
 inline constexpr NoteCode noStableSpeedHere{
     "no_stable_speed", Severity::Warning,
+    LT_TEXT("Engine", "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.")};
+
+inline constexpr NoteCode stableDepthHere{
+    "stable_depth", Severity::Info,
     LT_TEXT("Engine",
-            "No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept, where depths up to "
-            "{stable_depth_mm:3} mm would be stable.")};
+            "At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} "
+            "mm, with the force of the work material.")};
 
 inline constexpr NoteCode feedForRoughness{
     "feed_for_roughness", Severity::Info,

@@ -13,6 +13,7 @@ std::string toolLine(const JobTool& tool)
 {
     if (tool.isBlade())
         return fmt::format("T{} {} w{:g} c{:g}", tool.number, tool.name, *tool.width_mm, tool.corner_radius_mm);
+    if (tool.isThreader()) return fmt::format("T{} {} thread", tool.number, tool.name);
     if (tool.isDrill()) return fmt::format("T{} {} centre drill", tool.number, tool.name);
     return fmt::format("T{} {} r{:g} {:g} deg", tool.number, tool.name, tool.radius_mm(),
                        tool.entering_angle_deg.value_or(90));
@@ -29,6 +30,8 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
     lines.push_back(fmt::format("bar D{:g}, face {:g}, chuck at Z{:g}", job.stock.diameter_mm,
                                 job.stock.face_allowance_mm, -job.setup.chuck_face_z_mm));
     lines.push_back(facts.clamping.is_mirrored ? "Z0 other end face, finished" : "Z0 free end face, finished");
+    if (job.setup.tailstock)
+        lines.push_back(fmt::format("tailstock, centre hole D{:g}", job.setup.tailstock->centre_hole_mm));
     for (const JobTool& tool : job.tools) lines.push_back(toolLine(tool));
     for (const SectionSpeed& section : facts.sections) {
         if (!section.speed_rpm) continue;
@@ -37,8 +40,9 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
         if (section.frequency_hz) line += fmt::format(", f_m {:.0f} Hz, lobe {}", *section.frequency_hz, section.lobe);
         if (section.reason == LT_TEXT("Engine", "no stable speed, that of the job is kept"))
             line += ", no stable speed";
-        if (section.stable_depth_mm) line += fmt::format(", stable to {:.3f} mm", *section.stable_depth_mm);
         lines.push_back(line);
+        if (section.stable_depth_mm)
+            lines.push_back(fmt::format("  there depths up to {:.3f} mm are stable", *section.stable_depth_mm));
     }
     if (!facts.sections.empty() && facts.sections.front().speed_rpm)
         lines.push_back(fmt::format("assumed: spindle ramp {:g} rpm/s", spindleRamp_rpm_s));

@@ -143,7 +143,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
     if (part.empty()) return {};
     const RoughCutting& rough = frame.job->cutting.rough;
     const FinishCutting& finish = frame.job->cutting.finish;
-    const double feed = finishFeed_mm_rev(*frame.job, tool);
+    const double feed = finishFeed(*frame.job, tool);
     Operation result{OperationKind::FinishBack, tool.number, finish.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(tool));
     WorkStock worked = stock;

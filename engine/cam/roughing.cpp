@@ -211,7 +211,7 @@ Operation semiFinishing(const WorkFrame& frame, const JobTool& tool)
 Operation finishing(const WorkFrame& frame, const JobTool& tool)
 {
     const FinishCutting& finish = frame.job->cutting.finish;
-    return alongContour(frame, tool, OperationKind::Finish, toolCurve(frame, tool), finishFeed_mm_rev(*frame.job, tool),
+    return alongContour(frame, tool, OperationKind::Finish, toolCurve(frame, tool), finishFeed(*frame.job, tool),
                         finish.cutting_speed_m_min);
 }
 

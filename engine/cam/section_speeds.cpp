@@ -61,9 +61,14 @@ std::optional<double> depthAt(const Frf& frf, double speed_rpm, double coefficie
     return least;
 }
 
-Value valueOf(const std::optional<double>& number)
+void noteUnstable(Notes& notes, double from_mm, double to_mm, const Chosen& chosen)
 {
-    return number ? Value(*number) : Value();
+    Values values{{"z_start_mm", from_mm},
+                  {"z_end_mm", to_mm},
+                  {"speed_rpm", chosen.speed_rpm},
+                  {"stable_depth_mm", chosen.stable_depth_mm ? Value(*chosen.stable_depth_mm) : Value()}};
+    if (chosen.stable_depth_mm) notes.push_back({notes::stableDepthHere, values});
+    notes.push_back({notes::noStableSpeedHere, std::move(values)});
 }
 
 Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
@@ -112,7 +117,7 @@ std::vector<Cylinder> cylindersOf(const Shaft& part)
     double begin = 0;
     for (const ShaftSegment& row : part.segments) {
         const double end = begin + row.length_mm;
-        if (!row.arc_radius_mm.value_or(0) && row.start_diameter_mm == row.end_diameter_mm)
+        if (row.arc_radius_mm.value_or(0) == 0 && row.start_diameter_mm == row.end_diameter_mm)
             found.push_back({begin, end, row.start_diameter_mm});
         begin = end;
     }
@@ -128,9 +133,9 @@ double rzOf(const Clamping& clamping, double from_mm, double to_mm)
         const double begin = end;
         end += row.length_mm;
         if (begin > to_mm - kSame_mm || end < from_mm + kSame_mm) continue;
-        feed = std::max(feed, finishFeed_mm_rev(clamping.job, tool, row.Rz_um.value_or(0)));
+        feed = std::max(feed, finishFeed(clamping.job, tool, row.Rz_um.value_or(0)));
     }
-    if (feed == 0) feed = finishFeed_mm_rev(clamping.job, tool);
+    if (feed == 0) feed = finishFeed(clamping.job, tool);
     return idealRz_um(feed, tool.radius_mm(), tool.backAngle_deg());
 }
 
@@ -270,7 +275,7 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
     }
     const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
     const std::optional<double> coefficient =
-        coefficientOf(request.material, finishFeed_mm_rev(clamping.job, tool), tool.entering_angle_deg.value_or(90));
+        coefficientOf(request.material, finishFeed(clamping.job, tool), tool.entering_angle_deg.value_or(90));
     double begin = 0;
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
         const Cylinder& cylinder = cylinders[i];
@@ -294,12 +299,7 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
         section.stable_depth_mm = chosen.stable_depth_mm;
         section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
                                           : LT_TEXT("Engine", "no stable speed, that of the job is kept");
-        if (!chosen.is_stable)
-            notes.push_back({notes::noStableSpeedHere,
-                             {{"z_start_mm", section.z_start_mm},
-                              {"z_end_mm", section.z_end_mm},
-                              {"speed_rpm", chosen.speed_rpm},
-                              {"stable_depth_mm", valueOf(chosen.stable_depth_mm)}}});
+        if (!chosen.is_stable) noteUnstable(notes, section.z_start_mm, section.z_end_mm, chosen);
         begin = section.z_end_mm;
         sections.push_back(section);
     }
@@ -348,12 +348,7 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
             while (first > 1 && rough.moves[first - 1].kind == CutKind::Rapid) --first;
             rough.moves[first].speed_rpm = chosen.speed_rpm;
         }
-        if (!chosen.is_stable)
-            notes.push_back({notes::noStableSpeedHere,
-                             {{"z_start_mm", start.x()},
-                              {"z_end_mm", move.to.x()},
-                              {"speed_rpm", chosen.speed_rpm},
-                              {"stable_depth_mm", valueOf(chosen.stable_depth_mm)}}});
+        if (!chosen.is_stable) noteUnstable(notes, start.x(), move.to.x(), chosen);
     }
 }
 

@@ -209,13 +209,13 @@ private:
     /// What the drawing's Rz means for the feed of the finish.
     void noteRoughness(const JobTool& finish)
     {
-        const double usual = finishFeed_mm_rev(job_, finish);
+        const double usual = finishFeed(job_, finish);
         double end = 0;
         for (const ShaftSegment& row : clamping_.part.segments) {
             const double begin = end;
             end += row.length_mm;
             if (!row.Rz_um) continue;
-            const double feed = finishFeed_mm_rev(job_, finish, *row.Rz_um);
+            const double feed = finishFeed(job_, finish, *row.Rz_um);
             const double ideal = idealRz_um(feed, finish.radius_mm(), finish.backAngle_deg());
             const Values place{{"z_start_mm", begin}, {"z_end_mm", end},      {"Rz_um", *row.Rz_um},
                                {"feed_mm_rev", feed}, {"ideal_Rz_um", ideal}, {"tool", std::int64_t{finish.number}}};

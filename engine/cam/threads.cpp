@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/cam/job_bodies.h"
+
 namespace lathelier::cam {
 namespace {
 
@@ -102,6 +104,32 @@ double highest_mm(const HeightContour& contour, double from, double to)
     return highest;
 }
 
+/// Where the tip stops: beyond the thread by `side_mm` at most, and no flank of the insert meets what stands higher
+/// than the root.
+double endOf(const HeightContour& contour, const JobTool& tool, double root_mm, double to_mm, double side_mm)
+{
+    const stock::ConvexPolygon insert = stock::outlineOf(turningTool(tool, {})).insert;
+    double half = 0;  // of the insert's width
+    for (const stock::Corner& corner : insert) half = std::max(half, corner.z_mm);
+    const auto flank = [&](double height) {  // on a convex outline about its tip
+        double reach = 0;
+        for (std::size_t i = 0; i < insert.size(); ++i) {
+            const stock::Corner &a = insert[i], &b = insert[(i + 1) % insert.size()];
+            if (a.x_mm <= height) reach = std::max(reach, a.z_mm);
+            if ((a.x_mm - height) * (b.x_mm - height) < 0)
+                reach = std::max(reach, a.z_mm + (height - a.x_mm) / (b.x_mm - a.x_mm) * (b.z_mm - a.z_mm));
+        }
+        return reach;
+    };
+    double end = to_mm + side_mm;
+    constexpr double kStep_mm = 0.05;
+    const double last = std::min(contour.pieces.back().to_mm.x(), end + half + kBeforeShoulder_mm);
+    for (double z = to_mm; z < last; z += kStep_mm)
+        if (const double above = highest_mm(contour, z + kSame_mm, z + kStep_mm) - root_mm; above > kSame_mm)
+            end = std::min(end, z - flank(above) - kBeforeShoulder_mm);
+    return end;
+}
+
 Threading without(Text reason)
 {
     Threading none;
@@ -163,11 +191,7 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
     const double run_in = from - kRunInPitches * pitch, side = depth * kTan30 + kBeforeShoulder_mm;
     if (highest_mm(frame.contour, run_in, from - kSame_mm) > crest + kSame_mm)
         return without(LT_TEXT("Engine", "what stands before it is higher"));
-    double end = to;
-    if (highest_mm(frame.contour, to + kSame_mm, to + 2 * side) < root + kSame_mm)
-        end = to + side;  // into the relief
-    else if (highest_mm(frame.contour, to + kSame_mm, to + side) > crest - kSame_mm)
-        end = to - side;  // the root runs out before the shoulder
+    const double end = endOf(frame.contour, tool, root, to, side);
     if (end - from < pitch) return without(LT_TEXT("Engine", "its row is too short"));
     Threading result;
     const double square = (depth / kFirstPass_mm) * (depth / kFirstPass_mm);

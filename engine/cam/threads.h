@@ -41,7 +41,7 @@ struct Threading {
 };
 
 /// Runs in by three pitches over what is no higher than the thread; runs out into what is lower than its root, or ends
-/// before a shoulder.
+/// before what is higher, so far that the insert's flank does not meet it.
 Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThread& thread, double max_rpm);
 
 }  // namespace lathelier::cam

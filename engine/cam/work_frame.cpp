@@ -55,16 +55,16 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     return frame;
 }
 
-double finishFeed_mm_rev(const Job& job, const JobTool& tool)
+double finishFeed(const Job& job, const JobTool& tool)
 {
     return tool.feed_mm_rev.value_or(job.cutting.finish.feed_mm_rev);
 }
 
-double finishFeed_mm_rev(const Job& job, const JobTool& tool, double Rz_um)
+double finishFeed(const Job& job, const JobTool& tool, double Rz_um)
 {
-    const double usual = finishFeed_mm_rev(job, tool);
+    const double usual = finishFeed(job, tool);
     if (!(Rz_um > 0) || !tool.isProfile()) return usual;
-    const double feed = feedForRz_mm_rev(Rz_um, tool.radius_mm(), tool.backAngle_deg(), usual);
+    const double feed = feedForRz(Rz_um, tool.radius_mm(), tool.backAngle_deg(), usual);
     constexpr double kSteps = 1000;  // a post writes three decimals
     if (feed >= usual) return usual;
     return std::min(usual, std::max(leastFeed_mm_rev, std::floor(kSteps * feed) / kSteps));
@@ -73,7 +73,7 @@ double finishFeed_mm_rev(const Job& job, const JobTool& tool, double Rz_um)
 std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool)
 {
     std::vector<double> feeds;
-    for (const double Rz : frame.Rz_um) feeds.push_back(finishFeed_mm_rev(*frame.job, tool, Rz));
+    for (const double allowed_um : frame.Rz_um) feeds.push_back(finishFeed(*frame.job, tool, allowed_um));
     return feeds;
 }
 

@@ -38,8 +38,8 @@ inline constexpr double leastFeed_mm_rev = 0.02;  ///< of a finish, however smoo
 
 /// The feed of a finishing tool as stated; and where the drawing allows an Rz: a smaller one if the ideal Rz would be
 /// more, on whole 0.001 mm and no less than leastFeed_mm_rev.
-double finishFeed_mm_rev(const Job& job, const JobTool& tool);
-double finishFeed_mm_rev(const Job& job, const JobTool& tool, double Rz_um);
+double finishFeed(const Job& job, const JobTool& tool);
+double finishFeed(const Job& job, const JobTool& tool, double Rz_um);
 /// On each piece of the contour.
 std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool);
 

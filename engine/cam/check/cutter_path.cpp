@@ -12,7 +12,6 @@ namespace lathelier::cam {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double flat_mm = 1e-9;  ///< a polygon thinner than this is a line
 
 double distanceToLine(const Corner& place, const Corner& from, const Corner& to)
 {

@@ -253,10 +253,28 @@ private:
             add({found.line, kindOf(found.kind), found.z_mm - zero, found.x_mm, found.depth_mm});
         result_.findings_not_listed += met.findings_not_listed;
         for (Note note : met.notes) {
+            if (saysNothing(note, moves)) continue;
             if (const Value* z = lathelier::find(note.values, "z_mm"))
                 if (const double* number = std::get_if<double>(z)) set(note.values, "z_mm", *number - zero);
             result_.notes.push_back(std::move(note));
         }
+    }
+
+    /// Before its first tool a program has none; and a tool for threads leaves each pass along the stock.
+    bool saysNothing(const Note& note, const std::vector<gcode::Move>& moves) const
+    {
+        const auto number = [&note](const char* name) -> std::int64_t {
+            const Value* value = lathelier::find(note.values, name);
+            const auto* whole = value ? std::get_if<std::int64_t>(value) : nullptr;
+            return whole ? *whole : -1;
+        };
+        if (note.code == notes::toolAssumed || note.code == notes::toolWithoutHolder)
+            return number("tool") == 0 && !job_.tool(0);
+        if (!(note.code == notes::smallClearance)) return false;
+        return std::any_of(moves.begin(), moves.end(), [&](const gcode::Move& move) {
+            const JobTool* tool = move.line == number("line") ? job_.tool(move.tool) : nullptr;
+            return tool && tool->isThreader();
+        });
     }
 
     /// The tailstock comes when its hole was drilled; without a drill in the program it is there from the start.

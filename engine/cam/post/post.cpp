@@ -25,7 +25,7 @@ const Text listExpected = LT_TEXT("Engine", "a list of texts");
 /// A text of one line that a program may hold.
 std::string oneLine(const JsonCursor& cursor)
 {
-    const std::string text = cursor.string();
+    std::string text = cursor.string();
     if (text.size() > kLongestTemplate) cursor.reject(LT_TEXT("Engine", "a text of at most 200 characters"));
     for (const char c : text)
         if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
@@ -36,7 +36,7 @@ std::string oneLine(const JsonCursor& cursor)
 /// A template: every brace names a value that the writer has.
 std::string oneTemplate(const JsonCursor& cursor)
 {
-    const std::string text = oneLine(cursor);
+    std::string text = oneLine(cursor);
     for (std::size_t at = 0; (at = text.find_first_of("{}", at)) != std::string::npos;) {
         const std::size_t end = text.find('}', at);
         static constexpr const char* known[]{"title", "number", "tool", "tool2", "max_rpm", "vc", "rpm"};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/cam/cutting_data.h"
+#include "engine/cam/plan_codes.h"
 #include "tests/engine/cam/plan_data.h"
 
 namespace lathelier::cam {
@@ -56,6 +57,36 @@ TEST(SectionSpeeds, ExactRelationStaysInItsPocket)
     EXPECT_LT(*first.speed_rpm, 60 * *first.frequency_hz / (k - 0.25));
 }
 
+TEST(SectionSpeeds, WithoutAStableSpeedTheDepthThatWouldBe)
+{
+    // The stable speed lies above the spindle's limit: the catalogue's speed is kept.
+    Job job = jobWith({row(98, 30, 30), row(10, 37, 37)}, 40, 200, {roughC80(), finishC80()});
+    job.cutting.material = "C45";
+    job.max_rpm = 2000;
+    TurningInputs inputs;
+    inputs.post = postNamed("fanuc_a");
+    inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};
+    TurningParameters parameters;
+    parameters.setups = SetupChoice::One;
+    const TurningPlan plan = planTurning(*job.shaft, job, inputs, parameters);
+    ASSERT_TRUE(contains(plan.notes, notes::noStableSpeedHere));
+    EXPECT_TRUE(contains(plan.notes, notes::stableDepthHere));
+    const SectionSpeed& first = plan.sections[0];
+    ASSERT_TRUE(first.stable_depth_mm);
+    EXPECT_EQ(*first.speed_rpm, 2000);
+    // No less than the depth that is stable at any speed: -1 / (2 k_c Re G).
+    double least = 0;
+    for (const auto& value : first.receptance->value) least = std::min(least, value.real());
+    const double k_c = 2220 * std::pow(0.1 * std::sin(95 * std::acos(-1.0) / 180), -0.14);
+    EXPECT_GE(*first.stable_depth_mm, -1 / (2 * k_c * least) * 0.999);
+    EXPECT_LT(*first.stable_depth_mm, 100 * -1 / (2 * k_c * least));
+    EXPECT_NE(plan.setups[0].text.find("THERE DEPTHS UP TO"), std::string::npos);
+    job.cutting.material.clear();
+    const TurningPlan unknown = planTurning(*job.shaft, job, inputs, parameters);
+    EXPECT_FALSE(unknown.sections[0].stable_depth_mm);
+    EXPECT_FALSE(contains(unknown.notes, notes::stableDepthHere));
+}
+
 TEST(SectionSpeeds, StatedSectionsStandInTheProgram)
 {
     Job job = jobWith({row(98, 30, 30), row(6, 37, 37)}, 40, 130, {roughC80(), finishC80()});
@@ -75,7 +106,7 @@ TEST(CuttingData, KienzleAndRoughness)
     const auto* c45 = workMaterial("c 45");
     ASSERT_NE(c45, nullptr);
     // h 0.1, b 1: 3064 N/mm².
-    EXPECT_NEAR(cuttingPower_kW(c45->value, 1, 0.1, 90, 60) / 0.1 * 1000, 3064, 2);
+    EXPECT_NEAR(cuttingPower(c45->value, 1, 0.1, 90, 60) / 0.1 * 1000, 3064, 2);
     EXPECT_EQ(workMaterial("unobtainium"), nullptr);
     EXPECT_NEAR(idealRz_um(0.2, 0.8), 6.275, 0.001);
     EXPECT_NEAR(idealRz_um(0.1, 0.4), 3.137, 0.001);

@@ -4,6 +4,7 @@
 
 #include "engine/cam/ends.h"
 #include "engine/cam/job_bodies.h"
+#include "engine/cam/operation_order.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/rest_operations.h"
 #include "engine/cam/roughing.h"
@@ -17,10 +18,11 @@ constexpr double kDeepFinish_mm = 1.5;  // more than this is remarked
 class SetupPlanner {
 public:
     SetupPlanner(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                 const Progress& progress)
+                 const std::vector<OperationStep>& order, const Progress& progress)
         : clamping_(clamping),
           job_(clamping.job),
           skipped_(skipped),
+          order_(order),
           frame_(frameOf(clamping.job, clamping.part)),
           progress_(progress),
           result_{{}, {}, {}, {}, {}, std::move(stock), {}}
@@ -31,26 +33,18 @@ public:
     {
         const JobTool& rough = *job_.toolFor(ToolUse::Rough);
         const JobTool& finish = *job_.toolFor(ToolUse::Finish);
-        const double depth = job_.cutting.rough.depth_mm;
-        if (auto face = facing(frame_, rough)) keep(std::move(*face), std::min(depth, largestFacing_mm));
-        if (auto hole = centreDrilling(frame_); hole && !isSkipped(*hole)) {
-            keep(std::move(*hole), 0);
-            has_centre_hole_ = true;
-        }
-        progress_.report(0.1);
-        WorkStock laid = result_.after;
-        if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
-        progress_.report(0.4);
-        keep(semiFinishing(frame_, rough), depth);
-        keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
-        noteDeepFinish(rough, finish);
         reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
         if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
-        progress_.report(0.6);
-        for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
-            for (const JobTool& tool : job_.tools)
-                if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove))) clean(tool);
-        if (clamping_.parts_off) partOff();
+        noteDeepFinish(rough, finish);
+        const std::vector<OperationStep> steps = inOrder(usualSteps(rough, finish), order_);
+        if (const auto fault = faultOf(steps))
+            throw Error(errors::orderImpossible, {{"operation", nameOf(fault->step.kind)},
+                                                  {"needed", nameOf(fault->needs.kind)},
+                                                  {"reason", fault->reason}});
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            progress_.report(static_cast<double>(i) / static_cast<double>(steps.size()));
+            runStep(steps[i]);
+        }
         result_.rest = restOf(frame_.contour, reaches_);
         progress_.report(1);
         return std::move(result_);
@@ -63,6 +57,54 @@ private:
         return std::find(skipped_.begin(), skipped_.end(), wanted) != skipped_.end();
     }
     bool isSkipped(const Operation& operation) const { return isSkipped(operation.kind, operation.tool); }
+
+    std::vector<OperationStep> usualSteps(const JobTool& rough, const JobTool& finish) const
+    {
+        std::vector<OperationStep> steps;
+        const auto add = [&](OperationKind kind, int tool) {
+            steps.push_back({clamping_.is_mirrored ? 2 : 1, kind, tool});
+        };
+        add(OperationKind::Face, rough.number);
+        if (const auto hole = centreDrilling(frame_)) add(OperationKind::CentreDrill, hole->tool);
+        add(OperationKind::Rough, rough.number);
+        add(OperationKind::SemiFinish, rough.number);
+        add(OperationKind::Finish, finish.number);
+        for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
+            for (const JobTool& tool : job_.tools)
+                if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove)))
+                    add(tool.isBlade() ? OperationKind::Groove : OperationKind::FinishBack, tool.number);
+        if (clamping_.parts_off) add(OperationKind::PartOff, job_.partingBlade()->number);
+        return steps;
+    }
+
+    void runStep(const OperationStep& step)
+    {
+        const JobTool& rough = *job_.toolFor(ToolUse::Rough);
+        const double depth = job_.cutting.rough.depth_mm;
+        switch (step.kind) {
+            case OperationKind::Face:
+                if (auto face = facing(frame_, rough)) keep(std::move(*face), std::min(depth, largestFacing_mm));
+                break;
+            case OperationKind::CentreDrill:
+                if (auto hole = centreDrilling(frame_); hole && !isSkipped(*hole)) {
+                    keep(std::move(*hole), 0);
+                    has_centre_hole_ = true;
+                }
+                break;
+            case OperationKind::Rough: {
+                WorkStock laid = result_.after;
+                if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
+                break;
+            }
+            case OperationKind::SemiFinish: keep(semiFinishing(frame_, rough), depth); break;
+            case OperationKind::Finish:
+                keep(finishing(frame_, *job_.toolFor(ToolUse::Finish)), job_.cutting.rough.allowance_mm);
+                break;
+            case OperationKind::FinishBack:
+            case OperationKind::Groove: clean(*job_.tool(step.tool)); break;
+            case OperationKind::PartOff: partOff(); break;
+        }
+    }
 
     void keep(Operation operation, double depth)
     {
@@ -180,6 +222,7 @@ private:
     const Clamping& clamping_;
     const Job& job_;
     const std::vector<SkippedOperation>& skipped_;
+    const std::vector<OperationStep>& order_;
     WorkFrame frame_;
     const Progress& progress_;
     SetupOperations result_;
@@ -209,9 +252,9 @@ const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
 }
 
 SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                          const Progress& progress)
+                          const std::vector<OperationStep>& order, const Progress& progress)
 {
-    return SetupPlanner(clamping, std::move(stock), skipped, progress).run();
+    return SetupPlanner(clamping, std::move(stock), skipped, order, progress).run();
 }
 
 WorkStock barOf(const Clamping& clamping)

@@ -40,11 +40,11 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     auto* stacked = new QVBoxLayout(both);
     stacked->setContentsMargins(0, 0, 0, 0);
     check_->setObjectName("correctionCheck");
-    auto* row = new QHBoxLayout;
-    row->addWidget(only_changes_);
-    row->addStretch();
-    row->addWidget(check_);
-    stacked->addLayout(row);
+    auto* above = new QHBoxLayout;
+    above->addWidget(only_changes_);
+    above->addStretch();
+    above->addWidget(check_);
+    stacked->addLayout(above);
     stacked->addWidget(lines_, 1);
     reason_->setObjectName("correctionReason");
     reason_->setWordWrap(true);

@@ -41,16 +41,16 @@ OperationsPane::OperationsPane(QWidget* parent)
     table_->verticalHeader()->show();
     table_->verticalHeader()->setSectionsMovable(true);
     said_->setWordWrap(true);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(up_);
-    row->addWidget(down_);
-    row->addWidget(reset_);
-    row->addStretch(1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(up_);
+    buttons->addWidget(down_);
+    buttons->addWidget(reset_);
+    buttons->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addLayout(row);
+    column->addLayout(buttons);
     column->addWidget(table_, 1);
     column->addWidget(said_);
     said_->hide();
@@ -64,11 +64,11 @@ OperationsPane::OperationsPane(QWidget* parent)
     });
     // The header moves the row itself, which is not what moves an operation: it goes back, once the drag has ended.
     connect(table_->verticalHeader(), &QHeaderView::sectionMoved, this, [this](int row, int from, int on) {
+        if (puts_back_) return;
         QTimer::singleShot(0, this, [this, row, from, on] {
-            {
-                const QSignalBlocker quiet(table_->verticalHeader());
-                table_->verticalHeader()->moveSection(on, from);
-            }
+            puts_back_ = true;
+            table_->verticalHeader()->moveSection(on, from);
+            puts_back_ = false;
             dropRow(row, on);
         });
     });

@@ -48,7 +48,8 @@ private:
     std::vector<cam::OperationStep> steps_;
     std::vector<cam::OperationStep> rows_;
     std::optional<cam::OperationStep> chosen_;  ///< stays the current row
-    bool is_own_order_ = false;
+    bool is_own_order_ = false;                 ///< not the usual one
+    bool puts_back_ = false;                    ///< the header's row goes back after a drag
 };
 
 }  // namespace lathelier::turning_panel
